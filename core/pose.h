@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/vec.h"
+
+namespace scb {
+
+/// A rigid placement of a body: body frame to world frame, `x -> rotation * x + translation`.
+struct Pose {
+    Mat3 rotation = Mat3::Identity();
+    Vec3 translation = Vec3::Zero();
+};
+
+inline Vec3 rotate(const Mat3& m, const Vec3& v) {
+    return {m(0, 0) * v[0] + m(0, 1) * v[1] + m(0, 2) * v[2],
+            m(1, 0) * v[0] + m(1, 1) * v[1] + m(1, 2) * v[2],
+            m(2, 0) * v[0] + m(2, 1) * v[1] + m(2, 2) * v[2]};
+}
+
+/// A point of the body, in the world.
+inline Vec3 transform_point(const Pose& pose, const Vec3& point) {
+    return rotate(pose.rotation, point) + pose.translation;
+}
+
+/// A direction of the body, in the world.
+inline Vec3 transform_direction(const Pose& pose, const Vec3& direction) {
+    return rotate(pose.rotation, direction);
+}
+
+/// The pose of B as seen from A's frame: `inverse(a) * b` (equation 6 of the paper).
+Pose relative_pose(const Pose& a, const Pose& b);
+
+/// The largest entry of |R^T R - I|, or infinity where the determinant is not positive or an entry is not finite.
+double rigidity_defect(const Pose& pose);
+
+/// Throws InputError where the pose is not rigid to 1e-9: a scaled or mirrored pose would silently break
+/// radii and normals. `name` says whose pose it is.
+void check_rigid(const Pose& pose, std::string_view name);
+
+}  // namespace scb
