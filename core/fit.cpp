@@ -13,7 +13,7 @@ template <class Volume>
 Volume fit_points(std::span<const Vec3> points, const FitOptions& options) {
     if (points.empty()) throw InputError("no points to fit a volume to; give at least one.");
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!(points[i].cwiseAbs().maxCoeff() <= max_coordinate)) {
+        if (!(points[i].cwiseAbs().array() <= max_coordinate).all()) {
             std::ostringstream sentence;
             sentence << "point " << i << " is not finite, or beyond " << max_coordinate
                      << "; a volume needs finite points.";

@@ -25,18 +25,26 @@ enum class BallMethod {
     ritter,   ///< Ritter's ball (Section 5, last comparison)
 };
 
+/// What fits did, summed over them; for showing that the work is linear.
+struct FitCounts {
+    std::uint64_t point_visits = 0;     ///< points looked at: by the growth of the ball and by every slab tried
+    std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
+};
+
 struct FitOptions {
     BallGrowth growth = BallGrowth::radius;
     BallMethod ball_method = BallMethod::minimum;
     /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward by margin * r, but not
     /// out of the ball.
     double margin = 0;
+    /// Where to count the work of SCB fits; nowhere by default.
+    FitCounts* counts = nullptr;
 };
 
 /// A set of points to fit a volume to, with what is already known about it. `build_hierarchy` derives it from the
 /// children's; the fit of a plain list of points computes it.
 struct FitInput {
-    /// The points, in ascending order of their ids; either part may be empty.
+    /// The points, in ascending order of their ids; either part may be empty, and 26 points or fewer are all in the first.
     std::array<PointsView, 2> parts;
     /// Coordinates by id, for the ids in `dop`.
     const double* x = nullptr;
@@ -52,7 +60,7 @@ struct FitInput {
 ///
 /// Scb: Figure 3 of the paper, O(n). Minimum ball of the at most 26 extremal points of the 26-DOP (of all points where
 /// n <= 26; n counts distinct positions in a hierarchy), grown over all points; the narrowest slab among the DOP's 13 and
-/// the planes through an extremal pair and the extremal point farthest from their line. A pair that coincides, or whose
+/// the planes through an extremal pair and the extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or whose
 /// points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
 ///
 /// Ball: the same ball, or Ritter's.

@@ -1,28 +1,18 @@
 #include "core/fit_ball.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/min_ball.h"
 #include "core/point_passes.h"
 #include "core/ritter_ball.h"
 
 namespace scb {
-namespace {
-
-Ball min_ball_of_all(const FitInput& input) {
-    if (input.parts[0].size == 0) return min_ball(input.parts[1]);
-    if (input.parts[1].size == 0) return min_ball(input.parts[0]);
-    PointArrays all;
-    all.reserve(input.size());
-    for (const PointsView& part : input.parts)
-        for (std::size_t i = 0; i < part.size; ++i) all.push_back(part[i]);
-    return min_ball(all.view());
-}
-
-}  // namespace
-
 Ball enclosing_ball(const FitInput& input, const ExtremalPoints& extremal, BallGrowth growth) {
-    if (input.size() <= ExtremalPoints::capacity) return min_ball_of_all(input);
+    if (input.size() <= ExtremalPoints::capacity) {
+        assert(input.parts[1].size == 0 && "few points come in one part");
+        return min_ball(input.parts[0]);
+    }
     Ball ball = min_ball(extremal.view());
     if (growth == BallGrowth::ritter) return grown_by_shifting(ball, input.parts);
     double reach = 0;

@@ -31,35 +31,36 @@ Slab narrowest_dop_slab(const Dop26& dop) {
     return slab;
 }
 
-// Line 9: the point of E farthest from the line through h and l, the first of several; line 10: the unit normal of the three.
-// False where they are collinear.
-bool normal_of_largest_triangle(const ExtremalPoints& e, const Vec3& h, const Vec3& l, Vec3& normal) {
+// Line 9: the point farthest from the line through h and l, the first of several; line 10: the unit normal of the three. False where
+// they are collinear.
+bool normal_of_largest_triangle(const PointsView& points, const Vec3& h, const Vec3& l, Vec3& normal) {
     const Vec3 d = l - h;
     std::array<double, ExtremalPoints::capacity> squared_area{};
-    for (std::size_t i = 0; i < e.count; ++i) {
-        const double x = e.x[i] - h[0], y = e.y[i] - h[1], z = e.z[i] - h[2];
+    for (std::size_t i = 0; i < points.size; ++i) {
+        const double x = points.x[i] - h[0], y = points.y[i] - h[1], z = points.z[i] - h[2];
         const double cx = d[1] * z - d[2] * y, cy = d[2] * x - d[0] * z, cz = d[0] * y - d[1] * x;
         squared_area[i] = cx * cx + cy * cy + cz * cz;
     }
     std::size_t far = 0;
-    for (std::size_t i = 1; i < e.count; ++i)
+    for (std::size_t i = 1; i < points.size; ++i)
         if (squared_area[i] > squared_area[far]) far = i;
     if (!(squared_area[far] > 0)) return false;
-    const Vec3 p(e.x[far] - h[0], e.y[far] - h[1], e.z[far] - h[2]);
-    normal = cross(d, p) / std::sqrt(squared_area[far]);
+    normal = cross(d, points[far] - h) / std::sqrt(squared_area[far]);
     return true;
 }
 
-// Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they mostly decide.
-void keep_if_narrower(Slab& best, const Vec3& n, const Vec3& c, const PointsView& extremal,
+// Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they mostly decide. Returns how many
+// points were looked at.
+std::size_t keep_if_narrower(Slab& best, const Vec3& n, const Vec3& c, const PointsView& extremal,
                       const FitInput& input) {
     Interval interval;
-    extend(interval, extremal, c, n, best.width);
+    std::size_t visits = extend(interval, extremal, c, n, best.width);
     for (const PointsView& part : input.parts) {
-        if (interval.width() >= best.width) return;
-        extend(interval, part, c, n, best.width);
+        if (interval.width() >= best.width) return visits;
+        visits += extend(interval, part, c, n, best.width);
     }
     if (interval.width() < best.width) best = {n, interval.width(), interval, true};
+    return visits;
 }
 
 }  // namespace
@@ -68,9 +69,15 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
     const ExtremalPoints extremal = extremal_points(*input.dop, input.x, input.y, input.z);
     const Ball ball = enclosing_ball(input, extremal, options.growth);
 
+    // Few points stand for themselves, as they do for the ball: the third corner of a slender triangle need not be extremal, and a slab
+    // through the other two alone is not flat.
+    const PointsView points = extremal.view();
+    const PointsView thirds = input.size() <= ExtremalPoints::capacity ? input.parts[0] : points;
+
     Slab slab = narrowest_dop_slab(*input.dop);
     std::array<std::uint16_t, Dop26::directions> met;  // pairs of extremal points, smaller index first
     std::size_t met_count = 0;
+    std::uint64_t visits = input.size(), candidates = 0;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const std::uint8_t upper = extremal.upper[i], lower = extremal.lower[i];
         const auto pair = static_cast<std::uint16_t>(std::min(upper, lower) << 8 | std::max(upper, lower));
@@ -78,12 +85,16 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
         if (upper == lower || std::find(met.begin(), end, pair) != end) continue;
         met[met_count++] = pair;
         Vec3 n;
-        const PointsView points = extremal.view();
-        if (normal_of_largest_triangle(extremal, points[upper], points[lower], n))
-            keep_if_narrower(slab, n, ball.center, points, input);
+        if (!normal_of_largest_triangle(thirds, points[upper], points[lower], n)) continue;
+        visits += keep_if_narrower(slab, n, ball.center, points, input);
+        ++candidates;
     }
     if (!slab.measured)
-        for (const PointsView& part : input.parts) extend(slab.interval, part, ball.center, slab.n);
+        for (const PointsView& part : input.parts) visits += extend(slab.interval, part, ball.center, slab.n);
+    if (options.counts != nullptr) {
+        options.counts->point_visits += visits;
+        options.counts->candidate_slabs += candidates;
+    }
 
     // The center is in the convex hull, so f <= 0 <= e but for rounding, which is repaired outward.
     result.c = ball.center;

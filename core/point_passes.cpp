@@ -40,11 +40,11 @@ double max_squared_distance(const PointsView& points, const Vec3& c) {
     return result;
 }
 
-void extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n, double enough) {
+std::size_t extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n, double enough) {
     constexpr std::size_t block = 64;
     std::size_t i = 0;
     while (i + width <= points.size) {
-        if (interval.width() >= enough) return;
+        if (interval.width() >= enough) return i;
         const std::size_t end = std::min(points.size, i + block);
         Lanes lower = Lanes{} + interval.lower, upper = Lanes{} + interval.upper;
         for (; i + width <= end; i += width) {
@@ -65,6 +65,7 @@ void extend(Interval& interval, const PointsView& points, const Vec3& c, const V
         interval.lower = std::min(interval.lower, h);
         interval.upper = std::max(interval.upper, h);
     }
+    return points.size;
 }
 
 Farthest farthest_point(const PointsView& points, const Vec3& c) {

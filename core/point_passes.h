@@ -22,7 +22,8 @@ struct Interval {
 };
 
 /// Extends the interval by n.(p - c) of every point; gives up, with an interval at least `enough` wide, as soon as it is.
-void extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n,
+/// Returns how many points it looked at.
+std::size_t extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n,
             double enough = std::numeric_limits<double>::infinity());
 
 /// The index of the first of the points that are farthest from c, and its squared distance.
