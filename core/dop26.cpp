@@ -61,10 +61,11 @@ void add_point(Dop26& dop, double x, double y, double z, std::uint32_t id) {
 Dop26 merge(const Dop26& a, const Dop26& b) {
     Dop26 dop;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
-        const bool b_upper = (b.upper[i] > a.upper[i]) |
-                             ((b.upper[i] == a.upper[i]) & (b.upper_id[i] < a.upper_id[i]));
-        const bool b_lower = (b.lower[i] < a.lower[i]) |
-                             ((b.lower[i] == a.lower[i]) & (b.lower_id[i] < a.lower_id[i]));
+        // Without branches: which child is the more extreme cannot be predicted.
+        const int b_upper = int{b.upper[i] > a.upper[i]} |
+                            (int{b.upper[i] == a.upper[i]} & int{b.upper_id[i] < a.upper_id[i]});
+        const int b_lower = int{b.lower[i] < a.lower[i]} |
+                            (int{b.lower[i] == a.lower[i]} & int{b.lower_id[i] < a.lower_id[i]});
         dop.upper[i] = b_upper ? b.upper[i] : a.upper[i];
         dop.lower[i] = b_lower ? b.lower[i] : a.lower[i];
         dop.upper_id[i] = b_upper ? b.upper_id[i] : a.upper_id[i];

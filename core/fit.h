@@ -32,7 +32,9 @@ struct FitCounts {
 };
 
 struct FitOptions {
-    BallGrowth growth = BallGrowth::radius;
+    /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes smaller and hardly any larger (summed
+    /// area -0.05 %), at the same cost.
+    BallGrowth growth = BallGrowth::ritter;
     BallMethod ball_method = BallMethod::minimum;
     /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward by margin * r, but not
     /// out of the ball.

@@ -77,7 +77,7 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
     Slab slab = narrowest_dop_slab(*input.dop);
     std::array<std::uint16_t, Dop26::directions> met;  // pairs of extremal points, smaller index first
     std::size_t met_count = 0;
-    std::uint64_t visits = input.size(), candidates = 0;
+    std::uint64_t visits = (options.growth == BallGrowth::ritter ? 2 : 1) * input.size(), candidates = 0;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const std::uint8_t upper = extremal.upper[i], lower = extremal.lower[i];
         const auto pair = static_cast<std::uint16_t>(std::min(upper, lower) << 8 | std::max(upper, lower));

@@ -93,7 +93,7 @@ class BottomUpFit {
         gathered_.clear();
         for (auto id = shared_.end() - top.shared_count; id != shared_.end(); ++id)
             gathered_.push_back({p.x[*id], p.y[*id], p.z[*id]});
-        PointsView own = p.view(top.own_first, next_id_ - top.own_first);
+        PointsView own = p.view().sub(top.own_first, next_id_ - top.own_first);
         constexpr std::size_t copy_below = 64;  // one part instead of two: less to do than it costs
         if (own.size + gathered_.size() < copy_below) {
             for (std::size_t i = 0; i < own.size; ++i) gathered_.push_back(own[i]);

@@ -16,6 +16,10 @@ struct PointsView {
     std::size_t size = 0;
 
     Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+    /// `count` points from `first` on.
+    PointsView sub(std::size_t first, std::size_t count) const {
+        return {x + first, y + first, z + first, count};
+    }
 };
 
 /// Points as three parallel arrays of coordinates.
@@ -44,11 +48,7 @@ struct PointArrays {
         y.clear();
         z.clear();
     }
-    /// `count` points from `first` on.
-    PointsView view(std::size_t first, std::size_t count) const {
-        return {x.data() + first, y.data() + first, z.data() + first, count};
-    }
-    PointsView view() const { return view(0, size()); }
+    PointsView view() const { return {x.data(), y.data(), z.data(), size()}; }
 };
 
 }  // namespace scb

@@ -18,8 +18,14 @@ void shift_to_enclose(Ball& ball, const Vec3& point) {
 }
 
 Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts) {
+    constexpr std::size_t block = 64;
     for (const PointsView& part : parts)
-        for (std::size_t i = 0; i < part.size; ++i) shift_to_enclose(ball, part[i]);
+        for (std::size_t first = 0; first < part.size; first += block) {
+            const PointsView points = part.sub(first, std::min(block, part.size - first));
+            // Mostly all are inside, which is quicker to tell of a block.
+            if (max_squared_distance(points, ball.center) <= ball.radius * ball.radius) continue;
+            for (std::size_t i = 0; i < points.size; ++i) shift_to_enclose(ball, points[i]);
+        }
     // The center moved after the first points were met, so what they need is measured anew.
     double reach = 0;
     for (const PointsView& part : parts) reach = std::max(reach, max_squared_distance(part, ball.center));
