@@ -1,0 +1,59 @@
+#include "scenes/builtin.h"
+
+#include "scenes/json_reader.h"
+#include "scenes/scene_file.h"
+
+// Made by scb_embed from scenes/builtin/*.json; the list in scenes/CMakeLists.txt is the same.
+#define SCB_FOR_EACH_BUILTIN(X) \
+    X(spheres_l1)               \
+    X(spheres_l2)               \
+    X(knots_l1)                 \
+    X(knots_l2)                 \
+    X(knots_l3)                 \
+    X(flat_plate)               \
+    X(concentric_spheres)       \
+    X(thin_cylinder)            \
+    X(cone)                     \
+    X(soup)
+
+extern "C" {
+#define SCB_DECLARE(symbol)                    \
+    extern const char scb_embedded_##symbol[]; \
+    extern const char scb_embedded_##symbol##_end[];
+SCB_FOR_EACH_BUILTIN(SCB_DECLARE)
+#undef SCB_DECLARE
+}
+
+namespace scb {
+namespace {
+
+BuiltinScene summary(const char* begin, const char* end) {
+    const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+    const nlohmann::json document = parse_json(text, "a built-in scene");
+    const JsonPlace root{&document, "a built-in scene", ""};
+    return {read_text(field(root, "name")), read_text(field(root, "description")), text,
+            static_cast<int>(read_integer(field(root, "frames"), 1, 1'000'000))};
+}
+
+}  // namespace
+
+const std::vector<BuiltinScene>& builtin_scenes() {
+    static const std::vector<BuiltinScene> scenes = {
+#define SCB_ENTRY(symbol) summary(scb_embedded_##symbol, scb_embedded_##symbol##_end),
+        SCB_FOR_EACH_BUILTIN(SCB_ENTRY)
+#undef SCB_ENTRY
+    };
+    return scenes;
+}
+
+const BuiltinScene* find_builtin(std::string_view name) {
+    for (const BuiltinScene& scene : builtin_scenes())
+        if (scene.name == name) return &scene;
+    return nullptr;
+}
+
+Scene load_builtin(const BuiltinScene& scene) {
+    return parse_scene(scene.json, {"built-in " + scene.name, {}, {}});
+}
+
+}  // namespace scb

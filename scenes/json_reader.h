@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/vec.h"
+
+namespace scb {
+
+/// A value inside a JSON document together with the place where it stands, so that a refusal can
+/// name both. It refers to the document and must not outlive it.
+struct JsonPlace {
+    const nlohmann::json* value = nullptr;
+    std::string file;  ///< the document's name for messages
+    std::string path;  ///< for example `bodies[1].rotation[0].axis`; empty for the whole document
+
+    const nlohmann::json& operator*() const { return *value; }
+};
+
+/// Parses a document. Throws InputError with file, line and column where it is not JSON, and where
+/// an object has a field twice, which JSON readers otherwise resolve silently.
+nlohmann::json parse_json(std::string_view text, const std::string& file);
+
+/// The whole of a text file. Throws InputError where it is missing, a directory, larger than 64
+/// MiB, or unreadable.
+std::string read_text_file(const std::string& file);
+
+/// Throws InputError: `FILE: PATH: SENTENCE`.
+[[noreturn]] void refuse(const JsonPlace& place, const std::string& sentence);
+
+/// Throws InputError: `FILE: PATH: expected EXPECTED, found VALUE.`
+[[noreturn]] void refuse_value(const JsonPlace& place, const std::string& expected);
+
+/// Throws InputError where the value is not an object, or has a field that is not in the list.
+void check_fields(const JsonPlace& place, std::initializer_list<std::string_view> known);
+
+bool has(const JsonPlace& object, const char* field);
+
+/// A field of an object, refused where it is missing; an element of an array.
+JsonPlace field(const JsonPlace& object, const char* name);
+JsonPlace element(const JsonPlace& array, std::size_t index);
+
+/// The number of elements; refuses what is not an array.
+std::size_t array_size(const JsonPlace& place, const char* expected);
+
+/// Values of a type; refused where the value is of another type or out of range (bounds included).
+double read_number(const JsonPlace& place, double low = -1e100, double high = 1e100);
+std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t high);
+double read_positive(const JsonPlace& place);
+bool read_bool(const JsonPlace& place);
+std::string read_text(const JsonPlace& place);
+Vec3 read_vec3(const JsonPlace& place);
+
+/// Three numbers that are not all zero.
+Vec3 read_direction(const JsonPlace& place);
+
+}  // namespace scb

@@ -1,0 +1,63 @@
+#include "scenes/mesh_file.h"
+
+#include <exception>
+#include <new>
+#include <string>
+
+#include "core/error.h"
+#include "scenes/assimp_mesh.h"
+#include "scenes/file_bytes.h"
+#include "scenes/off_check.h"
+#include "scenes/ply_check.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_file(const fs::path& path) {
+    const std::string name = path.string();
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) throw InputError(name + ": there is no such file; check the path.");
+    if (fs::is_directory(status))
+        throw InputError(name + ": this is a directory; name a mesh file in it.");
+    if (!fs::is_regular_file(status))
+        throw InputError(name + ": this is not a regular file; save the mesh to a file first.");
+    if (fs::file_size(path, error) == 0 && !error)
+        throw InputError(name + ": the file is empty; give a mesh as " + mesh_formats + ".");
+}
+
+/// The checks that assimp's readers of these formats lack. They go by content as well as by name,
+/// as assimp does.
+void check_content(const fs::path& path) {
+    const std::string name = path.string(), start = file_bytes(name, 16),
+                      extension = path.extension().string();
+    if (extension == ".ply" || start.rfind("ply", 0) == 0)
+        check_ply(file_bytes(name), name);
+    else if (extension == ".off" || start.find("OFF") != std::string::npos)
+        check_off(file_bytes(name), name);
+}
+
+}  // namespace
+
+Mesh load_mesh(const fs::path& path) {
+    const std::string name = path.string();
+    check_file(path);
+    try {
+        check_content(path);
+        Mesh mesh = assimp_mesh(name);
+        check_mesh(mesh, name);
+        return mesh;
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw InputError(
+            name + ": needs more memory than there is; give a smaller mesh, or repair its counts.");
+    } catch (const std::exception& error) {
+        throw InputError(name + ": cannot be read (" + error.what() +
+                         "); repair the file or export it again.");
+    }
+}
+
+}  // namespace scb

@@ -1,0 +1,21 @@
+#include "scenes/scene.h"
+
+#include <string_view>
+
+namespace scb {
+
+std::string file_name_of(const std::string& text) {
+    constexpr std::string_view allowed =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+    std::string name;
+    for (const char c : text) {
+        const bool is_allowed = allowed.find(c) != std::string_view::npos;
+        if (is_allowed || (!name.empty() && name.back() != '-')) name += is_allowed ? c : '-';
+    }
+    // A leading dot hides files, a leading dash reads as an option, and neither end needs them.
+    while (!name.empty() && (name.front() == '.' || name.front() == '-')) name.erase(0, 1);
+    while (!name.empty() && (name.back() == '.' || name.back() == '-')) name.pop_back();
+    return name.empty() ? "scene" : name;
+}
+
+}  // namespace scb

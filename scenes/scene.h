@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh.h"
+#include "scenes/camera_spec.h"
+#include "scenes/motion.h"
+
+namespace scb {
+
+/// A mesh that bodies of a scene share, in its body frame.
+struct NamedMesh {
+    std::string name;
+    Mesh mesh;
+};
+
+/// A mesh that moves.
+struct Body {
+    std::string name;
+    std::size_t mesh = 0;  ///< index of Scene::meshes
+    Motion motion;
+};
+
+/// Bodies and how they move, frame by frame: what a command works on. Frames run from 0 to `frames
+/// - 1`.
+struct Scene {
+    std::string name;  ///< fit for a file name: letters, digits, '.', '_' and '-'
+    std::string description;
+    std::vector<NamedMesh> meshes;
+    std::vector<Body> bodies;
+    int frames = 1;
+    std::optional<CameraSpec> camera;
+    int default_frame = 0;  ///< the frame to show where none is asked for
+};
+
+/// The text with every run of characters that Scene::name does not allow made one '-'; "scene"
+/// where nothing is left.
+std::string file_name_of(const std::string& text);
+
+}  // namespace scb
