@@ -11,7 +11,7 @@ namespace scb {
 
 /// How the user wants to look at the scene.
 struct CameraOptions {
-    std::string camera = "fit";
+    std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
     bool orthographic = false;
 };
 
@@ -26,6 +26,7 @@ Camera camera_for(const CameraSpec& spec, const Support& support, double aspect)
 Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support, double aspect);
 
 /// The camera as a wish that leaves nothing open: what `--camera` reads back to the same view.
-CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera);
+/// `center` is that of the scene; the distance counts from it.
+CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center);
 
 }  // namespace scb

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "render/overlay.h"
+#include <imgui.h>
 
 namespace scb {
 
@@ -16,7 +16,7 @@ std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl) {
     }
     list.emplace_back("eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                    std::to_string(EIGEN_MINOR_VERSION));
-    list.emplace_back("imgui", imgui_version());
+    list.emplace_back("imgui", IMGUI_VERSION);
     return list;
 }
 

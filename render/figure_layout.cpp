@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "render/figures.h"
+
 namespace scb {
 
 FigureLayout figure_layout(int width, int height) {
@@ -49,25 +51,8 @@ std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at, const Theme& theme,
                     int unit) {
     const double scale = pixels_per_unit(camera, at, view.height);
-    const double longest = view.width / 5.0 / scale;
-    if (!(longest > 0) || !std::isfinite(longest)) return;
-    double length = 1;
-    while (length > longest) length /= 10;
-    while (length * 10 <= longest) length *= 10;
-    for (const double factor : {5.0, 2.0})
-        if (length * factor <= longest) {
-            length *= factor;
-            break;
-        }
-    const int pixels = static_cast<int>(std::lround(length * scale));
-    const int x = view.x + unit / 2, y = view.y + view.height - unit / 2;
-    const int thickness = std::max(2, unit / 8), tick = unit / 3;
-    overlay.rectangle({x, y - thickness, pixels, thickness}, theme.text);
-    overlay.rectangle({x, y - tick, thickness, tick}, theme.text);
-    overlay.rectangle({x + pixels - thickness, y - tick, thickness, tick}, theme.text);
-    const TextStyle style{small_size(unit), FontWeight::regular, theme.text};
-    overlay.text(x + pixels + unit / 2, y - small_size(unit) + unit / 8,
-                 number_text(length) + (camera.orthographic ? "" : " at the centre"), style);
+    if (!(scale > 0) || !std::isfinite(scale)) return;
+    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2, view.width / 5, scale, {theme, unit});
 }
 
 std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center, double radius) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "render/camera.h"
+#include "render/font_face.h"
 #include "render/overlay.h"
 #include "render/picture.h"
 

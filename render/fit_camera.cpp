@@ -66,7 +66,12 @@ Support support_of_all(std::vector<Support> parts) {
     };
 }
 
-Camera fit_camera(const Mat3& axes, const Support& support, const FitOptions& options) {
+Vec3 center_of(const Support& support) {
+    return {middle_along(support, Vec3::UnitX()), middle_along(support, Vec3::UnitY()),
+            middle_along(support, Vec3::UnitZ())};
+}
+
+Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options) {
     Camera camera;
     camera.axes = axes;
     camera.orthographic = options.orthographic;

@@ -21,10 +21,13 @@ Support support_of(std::span<const AnyVolume> volumes);
 /// outlive the result.
 Support support_of(const Mesh& mesh, const Pose& pose);
 
+/// The middle of the box of the set along the world's axes.
+Vec3 center_of(const Support& support);
+
 /// The support of everything in `parts` together.
 Support support_of_all(std::vector<Support> parts);
 
-struct FitOptions {
+struct CameraFit {
     double aspect = 16.0 / 9;  ///< width / height of the view
     double margin =
         0.04;  ///< left free at every side, as a part of the view's width and height; below 0.5
@@ -38,7 +41,7 @@ struct FitOptions {
 /// planes places the camera. The depth range is set too. A set of no size (one point) is looked at
 /// from a distance at which one unit fills the view. Throws InputError where the set is empty or
 /// not finite.
-Camera fit_camera(const Mat3& axes, const Support& support, const FitOptions& options = {});
+Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options = {});
 
 /// Makes the camera's depth range as narrow as the support allows. What is behind the eye, or
 /// nearer than a ten thousandth of the far distance, is cut off.

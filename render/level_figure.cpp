@@ -1,6 +1,7 @@
 #include "render/level_figure.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "render/side_panel.h"
 
@@ -78,6 +79,32 @@ LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
         add(numbers.all, numbers.bodies.back());
     }
     return numbers;
+}
+
+Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels) {
+    std::vector<Support> parts;
+    for (const LevelBody& body : bodies) {
+        std::vector<std::uint32_t> nodes;
+        for (const int level : levels) {
+            const std::vector<std::uint32_t> cover = level_cover(topology_of(*body.hierarchy), level);
+            nodes.insert(nodes.end(), cover.begin(), cover.end());
+        }
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        parts.push_back([&body, nodes = std::move(nodes)](const Vec3& direction) {
+            const Vec3 local = rotate(body.pose.rotation.transpose(), direction);
+            const double reach = std::visit(
+                [&](const auto& h) {
+                    double most = -std::numeric_limits<double>::infinity();
+                    for (const std::uint32_t node : nodes)
+                        most = std::max(most, dot(center(h.volumes[node]), local) + extent(h.volumes[node], local));
+                    return most;
+                },
+                *body.hierarchy);
+            return reach + dot(body.pose.translation, direction);
+        });
+    }
+    return support_of_all(std::move(parts));
 }
 
 Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,

@@ -8,6 +8,7 @@
 #include "core/any_hierarchy.h"
 #include "core/level_cover.h"
 #include "render/figure_layout.h"
+#include "render/fit_camera.h"
 #include "render/picture.h"
 #include "render/volume_colours.h"
 
@@ -45,6 +46,9 @@ struct LevelNumbers {
     CoverStatistics all;
 };
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
+
+/// The support of all that pictures of these levels show: the volumes of their covers, which contain the meshes. The bodies must outlive the result.
+Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
 
 /// The view of a level: its volumes (see level_cover) and, where the style says so, the meshes.
 Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/figure_layout.h"
+#include "render/figures.h"
 
 namespace scb {
 namespace {
@@ -67,24 +68,11 @@ struct PanelPainter {
     void draw(const PanelScale& scale) {
         const int small = small_size(unit), bar = unit * 3 / 4;
         if (!fits(line_height() + bar + small + unit / 2)) return;
-        const TextStyle title = style(FontWeight::regular, theme.text);
-        overlay.text(box.x, y, fitted_text(overlay, scale.title, title, box.width), title);
-        y += line_height();
-        for (int x = 0; x < box.width; ++x)
-            overlay.rectangle({box.x + x, y, 1, bar}, viridis((x + 0.5) / box.width));
-        y += bar;
-        int free_from = box.x;  // labels keep a gap
-        for (const auto& [place, label] : scale.ticks) {
-            const TextStyle tick{small, FontWeight::regular, theme.faint_text};
-            const int at = box.x + static_cast<int>(place * (box.width - 1));
-            overlay.rectangle({at, y, 1, unit / 4}, theme.text);
-            const int width = overlay.measure(label, tick).width;
-            const int x = std::clamp(at - width / 2, box.x, box.x + box.width - width);
-            if (x < free_from) continue;
-            overlay.text(x, y + unit / 4, label, tick);
-            free_from = x + width + unit / 3;
-        }
-        y += unit / 4 + small + unit / 2;
+        std::vector<Tick> ticks;
+        for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
+        const PixelRect covered = draw_colour_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
+                                                  scale.title, ticks, {theme, unit});
+        y = covered.y + covered.height + unit / 4;
     }
 
     void draw(const PanelNote& note) {

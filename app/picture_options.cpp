@@ -1,0 +1,77 @@
+#include "app/picture_options.h"
+
+#include <thread>
+
+#include "app/options.h"
+#include "core/error.h"
+#include "render/image_file.h"
+
+namespace scb {
+namespace {
+
+// Smaller ones have no room for a heading and numbers; larger ones no OpenGL library draws.
+constexpr int smallest_width = 160, smallest_height = 120, largest = 16384;
+
+int side_of(const std::string& size, std::size_t side) {
+    const std::vector<std::string> parts = split_list(size, 'x');
+    if (parts.size() != 2) throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
+    return whole_number(parts[side], "--size " + size);
+}
+
+}  // namespace
+
+void PictureOptions::check() const {
+    if (width() < smallest_width || height() < smallest_height || width() > largest || height() > largest)
+        throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
+                         std::to_string(smallest_height) + " to " + std::to_string(largest) + "x" +
+                         std::to_string(largest) + " pixels.");
+    if (samples != 1 && samples != 4) throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
+    if (job_count < 0 || job_count > 256) throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
+    theme();
+    backend();
+}
+
+int PictureOptions::width() const { return side_of(size, 0); }
+int PictureOptions::height() const { return side_of(size, 1); }
+
+const Theme* PictureOptions::theme() const {
+    if (background == "light") return &light_theme;
+    if (background == "dark") return &dark_theme;
+    throw InputError("--background " + background + ": give light or dark.");
+}
+
+GlBackend PictureOptions::backend() const {
+    if (const std::optional<GlBackend> backend = gl_backend_from_string(gl)) return *backend;
+    throw InputError("--gl " + gl + ": give osmesa or egl.");
+}
+
+std::size_t PictureOptions::jobs() const {
+    if (job_count > 0) return static_cast<std::size_t>(job_count);
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+std::filesystem::path PictureOptions::output_folder() const {
+    std::error_code error;
+    std::filesystem::create_directories(output, error);
+    if (error || !std::filesystem::is_directory(output))
+        throw OutputError(output + ": this folder cannot be made" + (error ? " (" + error.message() + ")" : "") +
+                          "; name another with -o.");
+    return output;
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+    command.add_option("-o,--output", options.output, "Folder for the pictures")->type_name("DIR")->capture_default_str();
+    command.add_option("--size", options.size, "Size of a picture in pixels")->type_name("WxH")->capture_default_str();
+    command.add_option("--camera", camera.camera,
+                       "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the scene's own")
+        ->type_name("CAMERA");
+    command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
+    command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")->capture_default_str();
+    command.add_option("--background", options.background, "light or dark")->type_name("THEME")->capture_default_str();
+    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")->type_name("NAME")->capture_default_str();
+    command.add_option("--jobs", options.job_count, "Threads that encode; 0 is one per core")->capture_default_str();
+    command.add_flag("--ids", options.ids, "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
+    command.add_flag("--json", options.json, "Print index.json instead of the file names");
+}
+
+}  // namespace scb

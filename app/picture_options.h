@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "app/scene_camera.h"
+#include "render/context.h"
+#include "render/palette.h"
+
+namespace scb {
+
+/// What every command that draws understands.
+struct PictureOptions {
+    std::string size = "1280x720";
+    int samples = 4;
+    std::string background = "light";
+    std::string gl = "osmesa";
+    std::string output = "out";
+    int job_count = 0;
+    bool ids = false;
+    bool json = false;
+
+    /// Throws InputError where one of them makes no sense.
+    void check() const;
+
+    int width() const;
+    int height() const;
+    const Theme* theme() const;
+    GlBackend backend() const;
+    std::size_t jobs() const;
+    /// The folder, made where it was missing; throws OutputError where that fails.
+    std::filesystem::path output_folder() const;
+};
+
+void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera);
+
+}  // namespace scb
