@@ -1,5 +1,7 @@
 #include "core/ball.h"
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace scb {
@@ -15,5 +17,11 @@ bool contains(const Ball& ball, const Vec3& point) {
 }
 
 double extent(const Ball& ball, const Vec3&) { return ball.radius; }
+
+double radius_reaching(double squared_distance) {
+    double r = std::sqrt(squared_distance);
+    while (r * r < squared_distance) r = std::nextafter(r, std::numeric_limits<double>::infinity());
+    return r;
+}
 
 }  // namespace scb

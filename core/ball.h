@@ -22,6 +22,9 @@ bool contains(const Ball& ball, const Vec3& point);
 /// How far the ball reaches from its center in the unit direction `direction`.
 double extent(const Ball& ball, const Vec3& direction);
 
+/// The smallest radius r for which r * r, as `contains` computes it, reaches the squared distance.
+double radius_reaching(double squared_distance);
+
 /// The size that decides which of two volumes a traversal descends into: the radius.
 inline double descent_size(const Ball& ball) { return ball.radius; }
 

@@ -35,8 +35,8 @@ struct Box {
     }
 };
 
-/// The largest |coordinate| that a mesh may have: squares of distances must stay finite.
-inline constexpr double max_coordinate = 1e100;
+/// The largest |coordinate| that a mesh may have: fourth powers of lengths must stay finite.
+inline constexpr double max_coordinate = 1e70;
 
 /// The most triangles that a hierarchy can index.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 30;

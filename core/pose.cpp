@@ -23,7 +23,7 @@ double rigidity_defect(const Pose& pose) {
     if (!pose.rotation.allFinite() || !pose.translation.allFinite()) return infinity;
     const Mat3& r = pose.rotation;
     const Vec3 x = r.col(0), y = r.col(1), z = r.col(2);
-    if (!(dot(x.cross(y), z) > 0)) return infinity;
+    if (!(dot(cross(x, y), z) > 0)) return infinity;
     double defect = 0;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)

@@ -28,7 +28,7 @@ double extent(const Scb& s, const Vec3& direction) {
     // The plane cuts off the farthest point of the ball: the farthest one left is on the rim of the cut.
     const double k = h > s.e ? s.e : s.f;
     // |n x d|^2, since 1 - (n.d)^2 cancels where the two are nearly parallel.
-    const double squared_sine = squared_norm(s.n.cross(direction));
+    const double squared_sine = squared_norm(cross(s.n, direction));
     return k * cosine + std::sqrt(std::max(0.0, s.r * s.r - k * k) * squared_sine);
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "app/console.h"
+
+namespace scb {
+
+/// What the chosen command does, once the whole command line has been read; returns the exit status.
+using Action = std::function<int()>;
+
+// Each adds one command to the program. When it is chosen, it sets `action`.
+void add_render_levels(CLI::App& render, const Console& console, Action& action);
+void add_stats(CLI::App& program, const Console& console, Action& action);
+void add_export(CLI::App& program, const Console& console, Action& action);
+void add_scenes(CLI::App& program, Action& action);
+
+}  // namespace scb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace scb {
+
+/// Where the program talks: results to standard output, messages and progress to standard error.
+enum class ColorMode { automatic, always, never };
+
+struct Console {
+    ColorMode color = ColorMode::automatic;
+    bool quiet = false;  ///< no notes and no progress; errors always
+
+    /// "scb: error: SENTENCE" on standard error.
+    void error(std::string_view sentence) const;
+    /// A line on standard error.
+    void note(std::string_view line) const;
+    /// Progress on one line that overwrites itself; only on a terminal. `done == total` ends the line.
+    void progress(std::string_view what, std::size_t done, std::size_t total) const;
+};
+
+/// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed pipe, a full disk).
+void print_result(std::string_view text);
+
+}  // namespace scb

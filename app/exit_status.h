@@ -1,0 +1,14 @@
+#pragma once
+
+namespace scb {
+
+/// What the program's exit status says; scripts rely on it.
+enum ExitStatus {
+    exit_done = 0,         ///< done, or equal
+    exit_different = 1,    ///< a comparison found differences, or a baseline is missing
+    exit_bad_input = 2,    ///< bad usage or bad input
+    exit_environment = 3,  ///< the environment failed: disk full, cannot write, out of memory
+    exit_no_gl = 77,       ///< no OpenGL context
+};
+
+}  // namespace scb

@@ -1,0 +1,100 @@
+#include "app/options.h"
+
+#include <charconv>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace scb {
+
+Scene SceneOptions::load() const {
+    LoadOptions load_options;
+    load_options.models_dir = models_dir;
+    if (!pose.empty()) {
+        Pose p;
+        for (int row = 0; row < 3; ++row) {
+            const auto first = static_cast<std::size_t>(4 * row);
+            for (int column = 0; column < 3; ++column)
+                p.rotation(row, column) = pose[first + static_cast<std::size_t>(column)];
+            p.translation[row] = pose[first + 3];
+        }
+        load_options.pose = p;
+    }
+    return load_scene(names, load_options);
+}
+
+int SceneOptions::frame_of(const Scene& scene) const {
+    const int wanted = frame.value_or(scene.default_frame);
+    if (wanted >= 0 && wanted < scene.frames) return wanted;
+    std::ostringstream sentence;
+    sentence << "--frame " << wanted << ": the scene '" << scene.name << "' has the frames 0 to " << scene.frames - 1
+             << "; give one of these.";
+    throw InputError(sentence.str());
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame) {
+    command.add_option("SCENE", options.names, "A built-in scene (see `scb scenes`), a scene file, a mesh file or two")
+        ->required()
+        ->expected(1, 2);
+    command.add_option("--pose", options.pose, "Pose of the second of two meshes: 12 numbers, [R|t] row by row")
+        ->delimiter(',')
+        ->expected(12)
+        ->type_name("R00,R01,R02,T0,...");
+    command.add_option("--models", options.models_dir, "Where scene files look for meshes")
+        ->envname("SCB_MODELS")
+        ->type_name("DIR");
+    if (with_frame) command.add_option("--frame", options.frame, "Frame of the scene")->type_name("N");
+}
+
+FitOptions HierarchyOptions::fit() const {
+    FitOptions options;
+    if (growth == "radius")
+        options.growth = BallGrowth::radius;
+    else if (growth != "ritter")
+        throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
+    if (!(margin >= 0 && margin <= 1)) throw InputError("--margin: give a share of the radius from 0 to 1.");
+    options.margin = margin;
+    return options;
+}
+
+std::vector<VolumeKind> HierarchyOptions::kinds() const {
+    std::vector<VolumeKind> kinds;
+    for (const std::string& name : split_list(volumes)) {
+        const std::optional<VolumeKind> kind = volume_kind_of(name);
+        if (!kind) throw InputError("--volume " + volumes + ": '" + name + "' is no volume; give some of scb,ball,ritter,obb.");
+        if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
+    }
+    return kinds;
+}
+
+void add_hierarchy_options(CLI::App& command, HierarchyOptions& options) {
+    command.add_option("--volume", options.volumes, "Bounding volumes: some of scb,ball,ritter,obb")
+        ->type_name("LIST")
+        ->capture_default_str();
+    command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
+        ->type_name("RULE")
+        ->capture_default_str();
+    command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")->capture_default_str();
+}
+
+std::vector<std::string> split_list(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+int whole_number(const std::string& text, const std::string& what) {
+    int value = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (text.empty() || parsed.ec != std::errc() || parsed.ptr != end)
+        throw InputError(what + ": '" + text + "' is no whole number.");
+    return value;
+}
+
+}  // namespace scb

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console.h"
+#include "core/any_hierarchy.h"
+#include "scenes/load_scene.h"
+
+namespace scb {
+
+/// What every command that takes a SCENE understands.
+struct SceneOptions {
+    std::vector<std::string> names;
+    std::vector<double> pose;
+    std::string models_dir;
+    std::optional<int> frame;
+
+    Scene load() const;
+    /// The frame asked for, or the scene's own; throws InputError, with the range, where there is no such frame.
+    int frame_of(const Scene& scene) const;
+};
+void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);
+
+/// How hierarchies are fitted.
+struct HierarchyOptions {
+    std::string volumes = "scb";
+    std::string growth = "ritter";
+    double margin = 0;
+
+    FitOptions fit() const;
+    /// The volumes asked for, each once; throws InputError for an unknown name.
+    std::vector<VolumeKind> kinds() const;
+};
+void add_hierarchy_options(CLI::App& command, HierarchyOptions& options);
+
+/// "1,2,3" cut at the separators; empty parts stay.
+std::vector<std::string> split_list(const std::string& text, char separator = ',');
+
+/// An integer that is the whole text; throws InputError that starts with `what`.
+int whole_number(const std::string& text, const std::string& what);
+
+}  // namespace scb

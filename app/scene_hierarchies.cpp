@@ -1,0 +1,33 @@
+#include "app/scene_hierarchies.h"
+
+#include <algorithm>
+
+#include "core/level_cover.h"
+
+namespace scb {
+
+std::vector<MeshTopology> build_topologies(const Scene& scene) {
+    std::vector<MeshTopology> result;
+    for (const NamedMesh& named : scene.meshes) {
+        check_mesh(named.mesh, named.name);
+        auto topology = std::make_shared<const Topology>(build_topology(named.mesh));
+        LeafOrder points = leaf_order(named.mesh, *topology);
+        result.push_back({std::move(topology), std::move(points)});
+    }
+    return result;
+}
+
+int deepest(const std::vector<MeshTopology>& topologies) {
+    int deepest_level = 0;
+    for (const MeshTopology& mesh : topologies) deepest_level = std::max(deepest_level, depth(*mesh.topology));
+    return deepest_level;
+}
+
+std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const FitOptions& options) {
+    std::vector<AnyHierarchy> result;
+    for (const MeshTopology& mesh : topologies) result.push_back(fit_any(kind, mesh.topology, mesh.points, options));
+    return result;
+}
+
+}  // namespace scb

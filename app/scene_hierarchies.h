@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/any_hierarchy.h"
+#include "core/leaf_order.h"
+#include "scenes/scene.h"
+
+namespace scb {
+
+/// What the hierarchies of a mesh share, whatever their volume.
+struct MeshTopology {
+    std::shared_ptr<const Topology> topology;
+    LeafOrder points;
+};
+
+/// One per mesh of the scene. Throws InputError, naming the mesh, where check_mesh does.
+std::vector<MeshTopology> build_topologies(const Scene& scene);
+
+/// The deepest level of any of them.
+int deepest(const std::vector<MeshTopology>& topologies);
+
+/// One hierarchy per mesh.
+std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const FitOptions& options);
+
+}  // namespace scb

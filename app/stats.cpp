@@ -1,0 +1,179 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/options.h"
+
+namespace scb {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    bool json = false;
+};
+
+struct Measured {
+    std::string mesh;
+    std::vector<std::string> bodies;
+    std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
+    VolumeKind kind = VolumeKind::scb;
+    std::vector<LevelStatistics> levels;
+    double topology_ms = 0, fit_ms = 0;
+};
+
+std::string format(const char* pattern, auto... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+/// The value over that of the level above.
+double ratio(double value, double above) { return above > 0 ? value / above : 0; }
+
+std::vector<Measured> measure(const Options& options) {
+    const Scene scene = options.scene.load();
+    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
+    const FitOptions fit_options = options.hierarchy.fit();
+    std::vector<Measured> result;
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const Mesh& mesh = scene.meshes[m].mesh;
+        check_mesh(mesh, scene.meshes[m].name);
+        auto start = Clock::now();
+        const auto topology = std::make_shared<const Topology>(build_topology(mesh));
+        const LeafOrder points = leaf_order(mesh, *topology);
+        const double topology_ms = milliseconds_since(start);
+        for (const VolumeKind kind : kinds) {
+            Measured measured;
+            start = Clock::now();
+            const AnyHierarchy hierarchy = fit_any(kind, topology, points, fit_options);
+            measured.fit_ms = milliseconds_since(start);
+            measured.topology_ms = topology_ms;
+            measured.mesh = scene.meshes[m].name;
+            for (const Body& body : scene.bodies)
+                if (body.mesh == m) measured.bodies.push_back(body.name);
+            measured.triangles = mesh.triangles.size();
+            measured.points = points.points.size();
+            measured.nodes = topology->nodes.size();
+            measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
+            measured.kind = kind;
+            measured.levels = level_statistics(hierarchy);
+            result.push_back(std::move(measured));
+        }
+    }
+    return result;
+}
+
+std::string rules_text(const LevelStatistics& level) {
+    std::string text;
+    for (std::size_t r = 1; r < split_rule_count; ++r)
+        if (level.rules[r] != 0)
+            text += format("%s%s %u", text.empty() ? "" : ", ",
+                           std::string(split_rule_name(static_cast<SplitRule>(r))).c_str(), level.rules[r]);
+    return text;
+}
+
+std::string table(const Measured& m) {
+    std::string bodies;
+    for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
+    std::string text =
+        format("%s (%s): %zu triangles, %zu distinct points, %s hierarchy\n\n", m.mesh.c_str(),
+               m.bodies.size() == 1 ? ("body " + bodies).c_str() : ("bodies " + bodies).c_str(), m.triangles, m.points,
+               std::string(volume_kind_name(m.kind)).c_str());
+    text += "level     nodes    leaves    mean d     max d  ratio  mean tau   max tau  ratio       area     volume  split by\n";
+    for (std::size_t i = 0; i < m.levels.size(); ++i) {
+        const LevelStatistics& l = m.levels[i];
+        const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
+        const auto ratio_text = [i](double value, double before) {
+            return i == 0 ? std::string("      ") : format(" %5.3f", ratio(value, before));
+        };
+        text += format("%5zu %9u %9u %9.4g %9.4g", i, l.nodes, l.leaves, l.mean_diameter, l.max_diameter) +
+                ratio_text(l.mean_diameter, above.mean_diameter) +
+                format(" %9.4g %9.4g", l.mean_thickness, l.max_thickness) +
+                ratio_text(l.mean_thickness, above.mean_thickness) + format(" %10.4g %10.4g  ", l.area, l.volume) +
+                rules_text(l) + "\n";
+    }
+    LevelStatistics total;
+    for (const LevelStatistics& l : m.levels)
+        for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
+    text += format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ", m.levels.size() - 1,
+                   m.nodes, m.bytes_per_node,
+                   static_cast<double>(m.bytes_per_node * m.nodes) / static_cast<double>(m.triangles)) +
+            rules_text(total) +
+            format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n", m.topology_ms, m.fit_ms);
+    return text;
+}
+
+nlohmann::ordered_json json_of(const Measured& m) {
+    nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < m.levels.size(); ++i) {
+        const LevelStatistics& l = m.levels[i];
+        nlohmann::ordered_json level = {{"level", i},
+                                        {"nodes", l.nodes},
+                                        {"leaves", l.leaves},
+                                        {"mean_diameter", l.mean_diameter},
+                                        {"max_diameter", l.max_diameter},
+                                        {"mean_thickness", l.mean_thickness},
+                                        {"max_thickness", l.max_thickness},
+                                        {"area", l.area},
+                                        {"volume", l.volume}};
+        if (i > 0) {
+            level["diameter_ratio"] = ratio(l.mean_diameter, m.levels[i - 1].mean_diameter);
+            level["thickness_ratio"] = ratio(l.mean_thickness, m.levels[i - 1].mean_thickness);
+        }
+        for (std::size_t r = 0; r < split_rule_count; ++r)
+            level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
+        levels.push_back(std::move(level));
+    }
+    return {{"mesh", m.mesh},
+            {"bodies", m.bodies},
+            {"volume", volume_kind_name(m.kind)},
+            {"triangles", m.triangles},
+            {"points", m.points},
+            {"nodes", m.nodes},
+            {"depth", m.levels.size() - 1},
+            {"bytes_per_node", m.bytes_per_node},
+            {"levels", levels},
+            {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
+}
+
+int run(const Options& options) {
+    const std::vector<Measured> all = measure(options);
+    std::string text;
+    if (options.json) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const Measured& m : all) list.push_back(json_of(m));
+        text = nlohmann::ordered_json{{"hierarchies", list}}.dump(2) + "\n";
+    } else {
+        for (const Measured& m : all) text += (text.empty() ? "" : "\n") + table(m);
+    }
+    print_result(text);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_stats(CLI::App& program, const Console&, Action& action) {
+    CLI::App* command = program.add_subcommand("stats", "Hierarchy quality, level by level");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    add_hierarchy_options(*command, options->hierarchy);
+    command->add_flag("--json", options->json, "Print JSON instead of a table");
+    command->footer(
+        "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in the mesh's units;\n"
+        "ratio: mean over the mean of the level above. On a smooth surface d halves every other level and tau\n"
+        "quarters (Section 3.1 of the paper).\n\n"
+        "Example:\n  scb stats spheres-l1 --volume scb,ball");
+    command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace scb

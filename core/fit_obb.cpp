@@ -1,0 +1,63 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/fit.h"
+#include "core/point_passes.h"
+
+namespace scb {
+namespace {
+
+// Twice the scatter of points about their mean: what stands in for a surface without area.
+Mat3 point_scatter(const FitInput& input) {
+    Vec3 mean = Vec3::Zero();
+    for (const PointsView& part : input.parts)
+        for (std::size_t i = 0; i < part.size; ++i) mean += part[i];
+    mean /= static_cast<double>(input.size());
+    Mat3 scatter = Mat3::Zero();
+    for (const PointsView& part : input.parts)
+        for (std::size_t i = 0; i < part.size; ++i) {
+            const Vec3 q = part[i] - mean;
+            for (int column = 0; column < 3; ++column)
+                for (int row = 0; row < 3; ++row) scatter(row, column) += q[row] * q[column];
+        }
+    return scatter;
+}
+
+// A right-handed frame of eigenvectors, the longest direction first; the coordinate axes where there is no direction.
+Mat3 principal_axes(Mat3 scatter) {
+    const double scale = scatter.cwiseAbs().maxCoeff();
+    if (!(scale > 0) || !std::isfinite(scale)) return Mat3::Identity();
+    scatter /= scale;
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(scatter);
+    if (solver.info() != Eigen::Success) return Mat3::Identity();
+    Mat3 axes;
+    axes.col(0) = solver.eigenvectors().col(2);
+    axes.col(1) = solver.eigenvectors().col(1);
+    axes.col(2) = cross(axes.col(0), axes.col(1));
+    return axes;
+}
+
+}  // namespace
+
+void fit(Obb& result, const FitInput& input, const FitOptions&) {
+    const bool has_area = input.moments != nullptr && input.moments->area > 0;
+    result.axes = principal_axes(has_area ? input.moments->scatter : point_scatter(input));
+
+    const Vec3 origin = input.parts[0].size > 0 ? input.parts[0][0] : input.parts[1][0];
+    result.center = origin;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 axis = result.axes.col(i);
+        Interval interval;
+        for (const PointsView& part : input.parts) extend(interval, part, origin, axis);
+        result.center += 0.5 * (interval.lower + interval.upper) * axis;
+    }
+    // Measured again from the center itself, so that every point is inside to the last bit.
+    for (int i = 0; i < 3; ++i) {
+        Interval interval;
+        for (const PointsView& part : input.parts) extend(interval, part, result.center, result.axes.col(i));
+        result.half[i] = std::max(interval.upper, -interval.lower);
+    }
+}
+
+}  // namespace scb

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/topology.h"
+
+namespace scb {
+
+/// The level that means all leaves, wherever they are.
+inline constexpr int leaf_level = -1;
+
+/// The nodes that cover a body at a level: those at that depth, and the leaves above it. In the order of the nodes.
+/// `leaf_level`: all leaves.
+std::vector<std::uint32_t> level_cover(const Topology& topology, int level);
+
+/// The depth of the deepest node.
+int depth(const Topology& topology);
+
+}  // namespace scb
