@@ -1,7 +1,7 @@
 #include <limits>
 
+#include "core/random.h"
 #include "scenes/mesh_file.h"
-#include "scenes/split_mix.h"
 #include "tests/scenes/support.h"
 
 namespace scb {
@@ -49,7 +49,7 @@ TEST(BadMeshFile, that_is_empty_or_random_is_refused_in_every_format) {
         const std::string name = std::string("bad.") + extension;
         expect_in("the file is empty", refused(name, ""));
         refused(name, "this is not a mesh\nnot 1 2 3\n");
-        SplitMix64 random{42};
+        Random random(42);
         std::string noise;
         for (int i = 0; i < 3000; ++i) noise += static_cast<char>(random.next() & 255);
         refused(name, noise);
@@ -154,7 +154,7 @@ TEST(BadMeshFile, that_is_cut_off_anywhere_is_refused) {
 }
 
 TEST(BadMeshFile, of_flipped_bytes_never_crashes) {
-    SplitMix64 random{7};
+    Random random(7);
     std::string good = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
     for (int face = 0; face < 2; ++face) good += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
     const TempFolder folder;

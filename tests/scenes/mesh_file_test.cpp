@@ -250,7 +250,7 @@ TEST(MeshFile, reads_what_assimp_exports) {
     ASSERT_NE(scene, nullptr);
     for (const auto& [format, name] : {std::pair{"glb2", "x.glb"},
                                        {"3ds", "x.3ds"},
-                                       {"fbx", "x.fbx"},
+                                       {"fbxa", "x.fbx"},
                                        {"collada", "x.dae"},
                                        {"x", "x.x"}}) {
         SCOPED_TRACE(format);
