@@ -25,6 +25,9 @@ namespace scb {
 ///   COLLADA file's unit is applied; the up axis of a COLLADA file is left alone, and 3DS comes out
 ///   with y up.
 ///
+/// Formats other than PLY are read twice, first in a child process, since assimp's readers of them
+/// can crash on broken files; call this before the program starts threads that must not be forked.
+///
 /// Throws InputError with one sentence that names the file, the place where known, and what to do:
 /// the file is missing, a directory, empty, of a format that nothing reads, or broken; an index is
 /// out of range; a used vertex is not finite; there is no triangle.

@@ -1,7 +1,10 @@
+#include <csignal>
+#include <cstdlib>
 #include <limits>
 
 #include "core/random.h"
 #include "scenes/mesh_file.h"
+#include "scenes/trial.h"
 #include "tests/scenes/support.h"
 
 namespace scb {
@@ -151,6 +154,13 @@ TEST(BadMeshFile, that_is_cut_off_anywhere_is_refused) {
         std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, '\0');
     for (std::size_t length = 1; length < stl.size(); length += 7)
         refused("cut.stl", stl.substr(0, length));
+}
+
+TEST(Trial, tells_whether_an_action_comes_to_its_end) {
+    EXPECT_TRUE(survives([] {}));
+    EXPECT_TRUE(survives([] { throw InputError("refused."); }));
+    EXPECT_FALSE(survives([] { std::abort(); }));
+    EXPECT_FALSE(survives([] { std::raise(SIGSEGV); }));
 }
 
 TEST(BadMeshFile, of_flipped_bytes_never_crashes) {
