@@ -170,9 +170,10 @@ Mesh assimp_mesh(const std::string& path) {
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    if (const std::string_view extension =
-            std::string_view(path).substr(std::min(path.size(), path.rfind('.')));
-        extension == ".gltf" || extension == ".glb")
+    std::string extension = path.substr(std::min(path.size(), path.rfind('.')));
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (extension == ".gltf" || extension == ".glb")
         check_gltf_counts(*scene, gltf_triangle_counts(file_bytes(path)), path);
     return joined(*scene, path);
 }

@@ -36,7 +36,7 @@ bool check_content(const fs::path& path) {
     const std::string extension = path.extension().string();
     if (extension == ".ply" || start.rfind("ply", 0) == 0) {
         check_ply(file_bytes(name), name);
-        return true;
+        return extension == ".ply";
     }
     if (extension == ".off" || start.find("OFF") != std::string::npos)
         check_off(file_bytes(name), name);
