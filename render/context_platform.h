@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+namespace scb {
+
+/// What a back end has to provide. Internal to the context.
+struct ContextPlatform {
+    using Function = void (*)();
+
+    virtual ~ContextPlatform() = default;
+    /// Makes the context current in the calling thread; throws GlError.
+    virtual void make_current() = 0;
+    /// The address of the OpenGL function of that name, or null.
+    virtual Function address(const char* name) = 0;
+};
+
+/// Both throw GlError, and so does whichever is not compiled in.
+std::unique_ptr<ContextPlatform> make_osmesa_platform();
+std::unique_ptr<ContextPlatform> make_egl_platform();
+
+}  // namespace scb

@@ -1,0 +1,96 @@
+#include "render/figure_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace scb {
+
+FigureLayout figure_layout(int width, int height) {
+    FigureLayout layout;
+    const int unit = layout.unit = text_unit(width, height);
+    const int margin = std::min({unit, width / 24, height / 24});
+    const int heading = std::min(height / 4, title_size(unit) + unit / 2);
+    const int panel = std::min(width / 3, 15 * unit);
+    const int top = margin + heading;
+    layout.heading = {margin, margin, width - 2 * margin, heading};
+    layout.panel = {width - margin - panel, top, panel, height - top - margin};
+    layout.view = {margin, top, std::max(1, width - 3 * margin - panel), std::max(1, height - top - margin)};
+    return layout;
+}
+
+void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme, std::string_view title,
+                  std::string_view subtitle) {
+    const int unit = layout.unit;
+    const PixelRect& box = layout.heading;
+    const TextStyle title_style{title_size(unit), FontWeight::bold, theme.text};
+    const TextStyle subtitle_style{unit, FontWeight::regular, theme.faint_text};
+    const std::string shown = fitted_text(overlay, title, title_style, box.width);
+    overlay.text(box.x, box.y, shown, title_style);
+    const int used = overlay.measure(shown, title_style).width + unit;
+    const std::string remark = fitted_text(overlay, subtitle, subtitle_style, box.width - used);
+    // Both on one base line.
+    overlay.text(box.x + used, box.y + (title_size(unit) - unit) * 4 / 5, remark, subtitle_style);
+}
+
+std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width) {
+    std::string shown(text);
+    if (overlay.measure(shown, style).width <= width) return shown;
+    while (!shown.empty()) {
+        // Whole characters: bytes 10xxxxxx continue one.
+        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0) == 0x80) shown.pop_back();
+        if (!shown.empty()) shown.pop_back();
+        const std::string cut = shown + "…";
+        if (overlay.measure(cut, style).width <= width) return cut;
+    }
+    return shown;
+}
+
+void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at, const Theme& theme,
+                    int unit) {
+    const double scale = pixels_per_unit(camera, at, view.height);
+    const double longest = view.width / 5.0 / scale;
+    if (!(longest > 0) || !std::isfinite(longest)) return;
+    double length = 1;
+    while (length > longest) length /= 10;
+    while (length * 10 <= longest) length *= 10;
+    for (const double factor : {5.0, 2.0})
+        if (length * factor <= longest) {
+            length *= factor;
+            break;
+        }
+    const int pixels = static_cast<int>(std::lround(length * scale));
+    const int x = view.x + unit / 2, y = view.y + view.height - unit / 2;
+    const int thickness = std::max(2, unit / 8), tick = unit / 3;
+    overlay.rectangle({x, y - thickness, pixels, thickness}, theme.text);
+    overlay.rectangle({x, y - tick, thickness, tick}, theme.text);
+    overlay.rectangle({x + pixels - thickness, y - tick, thickness, tick}, theme.text);
+    const TextStyle style{small_size(unit), FontWeight::regular, theme.text};
+    overlay.text(x + pixels + unit / 2, y - small_size(unit) + unit / 8,
+                 number_text(length) + (camera.orthographic ? "" : " at the centre"), style);
+}
+
+std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center, double radius) {
+    if (!(-to_eye(camera, center)[2] > 0)) return std::nullopt;
+    const Vec3 at = project(camera, center, view.width, view.height);
+    const double reach = radius * pixels_per_unit(camera, center, view.height);
+    if (!(at[0] - reach >= 0 && at[1] - reach >= 0 && at[0] + reach <= view.width && at[1] + reach <= view.height))
+        return std::nullopt;
+    const int side = std::max(3, static_cast<int>(std::lround(2 * reach)));
+    return PixelRect{view.x + static_cast<int>(std::lround(at[0] - reach)),
+                     view.y + static_cast<int>(std::lround(at[1] - reach)), side, side};
+}
+
+std::string number_text(double value, int digits) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string count_text(std::uint64_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+}  // namespace scb

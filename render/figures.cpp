@@ -1,0 +1,210 @@
+#include "render/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render/font_face.h"
+
+namespace scb {
+
+namespace {
+
+TextStyle body(const FigureStyle& style) {
+    return {small_size(style.unit), FontWeight::regular, style.theme.text, Align::left};
+}
+
+TextStyle heading(const FigureStyle& style) {
+    return {small_size(style.unit), FontWeight::medium, style.theme.text, Align::left};
+}
+
+TextStyle aligned(TextStyle text, Align align) {
+    text.align = align;
+    return text;
+}
+
+int line_height(const FigureStyle& style) { return small_size(style.unit) * 13 / 10; }
+
+int padding(const FigureStyle& style) { return style.unit * 3 / 5; }
+
+PixelRect together(const PixelRect& a, const PixelRect& b) {
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
+            std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+/// What a written text covers.
+PixelRect write(Overlay& overlay, int x, int y, std::string_view text, const TextStyle& style) {
+    overlay.text(x, y, text, style);
+    const TextSize size = overlay.measure(text, style);
+    const int shift = style.align == Align::left
+                          ? 0
+                          : (style.align == Align::center ? size.width / 2 : size.width);
+    return {x - shift, y, size.width, size.height};
+}
+
+struct LegendLayout {
+    int value_right;  // of the values' column, from the panel's left
+    TextSize size;
+};
+
+LegendLayout lay_out(Overlay& overlay, std::string_view title, std::span<const LegendEntry> entries,
+                     const FigureStyle& style) {
+    int labels = 0, values = 0;
+    for (const LegendEntry& entry : entries) {
+        labels = std::max(labels, overlay.measure(entry.label, body(style)).width);
+        values = std::max(values, overlay.measure(entry.value, body(style)).width);
+    }
+    const int swatch = small_size(style.unit) + style.unit / 3;
+    int width = swatch + labels + (values > 0 ? style.unit + values : 0);
+    width = std::max(width, overlay.measure(title, heading(style)).width);
+    const int lines = static_cast<int>(entries.size()) + (title.empty() ? 0 : 1);
+    return {padding(style) + width,
+            {width + 2 * padding(style), lines * line_height(style) + 2 * padding(style)}};
+}
+
+}  // namespace
+
+TextSize measure_legend(Overlay& overlay, std::string_view title,
+                        std::span<const LegendEntry> entries, const FigureStyle& style) {
+    return lay_out(overlay, title, entries, style).size;
+}
+
+PixelRect draw_legend(Overlay& overlay, int x, int y, std::string_view title,
+                      std::span<const LegendEntry> entries, const FigureStyle& style) {
+    const LegendLayout layout = lay_out(overlay, title, entries, style);
+    const PixelRect panel{x, y, layout.size.width, layout.size.height};
+    overlay.rectangle(panel, style.theme.panel);
+    const int left = x + padding(style);
+    int top = y + padding(style);
+    if (!title.empty()) {
+        overlay.text(left, top, title, heading(style));
+        top += line_height(style);
+    }
+    const int side = small_size(style.unit) * 7 / 10;
+    for (const LegendEntry& entry : entries) {
+        overlay.rectangle({left, top + (small_size(style.unit) - side) / 2 + 1, side, side},
+                          entry.colour);
+        overlay.text(left + small_size(style.unit) + style.unit / 3, top, entry.label, body(style));
+        overlay.text(x + layout.value_right, top, entry.value, aligned(body(style), Align::right));
+        top += line_height(style);
+    }
+    return panel;
+}
+
+PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
+                          const std::function<Rgba8(double)>& colour, std::string_view title,
+                          std::span<const Tick> ticks, const FigureStyle& style) {
+    const bool vertical = bar.height > bar.width;
+    const int length = vertical ? bar.height : bar.width;
+    const auto at = [&](int i) { return length > 1 ? static_cast<double>(i) / (length - 1) : 0; };
+    for (int i = 0; i < length; ++i)
+        overlay.rectangle(vertical ? PixelRect{bar.x, bar.y + bar.height - 1 - i, bar.width, 1}
+                                   : PixelRect{bar.x + i, bar.y, 1, bar.height},
+                          colour(at(i)));
+    overlay.frame(bar, style.theme.border);
+
+    PixelRect covered = bar;
+    const int tick_length = std::max(3, style.unit / 4);
+    for (const Tick& tick : ticks) {
+        const int i = static_cast<int>(std::lround(std::clamp(tick.at, 0.0, 1.0) * (length - 1)));
+        if (vertical) {
+            const int y = bar.y + bar.height - 1 - i;
+            overlay.rectangle({bar.x + bar.width, y, tick_length, 1}, style.theme.faint_text);
+            covered =
+                together(covered, write(overlay, bar.x + bar.width + 2 * tick_length,
+                                        y - small_size(style.unit) / 2, tick.label, body(style)));
+        } else {
+            overlay.rectangle({bar.x + i, bar.y + bar.height, 1, tick_length},
+                              style.theme.faint_text);
+            covered =
+                together(covered, write(overlay, bar.x + i, bar.y + bar.height + tick_length + 1,
+                                        tick.label, aligned(body(style), Align::center)));
+        }
+    }
+    if (!title.empty())
+        covered = together(
+            covered, write(overlay, bar.x, covered.y - line_height(style), title, heading(style)));
+    return covered;
+}
+
+PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<const BarPart> parts,
+                           double full) {
+    const bool vertical = rect.height > rect.width;
+    const int length = vertical ? rect.height : rect.width;
+    double sum = 0;
+    int begin = 0;
+    for (const BarPart& part : parts) {
+        sum += part.amount;
+        const int end =
+            full > 0 ? static_cast<int>(std::lround(std::clamp(sum / full, 0.0, 1.0) * length)) : 0;
+        overlay.rectangle(
+            vertical ? PixelRect{rect.x, rect.y + rect.height - end, rect.width, end - begin}
+                     : PixelRect{rect.x + begin, rect.y, end - begin, rect.height},
+            part.colour);
+        begin = end;
+    }
+    return rect;
+}
+
+PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, double pixels_per_unit,
+                         const FigureStyle& style) {
+    const double largest = largest_width / pixels_per_unit;
+    if (!(largest > 1e-300) || !(largest < 1e300)) return {x, y, 0, 0};
+    double power = 1;
+    while (power > largest) power /= 10;
+    while (power * 10 <= largest) power *= 10;
+    const double value = power * (5 * power <= largest ? 5 : (2 * power <= largest ? 2 : 1));
+    const int width = static_cast<int>(std::lround(value * pixels_per_unit));
+    char label[32];
+    std::snprintf(label, sizeof label, "%g", value);
+
+    const int end = std::max(4, style.unit / 3), thickness = std::max(1, style.unit / 10);
+    overlay.rectangle({x, y - end / 2 - thickness, width, thickness}, style.theme.text);
+    overlay.rectangle({x, y - end, thickness, end}, style.theme.text);
+    overlay.rectangle({x + width - thickness, y - end, thickness, end}, style.theme.text);
+    const PixelRect text = write(overlay, x + width / 2, y - end - line_height(style), label,
+                                 aligned(body(style), Align::center));
+    return together({x, y - end, width, end}, text);
+}
+
+PixelRect draw_table(Overlay& overlay, int x, int y, std::span<const Column> columns,
+                     std::span<const std::vector<std::string>> rows, const FigureStyle& style) {
+    std::vector<int> widths;
+    int total = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        int width = overlay.measure(columns[i].title, heading(style)).width;
+        for (const std::vector<std::string>& row : rows)
+            width = std::max(width, overlay.measure(row[i], body(style)).width);
+        widths.push_back(width);
+        total += width + (i > 0 ? style.unit : 0);
+    }
+    const int lines = static_cast<int>(rows.size()) + 1;
+    const PixelRect panel{x, y, total + 2 * padding(style),
+                          lines * line_height(style) + 2 * padding(style)};
+    overlay.rectangle(panel, style.theme.panel);
+
+    const auto line = [&](int top, const auto& text_of, const TextStyle& text) {
+        int left = x + padding(style);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const int shift = columns[i].align == Align::left
+                                  ? 0
+                                  : (columns[i].align == Align::center ? widths[i] / 2 : widths[i]);
+            overlay.text(left + shift, top, text_of(i), aligned(text, columns[i].align));
+            left += widths[i] + style.unit;
+        }
+    };
+    int top = y + padding(style);
+    line(
+        top, [&](std::size_t i) -> std::string_view { return columns[i].title; }, heading(style));
+    const int rule = top + line_height(style) - line_height(style) / 8;
+    overlay.rectangle({x + padding(style), rule, total, 1}, style.theme.border);
+    for (const std::vector<std::string>& row : rows) {
+        top += line_height(style);
+        line(
+            top, [&](std::size_t i) -> std::string_view { return row[i]; }, body(style));
+    }
+    return panel;
+}
+
+}  // namespace scb

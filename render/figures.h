@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/overlay.h"
+
+namespace scb {
+
+/// Figures made of an overlay's text and rectangles. Each returns the pixels that it covers, panel
+/// included.
+
+/// How figures look: `unit` is the size of body text in pixels (see text_unit).
+struct FigureStyle {
+    Theme theme = light_theme;
+    int unit = 20;
+};
+
+struct LegendEntry {
+    Rgba8 colour;
+    std::string label;
+    std::string value;  ///< set flush right; may be empty
+};
+
+/// Named colours with numbers, one a line, on a panel whose top left corner is (x, y). The title
+/// may be empty.
+PixelRect draw_legend(Overlay& overlay, int x, int y, std::string_view title,
+                      std::span<const LegendEntry> entries, const FigureStyle& style);
+
+/// The size that draw_legend would cover, for placing it at the right or the bottom.
+TextSize measure_legend(Overlay& overlay, std::string_view title,
+                        std::span<const LegendEntry> entries, const FigureStyle& style);
+
+struct Tick {
+    double at = 0;  ///< 0 (left or bottom end) to 1
+    std::string label;
+};
+
+/// A scale of colours, `colour(0)` at the left or bottom end to `colour(1)`: the bar fills `bar`;
+/// tick labels stand below a horizontal bar and right of a vertical one (taller than wide). `title`
+/// stands above.
+PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
+                          const std::function<Rgba8(double)>& colour, std::string_view title,
+                          std::span<const Tick> ticks, const FigureStyle& style);
+
+struct BarPart {
+    Rgba8 colour;
+    double amount = 0;
+};
+
+/// A bar of parts whose lengths are proportional to their amounts, filled to `amount sum / full`:
+/// from the left, or from the bottom where `rect` is taller than wide. Every part with a pixel or
+/// more of length is drawn, and rounding never adds up: parts end where their running sum does.
+PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<const BarPart> parts,
+                           double full);
+
+/// A bar as long as a round number (1, 2 or 5 times a power of ten) of world units, at most
+/// `largest_width` pixels, with that number above it; (x, y) is its lower left corner. For
+/// orthographic views, or at a stated depth.
+PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, double pixels_per_unit,
+                         const FigureStyle& style);
+
+/// One column of a table.
+struct Column {
+    std::string title;
+    Align align = Align::right;
+};
+
+/// A table with a header, hairlines above and below it, and the columns as wide as their contents;
+/// `rows` has one text for each column. (x, y) is the top left corner of its panel.
+PixelRect draw_table(Overlay& overlay, int x, int y, std::span<const Column> columns,
+                     std::span<const std::vector<std::string>> rows, const FigureStyle& style);
+
+}  // namespace scb

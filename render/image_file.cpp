@@ -1,0 +1,179 @@
+#include "render/image_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "core/error.h"
+
+namespace {
+
+// stb's own deflate takes most of the time of encoding; zlib's fastest levels take a fraction, for
+// files of the same size.
+unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed_size, int level) {
+    uLongf capacity = compressBound(static_cast<uLong>(size));
+    auto* packed = static_cast<unsigned char*>(std::malloc(capacity));
+    if (packed && compress2(packed, &capacity, data, static_cast<uLong>(size), level) != Z_OK) {
+        std::free(packed);
+        packed = nullptr;
+    }
+    *packed_size = static_cast<int>(capacity);
+    return packed;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS deflate_for_stb
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb_image.h>
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace scb {
+
+namespace {
+
+// Chosen by measurement over rendered pictures at 1280x720: see tests/render/encode_benchmark.cpp.
+constexpr int compression_level = 2;
+constexpr int filter_up = 2;
+
+void append_bytes(void* context, void* data, int size) {
+    auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
+    const auto* begin = static_cast<const std::uint8_t*>(data);
+    bytes.insert(bytes.end(), begin, begin + size);
+}
+
+std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int height, int channels) {
+    // stb keeps these in globals, which threads share.
+    static const bool configured = [] {
+        stbi_write_png_compression_level = compression_level;
+        stbi_write_force_png_filter = filter_up;
+        return true;
+    }();
+    static_cast<void>(configured);
+    std::vector<std::uint8_t> bytes;
+    if (!stbi_write_png_to_func(append_bytes, &bytes, width, height, channels, pixels,
+                                width * channels))
+        throw std::bad_alloc();
+    return bytes;
+}
+
+std::string advice(int error) {
+    switch (error) {
+        case ENOSPC:
+        case EDQUOT:
+            return "make room on the disk";
+        case ENOENT:
+            return "create the folder first";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "choose a folder that may be written";
+        case ENOTDIR:
+            return "a part of the path is a file, not a folder";
+        case EISDIR:
+            return "a folder has that name";
+        default:
+            return "choose another place";
+    }
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+    throw OutputError("Cannot write \"" + path.string() + "\": " + std::strerror(error) + "; " +
+                      advice(error) + ".");
+}
+
+/// Everything, or the errno of what went wrong.
+int write_all(int file, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image) {
+    bool opaque = true;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque &= image.rgba[i] == 255;
+    if (!opaque) return encode(image.rgba.data(), image.width, image.height, 4);
+    std::vector<std::uint8_t> rgb(image.rgba.size() / 4 * 3);
+    for (std::size_t from = 0, to = 0; from < image.rgba.size(); from += 4, to += 3)
+        std::memcpy(&rgb[to], &image.rgba[from], 3);
+    return encode(rgb.data(), image.width, image.height, 3);
+}
+
+std::vector<std::uint8_t> encode_png(const IdImage& image) {
+    std::vector<std::uint8_t> packed;
+    packed.reserve(image.ids.size() * 4);
+    for (const std::uint32_t id : image.ids)
+        for (int shift = 0; shift < 32; shift += 8)
+            packed.push_back(static_cast<std::uint8_t>(id >> shift));
+    return encode(packed.data(), image.width, image.height, 4);
+}
+
+Image read_png(const std::filesystem::path& path) {
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                         std::fclose);
+    if (!file)
+        throw InputError("Cannot read \"" + path.string() + "\": " + std::strerror(errno) + ".");
+    Image image;
+    int channels = 0;
+    std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_file(file.get(), &image.width, &image.height, &channels, 4),
+        stbi_image_free);
+    if (!pixels)
+        throw InputError("\"" + path.string() + "\" is not a PNG file: " + stbi_failure_reason() +
+                         ".");
+    const std::size_t size =
+        4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    image.rgba.assign(pixels.get(), pixels.get() + size);
+    return image;
+}
+
+IdImage unpack_ids(const Image& image) {
+    IdImage result{image.width, image.height, {}};
+    result.ids.reserve(image.rgba.size() / 4);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        result.ids.push_back(image.rgba[i] | static_cast<std::uint32_t>(image.rgba[i + 1]) << 8 |
+                             static_cast<std::uint32_t>(image.rgba[i + 2]) << 16 |
+                             static_cast<std::uint32_t>(image.rgba[i + 3]) << 24);
+    return result;
+}
+
+void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    struct stat existing;
+    // A device is no file to replace: /dev/full and /dev/stdout are written in place.
+    const bool in_place = ::stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode) &&
+                          !S_ISDIR(existing.st_mode);
+    const std::string target =
+        in_place ? path.string() : path.string() + ".part-" + std::to_string(::getpid());
+    const int file = ::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) fail(path, errno);
+    int error = write_all(file, bytes);
+    if (::close(file) != 0 && error == 0) error = errno;
+    if (error == 0 && !in_place && ::rename(target.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    if (!in_place) ::unlink(target.c_str());
+    fail(path, error);
+}
+
+}  // namespace scb

@@ -1,0 +1,143 @@
+#include "render/level_figure.h"
+
+#include <algorithm>
+
+#include "render/side_panel.h"
+
+namespace scb {
+namespace {
+
+void add(CoverStatistics& sum, const CoverStatistics& s) {
+    const double volumes = static_cast<double>(sum.volumes) + s.volumes;
+    if (volumes > 0) {
+        sum.mean_diameter = (sum.mean_diameter * sum.volumes + s.mean_diameter * s.volumes) / volumes;
+        sum.mean_thickness = (sum.mean_thickness * sum.volumes + s.mean_thickness * s.volumes) / volumes;
+    }
+    sum.volumes += s.volumes;
+    sum.leaves += s.leaves;
+    sum.area += s.area;
+    sum.volume += s.volume;
+}
+
+std::string ratio_text(const CoverStatistics& s) {
+    return s.mean_diameter > 0 ? number_text(s.mean_thickness / s.mean_diameter) : "–";
+}
+
+std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers& numbers) {
+    const bool by_body = figure.style.colours.by == ColourBy::body;
+    std::vector<PanelItem> items;
+    // One column per body where they fit, else the sums.
+    std::vector<const CoverStatistics*> columns;
+    PanelRow names{"body", {}, {}, true}, triangles{"triangles", {}};
+    if (figure.bodies.size() <= 2) {
+        for (std::size_t b = 0; b < figure.bodies.size(); ++b) {
+            columns.push_back(&numbers.bodies[b]);
+            names.values.push_back(figure.bodies[b].name);
+            names.swatches.push_back(by_body ? std::optional(category_colour(b)) : std::nullopt);
+            triangles.values.push_back(count_text(figure.bodies[b].triangles));
+        }
+    } else {
+        columns.push_back(&numbers.all);
+        names.values.push_back("all " + std::to_string(figure.bodies.size()));
+        names.swatches.push_back(std::nullopt);
+        std::uint64_t sum = 0;
+        for (const LevelBody& body : figure.bodies) sum += body.triangles;
+        triangles.values.push_back(count_text(sum));
+    }
+    const auto row = [&](const char* label, auto value_of, bool strong = false) {
+        PanelRow r{label, {}, {}, strong};
+        for (const CoverStatistics* s : columns) r.values.push_back(value_of(*s));
+        items.emplace_back(std::move(r));
+    };
+    items.emplace_back(std::move(names));
+    items.emplace_back(std::move(triangles));
+    row("volumes", [](const CoverStatistics& s) { return count_text(s.volumes); }, true);
+    row("of these leaves", [](const CoverStatistics& s) { return count_text(s.leaves); });
+    row("mean d", [](const CoverStatistics& s) { return number_text(s.mean_diameter); });
+    row("mean τ", [](const CoverStatistics& s) { return number_text(s.mean_thickness); });
+    row("mean τ / mean d", ratio_text);
+    row("summed area", [](const CoverStatistics& s) { return number_text(s.area); });
+    row("summed volume", [](const CoverStatistics& s) { return number_text(s.volume); });
+    if (figure.bodies.size() > 2 && by_body)
+        for (std::size_t b = 0; b < figure.bodies.size(); ++b)
+            items.emplace_back(PanelKey{category_colour(b), figure.bodies[b].name});
+    if (const std::optional<PanelScale> scale = legend_of(figure.style.colours)) {
+        items.emplace_back(PanelHeading{""});
+        items.emplace_back(*scale);
+    }
+    return items;
+}
+
+}  // namespace
+
+LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
+    LevelNumbers numbers;
+    for (const LevelBody& body : bodies) {
+        numbers.bodies.push_back(std::visit(
+            [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); }, *body.hierarchy));
+        add(numbers.all, numbers.bodies.back());
+    }
+    return numbers;
+}
+
+Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,
+                const LevelStyle& style) {
+    Pane pane;
+    pane.viewport = viewport;
+    pane.camera = camera;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const LevelBody& body = bodies[b];
+        if (style.mesh) {
+            MeshDraw mesh;
+            mesh.mesh = body.mesh;
+            mesh.pose = body.pose;
+            mesh.colour = style.theme->mesh;
+            mesh.edges = style.mesh_edges;
+            pane.meshes.push_back(std::move(mesh));
+        }
+        if (style.opacity <= 0) continue;
+        const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
+        std::visit(
+            [&](const auto& h) {
+                for (const std::uint32_t node : level_cover(*h.topology, level)) {
+                    const auto& volume = h.volumes[node];
+                    const Rgba8 colour = volume_colour(style.colours, volume, depths[node], b, node);
+                    pane.volumes.push_back({placed(volume, body.pose), with_opacity(colour, style.opacity),
+                                            body.first_id + node});
+                }
+            },
+            *body.hierarchy);
+    }
+    return pane;
+}
+
+Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay) {
+    const FigureLayout layout = figure_layout(width, height);
+    const Theme& theme = *figure.style.theme;
+    Picture picture{width, height, samples, theme.background, {}};
+    picture.panes.push_back(level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
+
+    overlay.begin();
+    draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
+    const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit,
+                                      panel_items(figure, level_numbers(figure.bodies, figure.level)));
+    draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
+
+    // The magnified detail takes what the panel leaves.
+    const int top = below + layout.unit * 9 / 4;
+    const int side = std::min(layout.panel.width, layout.panel.y + layout.panel.height - top);
+    if (figure.detail && side >= 4 * layout.unit) {
+        const PixelRect square{layout.panel.x, top, side, side};
+        picture.panes.push_back(
+            level_pane(square, figure.detail->camera, figure.bodies, figure.level, figure.style));
+        const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
+        overlay.text(square.x, top - small_size(layout.unit) * 5 / 4, "detail, magnified", caption);
+        overlay.frame(square, theme.accent, std::max(1, layout.unit / 10));
+        draw_scale_bar(overlay, square, figure.detail->camera, figure.detail->center, theme, layout.unit);
+        if (const auto marker = marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
+            overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
+    }
+    return picture;
+}
+
+}  // namespace scb

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/any_hierarchy.h"
+#include "core/level_cover.h"
+#include "render/figure_layout.h"
+#include "render/picture.h"
+#include "render/volume_colours.h"
+
+namespace scb {
+
+/// A body as the pictures of levels need it, at one frame. What it points to is owned elsewhere.
+struct LevelBody {
+    std::string name;
+    std::uint64_t triangles = 0;
+    MeshHandle mesh;
+    Pose pose;
+    const AnyHierarchy* hierarchy = nullptr;
+    std::uint32_t first_id = 1;  ///< node i has the id first_id + i
+};
+
+/// How volumes and meshes look.
+struct LevelStyle {
+    ColourScale colours;
+    double opacity = 1;       ///< of the volumes; translucent below 1, none at 0
+    bool mesh = false;        ///< draw the bodies' meshes too
+    bool mesh_edges = false;  ///< with their edges
+    const Theme* theme = &light_theme;
+};
+
+/// A part of the scene that a smaller view magnifies.
+struct Detail {
+    Camera camera;  ///< for a square view
+    Vec3 center = Vec3::Zero();
+    double radius = 1;
+};
+
+/// A cover in numbers, per body and in all.
+struct LevelNumbers {
+    std::vector<CoverStatistics> bodies;
+    CoverStatistics all;
+};
+LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
+
+/// The view of a level: its volumes (see level_cover) and, where the style says so, the meshes.
+Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,
+                const LevelStyle& style);
+
+/// All that one picture of a level says.
+struct LevelFigure {
+    std::string title;
+    std::string subtitle;
+    std::vector<LevelBody> bodies;
+    int level = 0;
+    LevelStyle style;
+    Camera camera;  ///< for the view of figure_layout(width, height)
+    Vec3 center = Vec3::Zero();  ///< of the scene, where the scale bar holds
+    std::optional<Detail> detail;
+};
+
+/// Composes the picture and its overlay: view, numbers, legend, magnified detail.
+Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay);
+
+/// One row or column of a sheet: what is compared.
+struct LevelSheetCell {
+    std::string caption;  ///< above the cell
+    std::vector<LevelBody> bodies;
+    int level = 0;
+};
+
+/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with one camera and one scale.
+struct LevelSheet {
+    std::string title;
+    std::string subtitle;
+    std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
+    LevelStyle style;
+    Camera camera;  ///< for the aspect of LevelSheetLayout
+    Vec3 center = Vec3::Zero();
+    std::optional<Detail> detail;
+};
+
+/// The pixels of a sheet, from the size of one cell's view.
+struct LevelSheetLayout {
+    int width = 0, height = 0, unit = 0;
+    int columns = 0, bands = 0;  ///< cells in a row; blocks of rows below each other
+    int view_width = 0, view_height = 0, detail_size = 0;
+};
+LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail);
+
+Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
+
+}  // namespace scb

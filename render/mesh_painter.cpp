@@ -1,0 +1,138 @@
+#include "render/mesh_painter.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+#include "render/embedded.h"
+
+SCB_DECLARE_EMBEDDED(eye_glsl)
+SCB_DECLARE_EMBEDDED(light_glsl)
+SCB_DECLARE_EMBEDDED(mesh_vert)
+SCB_DECLARE_EMBEDDED(mesh_frag)
+
+namespace scb {
+
+namespace {
+
+struct Corner {
+    std::array<float, 3> position;
+    std::array<std::int16_t, 4> normal;
+};
+
+/// The unit normal in 16 bits; nothing for a degenerate triangle.
+std::array<std::int16_t, 4> quantised_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 cross = (b - a).cross(c - a);
+    const double length = std::sqrt(squared_norm(cross));
+    if (!(length > 0)) return {0, 0, 32767, 0};
+    std::array<std::int16_t, 4> result{};
+    for (int i = 0; i < 3; ++i)
+        result[static_cast<std::size_t>(i)] =
+            static_cast<std::int16_t>(std::lround(cross[i] / length * 32767));
+    return result;
+}
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace
+
+MeshPainter::MeshPainter(const Gl& gl)
+    : gl_(gl),
+      program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(mesh_vert)},
+               {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(mesh_frag)}) {}
+
+MeshHandle MeshPainter::upload(const Mesh& mesh) {
+    const Box box = bounding_box(mesh);
+    GpuMesh gpu{(box.lower + box.upper) / 2,
+                (box.upper - box.lower).maxCoeff() / 2,
+                mesh.triangles.size(),
+                GlBuffer(gl_),
+                GlBuffer(gl_),
+                GlVertexArray(gl_)};
+    if (!(gpu.scale > 0)) gpu.scale = 1;
+
+    std::vector<Corner> corners;
+    corners.reserve(3 * mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+        std::array<Vec3, 3> local;
+        for (std::size_t i = 0; i < 3; ++i)
+            local[i] = (mesh.vertices[triangle[i]] - gpu.origin) / gpu.scale;
+        const auto normal = quantised_normal(local[0], local[1], local[2]);
+        for (const Vec3& p : local)
+            corners.push_back(
+                {{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])},
+                 normal});
+    }
+    gl_.BindVertexArray(gpu.attributes.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, gpu.corners.name());
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
+                   corners.data(), GL_STATIC_DRAW);
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
+                            offset(offsetof(Corner, position)));
+    gl_.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, sizeof(Corner),
+                            offset(offsetof(Corner, normal)));
+    gl_.EnableVertexAttribArray(0);
+    gl_.EnableVertexAttribArray(1);
+
+    const MeshHandle handle{next_index_++};
+    meshes_.emplace(handle.index, std::move(gpu));
+    return handle;
+}
+
+void MeshPainter::release(MeshHandle handle) { meshes_.erase(handle.index); }
+
+void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    const auto found = meshes_.find(draw.mesh.index);
+    assert(found != meshes_.end() && "the mesh was uploaded to this renderer and not released");
+    const GpuMesh& gpu = found->second;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255; };
+
+    const Vec3 origin = to_eye_units(view, transform_point(draw.pose, gpu.origin));
+    std::array<float, 16> to_eye{};
+    std::array<float, 9> normal_to_eye{};
+    for (int column = 0; column < 3; ++column) {
+        const Vec3 axis = rotate_to_eye(view, draw.pose.rotation.col(column));
+        for (int row = 0; row < 3; ++row) {
+            to_eye[static_cast<std::size_t>(4 * column + row)] =
+                f(axis[row] * (gpu.scale / view.unit));
+            normal_to_eye[static_cast<std::size_t>(3 * column + row)] = f(axis[row]);
+        }
+    }
+    for (int row = 0; row < 3; ++row) to_eye[static_cast<std::size_t>(12 + row)] = f(origin[row]);
+    to_eye[15] = 1;
+
+    program_.use();
+    set_eye_uniforms(program_, view);
+    program_.set_mat4("to_eye", to_eye.data());
+    program_.set_mat3("normal_to_eye", normal_to_eye.data());
+    program_.set("colour", channel(draw.colour.r), channel(draw.colour.g), channel(draw.colour.b),
+                 1);
+    program_.set("fade", channel(background.r), channel(background.g), channel(background.b),
+                 f(draw.dim));
+    program_.set("edges", draw.edges ? 1 : 0);
+    program_.set("first_id", draw.first_id);
+    program_.set("coloured", draw.triangle_colours.empty() ? 0 : 1);
+
+    gl_.BindVertexArray(gpu.attributes.name());
+    if (draw.triangle_colours.empty()) {
+        gl_.DisableVertexAttribArray(2);
+    } else {
+        assert(draw.triangle_colours.size() == gpu.triangle_count &&
+               "one colour for each triangle");
+        std::vector<Rgba8> colours;
+        colours.reserve(3 * gpu.triangle_count);
+        for (const Rgba8 colour : draw.triangle_colours) colours.insert(colours.end(), 3, colour);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, gpu.colours.name());
+        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof(Rgba8)),
+                       colours.data(), GL_STREAM_DRAW);
+        gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgba8), nullptr);
+        gl_.EnableVertexAttribArray(2);
+    }
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * gpu.triangle_count));
+}
+
+}  // namespace scb

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+
+#include "core/mesh.h"
+#include "render/eye_view.h"
+#include "render/picture.h"
+
+namespace scb {
+
+/// Keeps meshes on the GPU and draws them.
+class MeshPainter {
+  public:
+    explicit MeshPainter(const Gl& gl);
+
+    MeshHandle upload(const Mesh& mesh);
+    void release(MeshHandle handle);
+
+    /// `background` is what a dimmed mesh fades into. Asserts that the handle is one of its own.
+    void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
+
+  private:
+    /// Corner by corner, in units of `scale` about `origin`, so that single precision serves meshes
+    /// of any size and any distance from their frame's origin.
+    struct GpuMesh {
+        Vec3 origin;
+        double scale;
+        std::size_t triangle_count;
+        GlBuffer corners;
+        GlBuffer colours;
+        GlVertexArray attributes;
+    };
+
+    const Gl& gl_;
+    GlProgram program_;
+    std::map<std::uint32_t, GpuMesh> meshes_;
+    std::uint32_t next_index_ = 1;
+};
+
+}  // namespace scb

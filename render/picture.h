@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/pose.h"
+#include "render/any_volume.h"
+#include "render/camera.h"
+#include "render/image.h"
+
+namespace scb {
+
+/// A mesh that a Renderer has taken to the GPU; valid for that renderer, until it is released.
+struct MeshHandle {
+    std::uint32_t index = 0;
+};
+
+/// A volume in the world frame. It is opaque where the colour's alpha is 255 and translucent below
+/// that; with alpha 0 it is not drawn. A volume with the eye inside shows its inner side. A ball or
+/// SCB of radius 0 draws nothing; a disc (e == f) or a flat box is drawn as the flat thing it is.
+struct VolumeInstance {
+    AnyVolume volume;
+    Rgba8 colour;
+    std::uint32_t id =
+        0;  ///< goes into the id buffer; also decides which of two coplanar surfaces wins
+};
+
+/// A mesh in its place: flat shaded, both sides alike, opaque. Where a volume's surface coincides
+/// with the mesh, the volume wins.
+struct MeshDraw {
+    MeshHandle mesh;
+    Pose pose;
+    Rgba8 colour{176, 180, 186};
+    std::vector<Rgba8> triangle_colours;  ///< one for each triangle; empty: `colour` for all
+    bool edges = false;                   ///< draw the triangles' edges, about one pixel wide
+    std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
+    double dim = 0;              ///< 0 to 1: how far the colours fade into the background
+};
+
+/// A straight line in the world, of constant width in the picture, always wholly in front of
+/// coplanar surfaces.
+struct Segment {
+    Vec3 from;
+    Vec3 to;
+    Rgba8 colour;
+    std::uint32_t id = 0;
+    double width = 2;     ///< pixels
+    bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
+};
+
+/// Pixels of a picture, (x, y) being the top left one.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
+/// order: opaque meshes, volumes and segments by depth; then translucent volumes from far to near
+/// (by the distance of their centres along the view axis, ties by id, then by position in the
+/// list), their back sides before their fronts; then the segments that are on top.
+struct Pane {
+    PixelRect viewport;
+    Camera camera;
+    std::optional<Rgba8> background;  ///< where it differs from the picture's
+    std::vector<MeshDraw> meshes;
+    std::vector<VolumeInstance> volumes;
+    std::vector<Segment> segments;
+};
+
+/// What to draw. Panes are drawn in order; where two overlap, the later one covers the earlier one
+/// wholly.
+///
+/// The id of a pixel is that of the nearest surface at the pixel's centre (with 4 samples: at the
+/// centre of its top left quarter), no matter how translucent.
+struct Picture {
+    int width = 1280;
+    int height = 720;
+    int samples = 4;  ///< 1, or 4: twice the resolution in both directions, averaged
+    Rgba8 background{255, 255, 255};
+    std::vector<Pane> panes;
+};
+
+}  // namespace scb

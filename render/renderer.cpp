@@ -1,0 +1,178 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/error.h"
+#include "render/embedded.h"
+#include "render/eye_view.h"
+#include "render/mesh_painter.h"
+#include "render/overlay_painter.h"
+#include "render/render_target.h"
+#include "render/segment_painter.h"
+#include "render/volume_painter.h"
+
+SCB_DECLARE_EMBEDDED(resolve_vert)
+SCB_DECLARE_EMBEDDED(resolve_frag)
+
+namespace scb {
+
+namespace {
+
+int largest_size(const Gl& gl) {
+    std::array<GLint, 2> viewport{};
+    GLint texture = 0;
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    return std::min({viewport[0], viewport[1], texture});
+}
+
+std::string size_text(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+void check(const Picture& picture, int limit) {
+    const int w = picture.width, h = picture.height;
+    if (picture.samples != 1 && picture.samples != 4)
+        throw InputError("A picture has 1 or 4 samples a pixel, not " +
+                         std::to_string(picture.samples) + ".");
+    if (w < 1 || h < 1)
+        throw InputError("A picture of " + size_text(w, h) + " pixels is empty; give it a size.");
+    if (w > limit || h > limit)
+        throw InputError("A picture of " + size_text(w, h) + " pixels is too large; with " +
+                         std::to_string(picture.samples) + " samples the limit is " +
+                         size_text(limit, limit) + ".");
+    for (const Pane& pane : picture.panes) {
+        const PixelRect& v = pane.viewport;
+        // Subtracted, not added: the sum of two large numbers would overflow.
+        if (v.x < 0 || v.y < 0 || v.width < 1 || v.height < 1 || v.width > w - v.x ||
+            v.height > h - v.y)
+            throw InputError("A pane of " + size_text(v.width, v.height) + " pixels at (" +
+                             std::to_string(v.x) + ", " + std::to_string(v.y) +
+                             ") does not lie inside the picture of " + size_text(w, h) + ".");
+    }
+}
+
+void clear(const Gl& gl, Rgba8 background) {
+    const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255; };
+    const std::array<float, 4> colour{channel(background.r), channel(background.g),
+                                      channel(background.b), 1};
+    const std::array<GLuint, 4> no_id{};
+    const float far_depth = 1;
+    gl.ClearBufferfv(GL_COLOR, 0, colour.data());
+    gl.ClearBufferuiv(GL_COLOR, 1, no_id.data());
+    gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    const Gl& gl;
+    int limit;
+    MeshPainter meshes;
+    VolumePainter volumes;
+    SegmentPainter segments;
+    OverlayPainter overlay;
+    GlProgram resolve_program;
+    GlVertexArray no_attributes;
+    std::optional<RenderTarget> drawn;     // at the resolution of the samples
+    std::optional<RenderTarget> resolved;  // at that of the picture, top row first
+
+    explicit Parts(const Gl& functions)
+        : gl(functions),
+          limit(largest_size(gl)),
+          meshes(gl),
+          volumes(gl),
+          segments(gl),
+          overlay(gl),
+          resolve_program(gl, {SCB_EMBEDDED(resolve_vert)}, {SCB_EMBEDDED(resolve_frag)}),
+          no_attributes(gl) {}
+
+    void fit_target(std::optional<RenderTarget>& target, int width, int height, bool with_depth) {
+        if (target && target->width() == width && target->height() == height) return;
+        target.reset();
+        target.emplace(gl, width, height, with_depth);
+    }
+
+    void draw_pane(const Pane& pane, const Picture& picture, int scale) {
+        const EyeView view = make_eye_view(pane, picture.height, scale);
+        const Rgba8 background = pane.background.value_or(picture.background);
+        gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
+        gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
+        clear(gl, background);
+        for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
+        volumes.draw_opaque(pane.volumes, view);
+        segments.draw(pane.segments, view, false);
+        volumes.draw_translucent(pane.volumes, view);
+        segments.draw(pane.segments, view, true);
+    }
+
+    void resolve(int scale) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, resolved->framebuffer());
+        gl.Viewport(0, 0, resolved->width(), resolved->height());
+        resolve_program.use();
+        resolve_program.set("colours", 0);
+        resolve_program.set("ids", 1);
+        resolve_program.set("scale", scale);
+        resolve_program.set("last_row", drawn->height() - 1);
+        gl.ActiveTexture(GL_TEXTURE1);
+        gl.BindTexture(GL_TEXTURE_2D, drawn->ids());
+        gl.ActiveTexture(GL_TEXTURE0);
+        gl.BindTexture(GL_TEXTURE_2D, drawn->colours());
+        gl.BindVertexArray(no_attributes.name());
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    Rendering read_back(bool with_ids) {
+        const int width = resolved->width(), height = resolved->height();
+        const std::size_t pixels =
+            static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        Rendering result{{width, height, std::vector<std::uint8_t>(4 * pixels)}, std::nullopt};
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+        gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
+        gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, result.image.rgba.data());
+        if (!with_ids) return result;
+        result.ids = IdImage{width, height, std::vector<std::uint32_t>(pixels)};
+        gl.ReadBuffer(GL_COLOR_ATTACHMENT1);
+        gl.ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, result.ids->ids.data());
+        return result;
+    }
+};
+
+Renderer::Renderer(const Context& context) : parts_(std::make_unique<Parts>(context.gl())) {}
+
+Renderer::~Renderer() = default;
+
+MeshHandle Renderer::upload(const Mesh& mesh) { return parts_->meshes.upload(mesh); }
+
+void Renderer::release(MeshHandle handle) { parts_->meshes.release(handle); }
+
+Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool with_ids) {
+    const Gl& gl = parts_->gl;
+    const int scale = picture.samples == 4 ? 2 : 1;
+    check(picture, parts_->limit / scale);
+    parts_->fit_target(parts_->drawn, scale * picture.width, scale * picture.height, true);
+    parts_->fit_target(parts_->resolved, picture.width, picture.height, false);
+
+    gl.BindFramebuffer(GL_FRAMEBUFFER, parts_->drawn->framebuffer());
+    gl.Disable(GL_SCISSOR_TEST);
+    clear(gl, picture.background);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    for (const Pane& pane : picture.panes) parts_->draw_pane(pane, picture, scale);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_SCISSOR_TEST);
+
+    parts_->resolve(scale);
+    if (overlay) parts_->overlay.paint(*overlay, picture.width, picture.height);
+    Rendering result = parts_->read_back(with_ids);
+    if (gl.GetError() != GL_NO_ERROR)
+        throw GlError("The OpenGL library could not draw a picture of " +
+                      size_text(picture.width, picture.height) +
+                      " pixels; it may be out of memory.");
+    return result;
+}
+
+}  // namespace scb

@@ -1,0 +1,29 @@
+uniform int edges;
+uniform uint first_id;
+uniform vec4 fade;  // a colour, and how far to fade into it
+
+flat in vec3 v_normal;
+flat in vec4 v_colour;
+in vec3 v_corner;
+in vec3 v_eye;
+
+layout(location = 0) out vec4 out_colour;
+layout(location = 1) out uint out_id;
+
+void main() {
+    vec3 ray = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : v_eye;
+    vec3 facing = dot(v_normal, ray) > 0.0 ? -v_normal : v_normal;
+    vec3 base = to_linear(v_colour.rgb);
+    vec3 lit = base * matte_light(facing);
+    if (edges != 0) {
+        vec3 per_pixel = max(fwidth(v_corner), vec3(1e-9));
+        vec3 away = v_corner / per_pixel;
+        vec3 cover = clamp(0.45 * line_scale + 0.5 - away, 0.0, 1.0);
+        // The triangle's heights in pixels are 1 / per_pixel: a mesh finer than the lines would only turn black.
+        float finest = 1.0 / max(per_pixel.x, max(per_pixel.y, per_pixel.z));
+        float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
+        lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
+    }
+    out_colour = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
+    out_id = first_id == 0u ? 0u : first_id + uint(gl_PrimitiveID);
+}

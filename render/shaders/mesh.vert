@@ -1,0 +1,32 @@
+uniform mat4 to_eye;         // mesh units to eye units
+uniform mat3 normal_to_eye;
+uniform int coloured;        // whether triangles have colours of their own
+uniform vec4 colour;
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 triangle_colour;
+
+flat out vec3 v_normal;
+flat out vec4 v_colour;
+out vec3 v_corner;  // barycentric coordinates
+out vec3 v_eye;
+
+// Behind coplanar volumes, whose bias is the other way.
+const float bias = 1e-5;
+
+void main() {
+    vec3 eye = (to_eye * vec4(position, 1.0)).xyz;
+    float depth = -eye.z;
+    v_eye = eye;
+    v_normal = normal_to_eye * normal;
+    v_colour = coloured != 0 ? triangle_colour : colour;
+    int corner = gl_VertexID - 3 * (gl_VertexID / 3);
+    v_corner = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+    if (orthographic != 0) {
+        gl_Position = vec4(eye.xy / half_view, 2.0 * ((depth - near_plane) / (1.0 - near_plane) + bias) - 1.0, 1.0);
+    } else {
+        float window = (depth - near_plane) / (1.0 - near_plane) + bias * depth;
+        gl_Position = vec4(eye.xy / half_view, 2.0 * window - depth, depth);
+    }
+}

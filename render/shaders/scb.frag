@@ -1,0 +1,57 @@
+// Ray-casts a slab cut ball exactly: v_a = c, r; v_b = n, e; v_c = f. A ball has e = r, f = -r.
+//
+// All distances are measured from the point of the ray that is closest to c, so their rounding errors are of the
+// size of the ball, not of the distance to it; and both planes of a disc (e == f) are hit at the same float.
+void main() {
+    vec3 c = v_a.xyz, n = v_b.xyz;
+    float r = v_a.w, e = v_b.w, f = v_c.x;
+    vec3 origin, ray;
+    eye_ray(origin, ray);
+
+    vec3 to_center = c - origin;
+    float closest = dot(to_center, ray);
+    vec3 q = closest * ray - to_center;  // from c to the closest point
+    float chord = r * r - dot(q, q);
+    if (!(chord > 0.0)) discard;
+    chord = sqrt(chord);
+
+    float along = dot(n, ray);
+    if (abs(along) < 1e-12) along = 1e-12;  // parallel to the planes: both are far away, or hold the whole ray
+    float height = dot(n, q);
+    float upper = (e - height) / along;
+    float lower = (f - height) / along;
+    float entry = max(-chord, min(upper, lower));
+    float exit = min(chord, max(upper, lower));
+    float surface = pick_surface(entry, exit, closest, ray.z);
+
+    bool on_cap = surface == upper || surface == lower;
+    vec3 p = q + surface * ray;  // from c to the surface
+    float depth = -(origin.z + (closest + surface) * ray.z);
+    float size_of_pixel = pixel_size(depth);
+    float p_height = dot(n, p);
+    vec3 p_radial = p - p_height * n;
+    float p_radius = sqrt(dot(p_radial, p_radial));
+    vec3 outward = p_radius > 0.0 ? p_radial / p_radius : vec3(0.0);
+    vec3 normal = on_cap ? n : p / r;
+
+    // Rims: the circles in which the planes meet the sphere.
+    float radius_in_pixels = r / size_of_pixel;
+    float line = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float k = i == 0 ? e : f;
+        float rim_radius = sqrt(max(r * r - k * k, 0.0));
+        vec2 offset = vec2(p_height - k, p_radius - rim_radius);
+        float away = sqrt(dot(offset, offset));
+        bool same_cap = on_cap && (i == 0 ? surface == upper : surface == lower);
+        if (rim_radius <= 1e-3 * r || (on_cap && !same_cap)) continue;
+        vec3 direction = on_cap ? outward : normal * (p_height / r) - n;
+        direction /= max(sqrt(dot(direction, direction)), 1e-6);
+        line = max(line, line_cover(to_pixels(away, direction, normal, ray, size_of_pixel), 2.0));
+    }
+    // The silhouette of the round part.
+    float away = (r - sqrt(dot(q, q))) / size_of_pixel;
+    if (!on_cap) line = max(line, 0.8 * line_cover(away, 1.6));
+
+    line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, radius_in_pixels);
+    shade(normal, ray, on_cap ? 1.12 : 0.94, 0.85 * line, depth);
+}

@@ -1,0 +1,60 @@
+// What the fragment shaders of all volumes share: from a hit to a shaded pixel.
+flat in vec4 v_a;
+flat in vec4 v_b;
+flat in vec4 v_c;
+flat in uvec2 v_tag;
+flat in int v_side;
+
+layout(location = 0) out vec4 out_colour;
+layout(location = 1) out uint out_id;
+
+// The ray of this fragment: through `origin`, in the unit direction `direction`.
+void eye_ray(out vec3 origin, out vec3 direction) {
+    vec2 position = (2.0 * (gl_FragCoord.xy - target.xy) / target.zw - 1.0) * half_view;
+    if (orthographic != 0) {
+        origin = vec3(position, 0.0);
+        direction = vec3(0.0, 0.0, -1.0);
+    } else {
+        vec3 through = vec3(position, -1.0);
+        origin = vec3(0.0);
+        direction = through / sqrt(dot(through, through));
+    }
+}
+
+// Which of two coplanar surfaces is in front must not be left to rounding: the ids decide, for all of a surface.
+float id_bias(uint id) { return 1e-6 * (1.0 + float(id & 31u)); }
+
+// How many pixels a distance on a surface spans on the screen. `along` is the unit direction in the surface in
+// which the distance grows, `normal` the unit normal, `ray` the unit direction of sight. A step of one pixel
+// across the ray moves the point where it hits by |along - normal (along.ray)/(normal.ray)| times as much.
+float to_pixels(float distance, vec3 along, vec3 normal, vec3 ray, float size_of_pixel) {
+    float tilt = min(abs(dot(along, ray)) / max(abs(dot(normal, ray)), 1e-4), 12.0);
+    return distance / (size_of_pixel * sqrt(1.0 + tilt * tilt));
+}
+
+// Coverage of a line of `width` pixels whose middle is `distance` pixels away.
+float line_cover(float distance, float width) {
+    return clamp(0.5 * width * line_scale + 0.5 - distance, 0.0, 1.0);
+}
+
+// Picks the surface to show from the interval of the ray inside the volume, both relative to `closest` along the
+// ray; discards the fragment where there is none.
+float pick_surface(float entry, float exit, float closest, float direction_z) {
+    if (!(entry <= exit)) discard;
+    float nearest = near_plane / -direction_z - closest;  // where the ray crosses the near plane
+    float surface = v_side == 1 || (v_side == 0 && entry < nearest) ? exit : entry;
+    if (surface < nearest) discard;
+    return surface;
+}
+
+// `tone` scales the light, `line` is how much of the pixel a dark line covers.
+void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
+    vec3 facing = dot(normal, ray) > 0.0 ? -normal : normal;
+    vec4 colour = unpack_colour(v_tag.x);
+    vec3 base = to_linear(colour.rgb);
+    vec3 lit = base * matte_light(facing) * tone;
+    vec3 ink = base * 0.16;
+    out_colour = vec4(to_stored(mix(lit, ink, line)), mix(colour.a, min(1.0, colour.a + 0.35), line));
+    out_id = v_tag.y;
+    gl_FragDepth = clamp(window_depth(depth) - id_bias(v_tag.y), 0.0, 1.0);
+}

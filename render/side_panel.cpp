@@ -1,0 +1,128 @@
+#include "render/side_panel.h"
+
+#include <algorithm>
+
+#include "render/figure_layout.h"
+
+namespace scb {
+namespace {
+
+struct PanelPainter {
+    Overlay& overlay;
+    const PixelRect& box;
+    const Theme& theme;
+    int unit;
+    int y;
+
+    int line_height() const { return unit * 5 / 4; }
+    bool fits(int height) const { return y + height <= box.y + box.height; }
+    TextStyle style(FontWeight weight, Rgba8 colour, Align align = Align::left) const {
+        return {unit, weight, colour, align};
+    }
+
+    void draw(const PanelHeading& heading) {
+        if (y > box.y) y += unit / 2;
+        if (!fits(line_height())) return;
+        const TextStyle bold = style(FontWeight::bold, theme.text);
+        overlay.text(box.x, y, fitted_text(overlay, heading.text, bold, box.width), bold);
+        y += line_height();
+        overlay.rectangle({box.x, y, box.width, 1}, theme.border);
+        y += unit / 4;
+    }
+
+    void draw(const PanelRow& row) {
+        if (!fits(line_height())) return;
+        const FontWeight weight = row.strong ? FontWeight::bold : FontWeight::regular;
+        const TextStyle label = style(FontWeight::regular, theme.faint_text);
+        const TextStyle value = style(weight, theme.text, Align::right);
+        const auto columns = static_cast<int>(row.values.size());
+        // Labels take what one of at most three columns leaves.
+        const int label_width = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
+        overlay.text(box.x, y, fitted_text(overlay, row.label, label, label_width), label);
+        for (int c = 0; c < columns; ++c) {
+            const auto i = static_cast<std::size_t>(c);
+            const int right = box.x + label_width + (box.width - label_width) * (c + 1) / columns;
+            const int room = (box.width - label_width) / columns - unit / 4;
+            const bool swatch = i < row.swatches.size() && row.swatches[i].has_value();
+            const std::string text =
+                fitted_text(overlay, row.values[i], value, swatch ? room - unit * 5 / 4 : room);
+            overlay.text(right, y, text, value);
+            if (swatch) {
+                const int x = right - overlay.measure(text, value).width - unit * 5 / 4;
+                overlay.rectangle({x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, *row.swatches[i]);
+            }
+        }
+        y += line_height();
+    }
+
+    void draw(const PanelKey& key) {
+        if (!fits(line_height())) return;
+        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, key.colour);
+        const TextStyle text = style(FontWeight::regular, theme.text);
+        const int indent = unit * 5 / 4;
+        overlay.text(box.x + indent, y, fitted_text(overlay, key.text, text, box.width - indent), text);
+        y += line_height();
+    }
+
+    void draw(const PanelScale& scale) {
+        const int small = small_size(unit), bar = unit * 3 / 4;
+        if (!fits(line_height() + bar + small + unit / 2)) return;
+        const TextStyle title = style(FontWeight::regular, theme.text);
+        overlay.text(box.x, y, fitted_text(overlay, scale.title, title, box.width), title);
+        y += line_height();
+        for (int x = 0; x < box.width; ++x)
+            overlay.rectangle({box.x + x, y, 1, bar}, viridis((x + 0.5) / box.width));
+        y += bar;
+        int free_from = box.x;  // labels keep a gap
+        for (const auto& [place, label] : scale.ticks) {
+            const TextStyle tick{small, FontWeight::regular, theme.faint_text};
+            const int at = box.x + static_cast<int>(place * (box.width - 1));
+            overlay.rectangle({at, y, 1, unit / 4}, theme.text);
+            const int width = overlay.measure(label, tick).width;
+            const int x = std::clamp(at - width / 2, box.x, box.x + box.width - width);
+            if (x < free_from) continue;
+            overlay.text(x, y + unit / 4, label, tick);
+            free_from = x + width + unit / 3;
+        }
+        y += unit / 4 + small + unit / 2;
+    }
+
+    void draw(const PanelNote& note) {
+        const int small = small_size(unit);
+        const TextStyle text{small, FontWeight::regular, theme.faint_text};
+        std::string line;
+        const auto flush = [&] {
+            if (!line.empty() && fits(small)) {
+                overlay.text(box.x, y, line, text);
+                y += small * 5 / 4;
+            }
+            line.clear();
+        };
+        std::size_t start = 0;
+        while (start < note.text.size()) {
+            std::size_t end = note.text.find(' ', start);
+            if (end == std::string::npos) end = note.text.size();
+            const std::string word = note.text.substr(start, end - start);
+            const std::string longer = line.empty() ? word : line + " " + word;
+            if (overlay.measure(longer, text).width <= box.width) {
+                line = longer;
+            } else {
+                flush();
+                line = fitted_text(overlay, word, text, box.width);
+            }
+            start = end + 1;
+        }
+        flush();
+    }
+};
+
+}  // namespace
+
+int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
+                    const std::vector<PanelItem>& items) {
+    PanelPainter painter{overlay, box, theme, unit, box.y};
+    for (const PanelItem& item : items) std::visit([&](const auto& i) { painter.draw(i); }, item);
+    return painter.y;
+}
+
+}  // namespace scb

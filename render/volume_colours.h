@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/any_hierarchy.h"
+#include "render/palette.h"
+#include "render/side_panel.h"
+
+namespace scb {
+
+/// What the colour of a volume tells.
+enum class ColourBy {
+    body,       ///< which body it belongs to, in the categories of the palette, with slight variations so that neighbours part
+    depth,      ///< its level, viridis from the root to the deepest level
+    radius,     ///< its diameter against the largest root's, viridis on a scale of halvings
+    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole ball)
+};
+
+std::string_view colour_by_name(ColourBy by);
+std::optional<ColourBy> colour_by_of(std::string_view name);
+
+/// The scale that the pictures of a run share.
+struct ColourScale {
+    ColourBy by = ColourBy::body;
+    int deepest = 0;           ///< for depth
+    double root_diameter = 1;  ///< for radius
+};
+
+/// How many halvings the scale of `radius` spans.
+inline constexpr int radius_halvings = 12;
+
+template <Volume V>
+double colour_magnitude(const ColourScale& scale, const V& volume, int depth);
+
+template <Volume V>
+Rgba8 volume_colour(const ColourScale& scale, const V& volume, int depth, std::size_t body, std::uint32_t node);
+
+/// The scale as a legend, or nothing where the colours are categories.
+std::optional<PanelScale> legend_of(const ColourScale& scale);
+
+}  // namespace scb

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "render/eye_view.h"
+#include "render/gl_program.h"
+#include "render/picture.h"
+
+namespace scb {
+
+/// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen. Rectangles,
+/// because they beat boxes around the volumes: a hierarchy's finer levels have many small volumes,
+/// where triangles cost more than fragments do.
+class VolumePainter {
+  public:
+    explicit VolumePainter(const Gl& gl);
+
+    /// Those with alpha 255, by depth.
+    void draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view);
+
+    /// Those with alpha below 255: colours from far to near, then depth and ids of the nearest
+    /// surfaces.
+    void draw_translucent(const std::vector<VolumeInstance>& volumes, const EyeView& view);
+
+  private:
+    enum class Shape { scb, obb };
+    enum class Sides { nearest = 1, back_then_front = 2 };
+
+    void draw(const std::vector<const VolumeInstance*>& volumes, const EyeView& view, Sides sides);
+    void draw_batch(Shape shape, std::size_t count, const EyeView& view, Sides sides);
+
+    const Gl& gl_;
+    GlProgram scb_program_;
+    GlProgram obb_program_;
+    GlVertexArray no_attributes_;
+    GlBuffer buffer_;
+    GlTexture texture_;
+    std::size_t batch_limit_;
+    std::vector<std::uint32_t> texels_;  // of all volumes of one draw, kept for its memory
+};
+
+}  // namespace scb
