@@ -34,6 +34,12 @@ std::string plain_message(std::string message) {
 struct Affine {
     Mat3 linear = Mat3::Identity();
     Vec3 offset = Vec3::Zero();
+
+    Vec3 operator()(const Vec3& point) const {
+        // A product with the identity would spread one NaN to all three coordinates.
+        if (linear == Mat3::Identity()) return point + offset;
+        return rotate(linear, point) + offset;
+    }
 };
 
 Affine followed_by(const Affine& parent, const aiMatrix4x4& m) {
@@ -42,7 +48,7 @@ Affine followed_by(const Affine& parent, const aiMatrix4x4& m) {
     const Vec3 offset(m.a4, m.b4, m.c4);
     Affine result;
     for (int j = 0; j < 3; ++j) result.linear.col(j) = rotate(parent.linear, Vec3(linear.col(j)));
-    result.offset = rotate(parent.linear, offset) + parent.offset;
+    result.offset = parent(offset);
     return result;
 }
 
@@ -82,7 +88,7 @@ void append(const aiMesh& source, const Affine& to_world, const std::string& nam
     const std::size_t first_vertex = mesh.vertices.size(), first_triangle = mesh.triangles.size();
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
         const aiVector3D& v = source.mVertices[i];
-        mesh.vertices.push_back(rotate(to_world.linear, Vec3(v.x, v.y, v.z)) + to_world.offset);
+        mesh.vertices.push_back(to_world(Vec3(v.x, v.y, v.z)));
     }
     std::vector<std::uint32_t> corners;
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
@@ -164,9 +170,10 @@ Mesh assimp_mesh(const std::string& path) {
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    if (const std::string_view extension =
-            std::string_view(path).substr(std::min(path.size(), path.rfind('.')));
-        extension == ".gltf" || extension == ".glb")
+    std::string extension = path.substr(std::min(path.size(), path.rfind('.')));
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (extension == ".gltf" || extension == ".glb")
         check_gltf_counts(*scene, gltf_triangle_counts(file_bytes(path)), path);
     return joined(*scene, path);
 }

@@ -40,7 +40,7 @@ CameraSpec parse_orbit(std::string_view text) {
     if (!(std::abs(camera.azimuth) <= 1e6)) fail("the azimuth must be -1e6 to 1e6 degrees");
     if (!(std::abs(camera.elevation) <= 90)) fail("the elevation must be -90 to 90 degrees");
     if (values.size() == 3) {
-        if (!(values[2] > 0 && values[2] <= 1e100)) fail("the distance must be above 0");
+        if (!(values[2] > 0 && values[2] <= max_coordinate)) fail("the distance must be above 0");
         camera.distance = values[2];
     }
     return camera;

@@ -28,8 +28,7 @@ struct CameraSpec {
     std::optional<Vec3> up;          ///< world direction; z where left open
     double field_of_view = 35;       ///< degrees, vertical, 1 to 170
     std::optional<bool> orthographic;
-    std::optional<double>
-        view_height;  ///< orthographic only: scene units from the bottom to the top of the picture
+    std::optional<double> view_height;  ///< orthographic: scene units from bottom to top
     std::optional<Inset> inset;
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/vec.h"
+#include "core/mesh.h"
 
 namespace scb {
 
@@ -47,7 +47,8 @@ JsonPlace element(const JsonPlace& array, std::size_t index);
 std::size_t array_size(const JsonPlace& place, const char* expected);
 
 /// Values of a type; refused where the value is of another type or out of range (bounds included).
-double read_number(const JsonPlace& place, double low = -1e100, double high = 1e100);
+double read_number(const JsonPlace& place, double low = -max_coordinate,
+                   double high = max_coordinate);
 std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t high);
 double read_positive(const JsonPlace& place);
 bool read_bool(const JsonPlace& place);

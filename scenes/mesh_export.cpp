@@ -15,7 +15,8 @@ struct Format {
     const char* extension;
     const char* assimp_id;
 };
-constexpr Format formats[] = {{".ply", "plyb"}, {".obj", "objnomtl"}, {".glb", "glb2"}, {".stl", "stlb"}};
+constexpr Format formats[] = {
+    {".ply", "plyb"}, {".obj", "objnomtl"}, {".glb", "glb2"}, {".stl", "stlb"}};
 
 const char* format_of(const std::filesystem::path& path) {
     for (const Format& format : formats)
@@ -62,7 +63,8 @@ aiMaterial* material_of(const ExportPart& part) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts, const std::filesystem::path& path) {
+std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
+                                      const std::filesystem::path& path) {
     const char* format = format_of(path);
     aiScene scene;
     const auto count = static_cast<unsigned>(parts.size());
@@ -79,7 +81,9 @@ std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts, cons
     }
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
-    if (blob == nullptr) throw InputError(path.string() + ": cannot be written as a mesh: " + exporter.GetErrorString());
+    if (blob == nullptr)
+        throw InputError(path.string() +
+                         ": cannot be written as a mesh: " + exporter.GetErrorString());
     const auto* bytes = static_cast<const std::uint8_t*>(blob->data);
     return {bytes, bytes + blob->size};
 }

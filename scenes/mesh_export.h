@@ -17,8 +17,9 @@ struct ExportPart {
     std::array<float, 3> colour;  ///< red, green, blue, 0 to 1
 };
 
-/// The bytes of a mesh file with these parts; the format is that of the path's extension: .ply (binary), .obj, .glb or .stl. Throws
-/// InputError for another extension.
-std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts, const std::filesystem::path& path);
+/// The bytes of a mesh file with these parts; the format is that of the path's extension: .ply
+/// (binary), .obj, .glb or .stl. Throws InputError for another extension.
+std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
+                                      const std::filesystem::path& path);
 
 }  // namespace scb

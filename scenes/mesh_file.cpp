@@ -9,6 +9,7 @@
 #include "scenes/file_bytes.h"
 #include "scenes/off_check.h"
 #include "scenes/ply_check.h"
+#include "scenes/trial.h"
 
 namespace scb {
 namespace {
@@ -29,14 +30,17 @@ void check_file(const fs::path& path) {
 }
 
 /// The checks that assimp's readers of these formats lack. They go by content as well as by name,
-/// as assimp does.
-void check_content(const fs::path& path) {
-    const std::string name = path.string(), start = file_bytes(name, 16),
-                      extension = path.extension().string();
-    if (extension == ".ply" || start.rfind("ply", 0) == 0)
+/// as assimp does. True where the file passed one, so that its reader can be trusted with it.
+bool check_content(const fs::path& path) {
+    const std::string name = path.string(), start = file_bytes(name, 16);
+    const std::string extension = path.extension().string();
+    if (extension == ".ply" || start.rfind("ply", 0) == 0) {
         check_ply(file_bytes(name), name);
-    else if (extension == ".off" || start.find("OFF") != std::string::npos)
+        return extension == ".ply";
+    }
+    if (extension == ".off" || start.find("OFF") != std::string::npos)
         check_off(file_bytes(name), name);
+    return false;
 }
 
 }  // namespace
@@ -45,7 +49,12 @@ Mesh load_mesh(const fs::path& path) {
     const std::string name = path.string();
     check_file(path);
     try {
-        check_content(path);
+        // Readers of other formats have been seen to crash on broken files: they are tried
+        // elsewhere first.
+        if (!check_content(path) && !survives([&] { assimp_mesh(name); }))
+            throw InputError(name +
+                             ": its reader crashed or did not come to an end, so the file is "
+                             "broken; repair it or export it again.");
         Mesh mesh = assimp_mesh(name);
         check_mesh(mesh, name);
         return mesh;

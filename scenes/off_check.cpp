@@ -50,6 +50,10 @@ void check_off(std::string_view bytes, const std::string& name) {
             name +
             ": the numbers of vertices and faces do not follow OFF; repair the first lines.");
 
+    if (vertices == 0 || faces == 0)
+        throw InputError(name +
+                         ": the mesh has no triangles; give a surface, not points or lines.");
+
     const auto missing = [&](const char* what, std::uint64_t i, double count) {
         throw InputError(name + ": " + what + " " + std::to_string(i) + " of the " +
                          std::to_string(static_cast<std::uint64_t>(count)) +

@@ -25,7 +25,7 @@ inline void require_between(const char* name, std::int64_t value, std::int64_t l
 inline void require_length(const char* name, double value) {
     if (value > 0 && value <= max_coordinate) return;
     throw InputError(std::string(name) + " is " + number_text(value) +
-                     "; give a length above 0 and at most 1e100.");
+                     "; give a length above 0 and at most " + number_text(max_coordinate) + ".");
 }
 
 inline void require_triangles(std::int64_t count) {

@@ -10,47 +10,44 @@ namespace scb {
 
 /// Where a scene file comes from.
 struct SceneContext {
-    std::string file;  ///< its path or name, for messages
-    std::filesystem::path
-        folder;  ///< where relative mesh paths are looked for first; empty: nowhere
-    std::filesystem::path models_dir;  ///< and then; empty: nowhere
+    std::string file;                  ///< its path or name, for messages
+    std::filesystem::path folder;      ///< relative mesh paths start here; empty: nowhere
+    std::filesystem::path models_dir;  ///< or else here; empty: nowhere
 };
 
 /// Reads a scene from JSON text. The schema (`scenes/README.md` has examples); [] marks what may be
 /// left out:
 ///
-///     scb_scene      1, the version of the schema
-///     name           letters, digits, '.', '_', '-'; names output files
-///     [description]  one sentence
-///     [frames]       1 to 1,000,000; default 1
+///     scb_scene        1, the version of the schema
+///     name             letters, digits, '.', '_', '-'; names output files
+///     [description]    one sentence
+///     [frames]         1 to 1,000,000; default 1
 ///     [default_frame]  0 to frames - 1; default 0
-///     [camera]       see CameraSpec: [azimuth] [elevation] [distance] [target] [up]
-///     [field_of_view] [orthographic]
-///                    [view_height] [inset {center, radius}]
-///     models         a list, at least one, of
-///       name         by which bodies refer to it
+///     [camera]         see CameraSpec: [azimuth], [elevation], [distance], [target], [up],
+///                      [field_of_view], [orthographic], [view_height], [inset {center, radius}]
+///     models           a list, at least one, of
+///       name           by which bodies refer to it
 ///       and one of
 ///         file         a path of a mesh file
 ///         icosphere    {subdivisions, [radius]}
-///         torus_knot   {[p], [q], [major_radius], [minor_radius], [tube_radius], [sides], [rings],
-///         [offset],
-///                      [offset_turns]}, see TorusKnot
+///         torus_knot   {[p], [q], [major_radius], [minor_radius], [tube_radius], [sides],
+///                      [rings], [offset], [offset_turns]}, see TorusKnot
 ///         box          {[size: x, y, z], [subdivisions]}
 ///         plane        {[size: x, y], [cells: x, y]}
 ///         cone         {[radius], [height], [sides], [segments], [capped]}
 ///         cylinder     the same
 ///         soup         {[count], [size], [triangle_size], [seed]}
-///       [normalize]    "unit-box": the box of the mesh is centered on the origin and its longest
-///       side made 1 [scale]        a factor above 0, after that [stored_rotation]  {axis,
-///       degrees}: after that, vertices are written in a frame turned by this rotation R,
-///                      that is multiplied by the inverse of R. A body that turns by R first looks
-///                      as before.
-///     bodies         a list, at least one, of
+///       [normalize]    "unit-box": the mesh's box is centered and its longest side made 1
+///       [scale]        a factor above 0, after that
+///       [stored_rotation]  {axis, degrees}: after that, vertices are written in a frame turned by
+///                      this rotation R, that is multiplied by the inverse of R; a body that turns
+///                      by R first looks as before
+///     bodies           a list, at least one, of
 ///       name
-///       model        the name of a model
-///       [position]   [x, y, z], or {from, to, frames}, see LinearPath; default the origin
-///       [rotation]   a list of {axis, [degrees], [per_frame]}, applied in this order, see Turn
-///       [pose]       instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row
+///       model          the name of a model
+///       [position]     [x, y, z], or {from, to, frames}, see LinearPath; default the origin
+///       [rotation]     a list of {axis, [degrees], [per_frame]}, applied in order, see Turn
+///       [pose]         instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row
 ///
 /// Throws InputError, one sentence that names the file and the place: broken JSON (line and
 /// column); a field that is missing, unknown, repeated, of the wrong type or out of range; an

@@ -1,15 +1,15 @@
+#include "core/random.h"
 #include "scenes/procedural.h"
 #include "scenes/require.h"
-#include "scenes/split_mix.h"
 
 namespace scb {
 namespace {
 
 /// Uniform in the cube of the given side about the origin; the three numbers are drawn in the order
 /// x, y, z.
-Vec3 point_in_cube(SplitMix64& random, double side) {
+Vec3 point_in_cube(Random& random, double side) {
     Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = side * (random.next_unit() - 0.5);
+    for (int axis = 0; axis < 3; ++axis) point[axis] = side * (random.uniform() - 0.5);
     return point;
 }
 
@@ -19,7 +19,7 @@ Mesh soup_mesh(const SoupShape& shape) {
     require_between("count", shape.count, 1, max_procedural_triangles);
     require_length("size", shape.size);
     require_length("triangle_size", shape.triangle_size);
-    SplitMix64 random{shape.seed};
+    Random random(shape.seed);
     Mesh mesh;
     for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(shape.count); ++t) {
         const Vec3 center = point_in_cube(random, shape.size);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "core/trigonometry.h"
 #include "scenes/require.h"
@@ -29,8 +28,8 @@ void check_knot(const TorusKnot& knot) {
     require_between("rings", knot.rings, 3, max_procedural_triangles);
     require_between("offset_turns", knot.offset_turns, -1000, 1000);
     if (!(knot.offset >= 0 && knot.offset <= max_coordinate))
-        throw InputError("offset is " + number_text(knot.offset) +
-                         "; give a length from 0 to 1e100.");
+        throw InputError("offset is " + number_text(knot.offset) + "; give a length from 0 to " +
+                         number_text(max_coordinate) + ".");
     require_triangles(std::int64_t{2} * knot.rings * knot.sides);
 }
 
@@ -96,8 +95,8 @@ Mesh torus_knot_mesh(const TorusKnot& knot) {
         const std::uint32_t here = i * sides, next = (i + 1) % rings * sides;
         for (std::uint32_t j = 0; j < sides; ++j) {
             const std::uint32_t k = (j + 1) % sides;
-            mesh.triangles.push_back({here + j, here + k, next + k});
-            mesh.triangles.push_back({here + j, next + k, next + j});
+            mesh.triangles.push_back({here + j, here + k, next + j});
+            mesh.triangles.push_back({here + k, next + k, next + j});
         }
     }
     return mesh;

@@ -40,8 +40,10 @@ struct KnotFrame {
 KnotFrame knot_frame(const TorusKnot& knot, double turns);
 
 /// The tube: `rings * sides` shared vertices, `2 * rings * sides` triangles, closed. Corner j of
-/// ring i is vertex `i * sides + j`, at angle j / sides turns from the frame's normal. Throws
-/// InputError, naming the parameter, where one is out of range.
+/// ring i is vertex `i * sides + j`, at angle j / sides turns from the frame's normal. The
+/// quad between corners j, j + 1 and two rings is cut from corner j + 1 of the first ring to corner
+/// j of the next. A wide tube may cross itself.
+/// Throws InputError, naming the parameter, where one is out of range.
 Mesh torus_knot_mesh(const TorusKnot& knot);
 
 }  // namespace scb

@@ -13,14 +13,16 @@ namespace {
 // Two unit vectors that make a right-handed frame with n.
 std::pair<Vec3, Vec3> frame_about(const Vec3& n) {
     const int smallest = std::abs(n[0]) <= std::abs(n[1]) && std::abs(n[0]) <= std::abs(n[2]) ? 0
-                         : std::abs(n[1]) <= std::abs(n[2])                                    ? 1
-                                                                                               : 2;
+                         : std::abs(n[1]) <= std::abs(n[2])                                   ? 1
+                                                                                              : 2;
     const Vec3 side = cross(n, Vec3(Vec3::Unit(smallest)));
     const Vec3 u = side / std::sqrt(squared_norm(side));
     return {u, cross(n, u)};
 }
 
-std::uint32_t next_index(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.vertices.size()); }
+std::uint32_t next_index(const Mesh& mesh) {
+    return static_cast<std::uint32_t>(mesh.vertices.size());
+}
 
 }  // namespace
 
@@ -73,7 +75,8 @@ Mesh volume_mesh(const Scb& s, int segments) {
 }
 
 Mesh volume_mesh(const Ball& ball, int segments) {
-    return volume_mesh(Scb{ball.center, ball.radius, Vec3::UnitZ(), ball.radius, -ball.radius}, segments);
+    return volume_mesh(Scb{ball.center, ball.radius, Vec3::UnitZ(), ball.radius, -ball.radius},
+                       segments);
 }
 
 Mesh volume_mesh(const Obb& box, int) {
@@ -82,8 +85,12 @@ Mesh volume_mesh(const Obb& box, int) {
         const Vec3 corner((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
         mesh.vertices.push_back(box.center + box.axes * corner.cwiseProduct(box.half));
     }
-    for (const auto& [a, b, c, d] : {std::array<std::uint32_t, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                     {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+    for (const auto& [a, b, c, d] : {std::array<std::uint32_t, 4>{0, 4, 6, 2},
+                                     {1, 3, 7, 5},
+                                     {0, 1, 5, 4},
+                                     {2, 6, 7, 3},
+                                     {0, 2, 3, 1},
+                                     {4, 5, 7, 6}}) {
         mesh.triangles.push_back({a, b, c});
         mesh.triangles.push_back({a, c, d});
     }

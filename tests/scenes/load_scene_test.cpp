@@ -1,0 +1,83 @@
+#include "scenes/load_scene.h"
+
+#include "tests/scenes/support.h"
+
+namespace scb {
+namespace {
+
+const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(LoadScene, takes_a_built_in_name) {
+    const Scene scene = load_scene({"knots-l1"});
+    EXPECT_EQ(scene.name, "knots-l1");
+    EXPECT_EQ(scene.frames, 500);
+}
+
+TEST(LoadScene, takes_a_scene_file) {
+    const TempFolder folder;
+    const std::string file = folder.write("mine.json", R"({"scb_scene": 1, "name": "mine",
+        "models": [{"name": "m", "box": {}}], "bodies": [{"name": "A", "model": "m"}]})");
+    EXPECT_EQ(load_scene({file}).name, "mine");
+}
+
+TEST(LoadScene, makes_a_scene_of_one_frame_from_one_mesh) {
+    const TempFolder folder;
+    const Scene scene = load_scene({folder.write("my horse.v2.obj", triangle)});
+    EXPECT_EQ(scene.name, "my-horse.v2");
+    EXPECT_EQ(scene.meshes[0].name, "my horse.v2");
+    EXPECT_EQ(scene.frames, 1);
+    EXPECT_FALSE(scene.camera);
+    EXPECT_EQ(scene.bodies.size(), 1u);
+}
+
+TEST(LoadScene, places_the_second_of_two_meshes) {
+    const TempFolder folder;
+    const std::string a = folder.write("a.obj", triangle), b = folder.write("b.obj", triangle);
+    Pose pose;
+    pose.rotation = rotation_about(Vec3::UnitZ(), 90);
+    pose.translation = Vec3(1, 2, 3);
+    const Scene scene = load_scene({a, b}, {{}, pose});
+    EXPECT_EQ(scene.name, "a-b");
+    EXPECT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(pose_at(scene.bodies[0].motion, 0).rotation, Mat3(Mat3::Identity()));
+    EXPECT_EQ(pose_at(scene.bodies[1].motion, 0).rotation, pose.rotation);
+    EXPECT_EQ(pose_at(scene.bodies[1].motion, 5).translation, pose.translation);
+    pose.rotation *= 1.001;
+    expect_in("--pose: the pose is not rigid", refusal([&] { load_scene({a, b}, {{}, pose}); }));
+}
+
+TEST(LoadScene, shares_the_mesh_of_a_file_named_twice) {
+    const TempFolder folder;
+    const std::string a = folder.write("a.obj", triangle);
+    const Scene scene = load_scene({a, (folder.path / "." / "a.obj").string()});
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.bodies.size(), 2u);
+    EXPECT_EQ(scene.bodies[1].mesh, 0u);
+    EXPECT_EQ(scene.name, "a-a");
+}
+
+TEST(LoadScene, says_what_can_be_named) {
+    const std::string sentence = refusal([] { load_scene({"sphere-l1"}); });
+    expect_in("sphere-l1: there is no such scene or file, did you mean spheres-l1?", sentence);
+    expect_in("thin-cylinder", sentence);
+    EXPECT_EQ(refusal([] { load_scene({"zebra"}); }).find("did you mean"), std::string::npos);
+    EXPECT_EQ(refusal([] { load_scene({"gone/horse.ply"}); }),
+              "gone/horse.ply: there is no such file; check the path.");
+    expect_in("0 names are given", refusal([] { load_scene({}); }));
+    expect_in("3 names are given", refusal([] { load_scene({"a", "b", "c"}); }));
+    expect_in("this is a scene by itself", refusal([] { load_scene({"spheres-l1", "b.obj"}); }));
+    expect_in("--pose: it places the second", refusal([] {
+                  load_scene({"spheres-l1"}, {{}, Pose{}});
+              }));
+    const TempFolder folder;
+    expect_in("this is a directory", refusal([&] { load_scene({folder.path.string()}); }));
+}
+
+TEST(LoadScene, makes_file_names_of_any_text) {
+    EXPECT_EQ(file_name_of("a b//c"), "a-b-c");
+    EXPECT_EQ(file_name_of("..hidden--"), "hidden");
+    EXPECT_EQ(file_name_of("\xc3\xa9"), "scene");
+}
+
+}  // namespace
+}  // namespace scb

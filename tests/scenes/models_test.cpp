@@ -1,0 +1,51 @@
+#include <iostream>
+#include <sstream>
+
+#include "scenes/mesh_file.h"
+#include "tests/scenes/support.h"
+
+namespace scb {
+namespace {
+
+/// The rows `| FILE.ply | VERTICES (...) | TRIANGLES | ...` of the table that describes the models.
+struct Row {
+    std::string file;
+    std::size_t vertices = 0, triangles = 0;
+};
+
+std::vector<Row> table(const std::filesystem::path& readme) {
+    std::ifstream stream(readme);
+    std::vector<Row> rows;
+    for (std::string line; std::getline(stream, line);) {
+        std::istringstream cells(line);
+        std::string bar, file, vertices, skipped, triangles;
+        cells >> bar >> file;
+        if (bar != "|" || file.size() < 5 || file.substr(file.size() - 4) != ".ply") continue;
+        std::getline(cells, skipped, '|');
+        std::getline(cells, vertices, '|');
+        std::getline(cells, triangles, '|');
+        rows.push_back({file, std::stoul(vertices), std::stoul(triangles)});
+    }
+    return rows;
+}
+
+TEST(Models, have_the_counts_that_their_table_states) {
+    const std::filesystem::path models =
+        std::filesystem::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
+    if (!std::filesystem::exists(models / "README.md")) {
+        std::cerr << "SKIPPED: the counts of real meshes are not compared, since "
+                  << models.string() << " does not exist here.\n";
+        GTEST_SUCCEED();
+        return;
+    }
+    const std::vector<Row> rows = table(models / "README.md");
+    EXPECT_GE(rows.size(), 30u);
+    for (const Row& row : rows) {
+        const Mesh mesh = load_mesh(models / row.file);
+        EXPECT_EQ(mesh.vertices.size(), row.vertices) << row.file;
+        EXPECT_EQ(mesh.triangles.size(), row.triangles) << row.file;
+    }
+}
+
+}  // namespace
+}  // namespace scb
