@@ -65,6 +65,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command.add_option("--camera", camera.camera,
                        "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the scene's own")
         ->type_name("CAMERA");
+    command.add_option("--up", camera.up, "The axis that points up: x, y or z")->type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")->capture_default_str();
     command.add_option("--background", options.background, "light or dark")->type_name("THEME")->capture_default_str();

@@ -135,8 +135,9 @@ Json numbers_json(const Run& run, const std::vector<LevelBody>& bodies, int leve
 Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(level); }
 
 std::string subtitle_of(const Run& run) {
-    if (run.scene.frames == 1) return run.scene.description;
-    return "frame " + std::to_string(run.frame) + " of 0 to " + std::to_string(run.scene.frames - 1);
+    const std::string levels = "levels 0 to " + std::to_string(deepest(run.topologies));
+    if (run.scene.frames == 1) return levels;
+    return "frame " + std::to_string(run.frame) + " (0 to " + std::to_string(run.scene.frames - 1) + "), " + levels;
 }
 
 void add_file(Run& run, const std::string& name, Json entry) {

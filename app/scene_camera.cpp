@@ -1,9 +1,41 @@
 #include "app/scene_camera.h"
 
+#include <cmath>
+
+#include "core/error.h"
+
 namespace scb {
+namespace {
+
+// The default angle, taken from the side on which the first mesh is longer: a horse is seen from its flank.
+double azimuth_for(const Scene& scene, const Vec3& up) {
+    const double azimuth = CameraSpec{}.azimuth;
+    const Box box = bounding_box(scene.meshes[0].mesh);
+    const Vec3 sides = box.upper - box.lower;
+    // What orbit_axes turns x and y to.
+    const Mat3 front = orbit_axes(0, 0, up);
+    const double along_x = std::abs(dot(Vec3(front.col(0)), sides)), along_y = std::abs(dot(Vec3(front.col(2)), sides));
+    return along_x >= along_y ? azimuth : 90 - azimuth;
+}
+
+}  // namespace
+
+Vec3 CameraOptions::up_vector() const {
+    if (up.empty() || up == "z") return Vec3::UnitZ();
+    if (up == "x") return Vec3::UnitX();
+    if (up == "y") return Vec3::UnitY();
+    throw InputError("--up " + up + ": give x, y or z.");
+}
 
 CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene) {
-    CameraSpec spec = options.camera.empty() ? scene.camera.value_or(CameraSpec{}) : parse_camera(options.camera);
+    CameraSpec spec;
+    if (!options.camera.empty())
+        spec = parse_camera(options.camera);
+    else if (scene.camera)
+        spec = *scene.camera;
+    else
+        spec.azimuth = azimuth_for(scene, options.up_vector());
+    if (!options.up.empty()) spec.up = options.up_vector();
     if (!spec.inset && scene.camera) spec.inset = scene.camera->inset;
     if (options.orthographic) spec.orthographic = true;
     return spec;
@@ -14,7 +46,8 @@ Camera camera_for(const CameraSpec& spec, const Support& support, double aspect)
     fit.aspect = aspect;
     fit.orthographic = spec.orthographic.value_or(false);
     fit.vertical_fov = spec.field_of_view;
-    Camera camera = fit_camera(orbit_axes(spec.azimuth, spec.elevation), support, fit);
+    const Vec3 up = spec.up.value_or(Vec3::UnitZ());
+    Camera camera = fit_camera(orbit_axes(spec.azimuth, spec.elevation, up), support, fit);
     if (spec.view_height) camera.view_height = *spec.view_height;
     if (!spec.target && !spec.distance) return camera;
     const Vec3 back = camera.axes.col(2);

@@ -13,6 +13,9 @@ namespace scb {
 struct CameraOptions {
     std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
     bool orthographic = false;
+    std::string up;  ///< x, y or z; empty: the camera's own, or z
+
+    Vec3 up_vector() const;  ///< throws InputError
 };
 
 /// The wish that holds: the command line's, or else the scene's, or else the default angles.

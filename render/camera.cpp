@@ -1,5 +1,7 @@
 #include "render/camera.h"
 
+#include <cmath>
+
 #include "core/trigonometry.h"
 
 namespace scb {
@@ -12,6 +14,23 @@ Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees) {
     axes.col(1) = Vec3(-el.sin * az.sin, el.sin * az.cos, el.cos);
     axes.col(2) = Vec3(el.cos * az.sin, -el.cos * az.cos, el.sin);
     return axes;
+}
+
+Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees, const Vec3& up) {
+    const Vec3 to = up / std::sqrt(squared_norm(up)), from = Vec3::UnitZ();
+    const Mat3 axes = orbit_axes(azimuth_degrees, elevation_degrees);
+    Mat3 turned;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 v = axes.col(i);
+        // Downwards there is no smallest rotation; half a turn about x is as good as any.
+        if (to[2] < -1 + 1e-12) {
+            turned.col(i) = Vec3(v[0], -v[1], -v[2]);
+            continue;
+        }
+        const Vec3 w = cross(from, to);
+        turned.col(i) = v + cross(w, v) + cross(w, cross(w, v)) / (1 + to[2]);
+    }
+    return turned;
 }
 
 Camera orbit_camera(double azimuth_degrees, double elevation_degrees, const Vec3& target,

@@ -68,8 +68,15 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 
 std::string number_text(double value, int digits) {
     char text[48];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
+    // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end goes.
+    std::snprintf(text, sizeof text, "%#.*g", digits, value);
+    std::string result(text);
+    if (const std::size_t exponent = result.find('e'); exponent != std::string::npos) {
+        if (exponent > 0 && result[exponent - 1] == '.') result.erase(exponent - 1, 1);
+    } else if (result.back() == '.') {
+        result.pop_back();
+    }
+    return value == 0 ? "0" : result;
 }
 
 std::string count_text(std::uint64_t count) {

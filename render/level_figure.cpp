@@ -53,12 +53,12 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     items.emplace_back(std::move(names));
     items.emplace_back(std::move(triangles));
     row("volumes", [](const CoverStatistics& s) { return count_text(s.volumes); }, true);
-    row("of these leaves", [](const CoverStatistics& s) { return count_text(s.leaves); });
+    row("leaves", [](const CoverStatistics& s) { return count_text(s.leaves); });
     row("mean d", [](const CoverStatistics& s) { return number_text(s.mean_diameter); });
     row("mean τ", [](const CoverStatistics& s) { return number_text(s.mean_thickness); });
-    row("mean τ / mean d", ratio_text);
-    row("summed area", [](const CoverStatistics& s) { return number_text(s.area); });
-    row("summed volume", [](const CoverStatistics& s) { return number_text(s.volume); });
+    row("τ / d", ratio_text);
+    row("area, sum", [](const CoverStatistics& s) { return number_text(s.area); });
+    row("volume, sum", [](const CoverStatistics& s) { return number_text(s.volume); });
     if (figure.bodies.size() > 2 && by_body)
         for (std::size_t b = 0; b < figure.bodies.size(); ++b)
             items.emplace_back(PanelKey{category_colour(b), figure.bodies[b].name});
@@ -158,9 +158,9 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
         picture.panes.push_back(
             level_pane(square, figure.detail->camera, figure.bodies, figure.level, figure.style));
         const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
-        overlay.text(square.x, top - small_size(layout.unit) * 5 / 4, "detail, magnified", caption);
+        overlay.text(square.x, top - small_size(layout.unit) * 5 / 4,
+                     "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
         overlay.frame(square, theme.accent, std::max(1, layout.unit / 10));
-        draw_scale_bar(overlay, square, figure.detail->camera, figure.detail->center, theme, layout.unit);
         if (const auto marker = marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
             overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
     }

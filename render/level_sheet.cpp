@@ -9,6 +9,9 @@ namespace {
 constexpr int most_columns = 5;
 constexpr int margin = 24;
 
+// Title and keys.
+constexpr int heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
+
 }  // namespace
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail) {
@@ -22,7 +25,7 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
     layout.detail_size = with_detail ? layout.view_width * 9 / 20 : 0;
     const int cell_height = layout.view_height + layout.detail_size + 4 * layout.unit;
     layout.width = margin + layout.columns * (layout.view_width + margin);
-    layout.height = 2 * margin + title_size(layout.unit) + 5 * layout.unit / 2 +
+    layout.height = heading_height(layout.unit) +
                     layout.bands * static_cast<int>(volumes) * cell_height;
     return layout;
 }
@@ -56,7 +59,7 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         }
     }
 
-    const int first_y = 2 * margin + title_size(unit) + 5 * unit / 2;
+    const int first_y = heading_height(unit);
     const int cell_height = layout.view_height + layout.detail_size + 4 * unit;
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {
@@ -74,11 +77,11 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
                 counts += (counts.empty() ? "" : " + ") + count_text(s.volumes);
             if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
             const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
-            overlay.text(x + layout.view_width, y, counts + " volumes", right);
+            overlay.text(x + layout.view_width, y, counts + (counts == "1" ? " volume" : " volumes"), right);
             const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
             overlay.text(x, y + unit * 5 / 4,
                          "mean d " + number_text(numbers.all.mean_diameter) + ", mean τ " +
-                             number_text(numbers.all.mean_thickness) + ", summed volume " +
+                             number_text(numbers.all.mean_thickness) + ", volume, sum " +
                              number_text(numbers.all.volume),
                          faint);
 
@@ -95,10 +98,9 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
             if (const auto marker = marker_of(view, sheet.camera, sheet.detail->center, sheet.detail->radius)) {
                 overlay.frame(*marker, theme.accent, 2);
             }
-            if (c == 0) {
-                draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
-                draw_scale_bar(overlay, square, sheet.detail->camera, sheet.detail->center, theme, unit);
-            }
+            overlay.text(square.x + square.width + unit / 2, square.y + square.height - small_size(unit) * 5 / 4,
+                         number_text(2 * sheet.detail->radius) + " wide", faint);
+            if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
         }
     return picture;
 }

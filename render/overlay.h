@@ -37,7 +37,7 @@ struct ScreenPosition {
 /// The size of body text in a picture or pane of that size: 20 pixels at 1280x720, growing with the
 /// smaller of height and width, never below 13. Titles are 1.4 of it.
 int text_unit(int width, int height);
-inline int title_size(int unit) { return unit * 7 / 5; }
+constexpr int title_size(int unit) { return unit * 7 / 5; }
 inline int small_size(int unit) { return unit * 17 / 20 < 12 ? 12 : unit * 17 / 20; }
 
 /// Text and plain figures on top of a picture, in pixels from its top left corner, each thing over

@@ -34,7 +34,8 @@ double colour_magnitude(const ColourScale& scale, const V& volume, int depth) {
         case ColourBy::depth: return scale.deepest == 0 ? 0 : static_cast<double>(depth) / scale.deepest;
         case ColourBy::radius:
             return d > 0 ? std::clamp(1 + std::log2(d / scale.root_diameter) / radius_halvings, 0.0, 1.0) : 0;
-        case ColourBy::thickness: return d > 0 ? thickness(volume) / d : 0;
+        // Most volumes of a deep level are nearly flat: the square root parts them.
+        case ColourBy::thickness: return d > 0 ? std::sqrt(thickness(volume) / d) : 0;
         case ColourBy::body: break;
     }
     return 0;
@@ -64,7 +65,12 @@ std::optional<PanelScale> legend_of(const ColourScale& scale) {
             return legend;
         }
         case ColourBy::thickness:
-            return PanelScale{"colour: τ / d", {{0, "0 flat"}, {0.5, "0.5"}, {1, "1 ball"}}};
+        {
+            PanelScale legend{"colour: τ / d (0 flat, 1 ball)", {}};
+            for (const auto& [ratio, label] : {std::pair{0.0, "0"}, {0.05, "0.05"}, {0.2, "0.2"}, {0.5, "0.5"}, {1.0, "1"}})
+                legend.ticks.emplace_back(std::sqrt(ratio), label);
+            return legend;
+        }
         case ColourBy::body: break;
     }
     return std::nullopt;

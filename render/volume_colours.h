@@ -15,7 +15,7 @@ enum class ColourBy {
     body,       ///< which body it belongs to, in the categories of the palette, with slight variations so that neighbours part
     depth,      ///< its level, viridis from the root to the deepest level
     radius,     ///< its diameter against the largest root's, viridis on a scale of halvings
-    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole ball)
+    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole ball), on a square-root scale
 };
 
 std::string_view colour_by_name(ColourBy by);

@@ -30,7 +30,8 @@ Mesh volume_mesh(const Scb& s, int segments) {
     Mesh mesh;
     if (!(s.r > 0) || s.f > s.r || s.e < -s.r) return mesh;
     const double top = std::min(s.e, s.r), bottom = std::max(s.f, -s.r);
-    const auto [u, v] = frame_about(s.n);
+    const std::pair<Vec3, Vec3> axes = frame_about(s.n);
+    const Vec3 &u = axes.first, &v = axes.second;
     const auto corners = static_cast<std::uint32_t>(segments);
 
     const auto ring = [&](double height) {
