@@ -90,7 +90,8 @@ int run(int argc, char** argv) {
 }  // namespace scb
 
 int main(int argc, char** argv) {
-    // A closed pipe is reported as an error of the write, not by a silent end.
+    // A closed pipe and a file that may not grow are reported as errors of the write, not by a silent end.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     return scb::run(argc, argv);
 }

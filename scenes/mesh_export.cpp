@@ -15,8 +15,9 @@ struct Format {
     const char* extension;
     const char* assimp_id;
 };
+// PLY as text: the binary writer of assimp 5.2 breaks files with colours.
 constexpr Format formats[] = {
-    {".ply", "plyb"}, {".obj", "objnomtl"}, {".glb", "glb2"}, {".stl", "stlb"}};
+    {".ply", "ply"}, {".obj", "objnomtl"}, {".glb", "glb2"}, {".stl", "stlb"}};
 
 const char* format_of(const std::filesystem::path& path) {
     for (const Format& format : formats)

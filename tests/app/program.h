@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace scb {
+
+/// What a run of the program gave.
+struct ProgramRun {
+    int status = 0;  ///< exit status; 128 + the signal where one ended it
+    std::string out;
+    std::string err;
+};
+
+/// Runs `scb ARGUMENTS` through the shell, without a terminal. `prefix` stands before the program: an environment, a limit.
+ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
+
+/// The whole file, as bytes.
+std::string file_text(const std::filesystem::path& path);
+
+/// A new empty folder that is removed at the end.
+struct TemporaryFolder {
+    std::filesystem::path path;
+
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+}  // namespace scb
