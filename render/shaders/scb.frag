@@ -1,4 +1,5 @@
-// Ray-casts a slab cut ball exactly: v_a = c, r; v_b = n, e; v_c = f. A ball has e = r, f = -r.
+// Ray-casts a slab cut ball exactly: v_a = c, r; v_b = n, e; v_c = f and
+// the radii of the rims, 0 where there is none. A ball has e = r, f = -r.
 //
 // All distances are measured from the point of the ray that is closest to c, so their rounding errors are of the
 // size of the ball, not of the distance to it; and both planes of a disc (e == f) are hit at the same float.
@@ -39,11 +40,11 @@ void main() {
     float line = 0.0;
     for (int i = 0; i < 2; ++i) {
         float k = i == 0 ? e : f;
-        float rim_radius = sqrt(max(r * r - k * k, 0.0));
+        float rim_radius = i == 0 ? v_c.y : v_c.z;
         vec2 offset = vec2(p_height - k, p_radius - rim_radius);
         float away = sqrt(dot(offset, offset));
         bool same_cap = on_cap && (i == 0 ? surface == upper : surface == lower);
-        if (rim_radius <= 1e-3 * r || (on_cap && !same_cap)) continue;
+        if (rim_radius == 0.0 || (on_cap && !same_cap)) continue;
         vec3 direction = on_cap ? outward : normal * (p_height / r) - n;
         direction /= max(sqrt(dot(direction, direction)), 1e-6);
         line = max(line, line_cover(to_pixels(away, direction, normal, ray, size_of_pixel), 2.0));
