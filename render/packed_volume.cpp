@@ -113,7 +113,7 @@ struct Pack {
         if (e - f < 1.8 * r) rectangle.clip(around_slab(c, n, r, e, f, view));
         words.set(1, c, r);
         words.set(2, n, e);
-        words.set(3, f, rim_radius(r, e), rim_radius(r, f), 0);
+        words.set(3, f, rim_radius(r, e), rim_radius(r, f), 1 / r);
         return true;
     }
     bool operator()(const Ball& ball) {

@@ -9,7 +9,7 @@ vec3 matte(vec3 colour, vec3 normal, float tone) {
     const vec3 key = vec3(-0.4364, 0.5455, 0.7155);
     float lit = max(dot(normal, key), 0.0);
     float light = 0.36 + 0.14 * (0.5 + 0.5 * normal.y) + 0.62 * lit;
-    return (colour * light + 0.07 * lit * lit) * tone;
+    return (colour * light + 0.03 * lit * lit) * tone;
 }
 
 // A colour of four bytes, red in the lowest.
