@@ -85,7 +85,8 @@ TextSize Overlay::measure(std::string_view text, const TextStyle& style) {
     const ImVec2 size =
         face.font->CalcTextSizeA(face.font->FontSize, std::numeric_limits<float>::max(), 0,
                                  text.data(), text.data() + text.size());
-    return {static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y))};
+    // Descenders of some sizes are rounded into one more row.
+    return {static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y)) + 1};
 }
 
 void Overlay::rectangle(const PixelRect& r, Rgba8 colour) {

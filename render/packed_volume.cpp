@@ -77,6 +77,13 @@ Rectangle around_slab(const Vec3& c, const Vec3& n, double r, double e, double f
                       view);
 }
 
+/// The radius of the circle in which a plane at signed distance k from the centre cuts the sphere;
+/// 0 where it is no more than a point.
+double rim_radius(double r, double k) {
+    const double rim = std::sqrt(std::max(0.0, r * r - k * k));
+    return rim > 1e-3 * r ? rim : 0;
+}
+
 struct Words {
     std::array<std::uint32_t, 20>& words;
 
@@ -106,7 +113,7 @@ struct Pack {
         if (e - f < 1.8 * r) rectangle.clip(around_slab(c, n, r, e, f, view));
         words.set(1, c, r);
         words.set(2, n, e);
-        words.set(3, f, 0, 0, 0);
+        words.set(3, f, rim_radius(r, e), rim_radius(r, f), 1 / r);
         return true;
     }
     bool operator()(const Ball& ball) {

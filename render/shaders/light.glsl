@@ -3,12 +3,13 @@
 vec3 to_linear(vec3 colour) { return colour * colour; }
 vec3 to_stored(vec3 light) { return sqrt(clamp(light, 0.0, 1.0)); }
 
-// Matte light of a surface whose unit normal faces the viewer: a key light from the viewer's upper left, and more
-// from above than from below. About 0.35 to 1.05.
-float matte_light(vec3 normal) {
+// A surface of that colour (linear) whose unit normal faces the viewer, under a key light from the viewer's upper left
+// and more light from above than from below. What faces the key light turns a little paler, as matte paint does.
+vec3 matte(vec3 colour, vec3 normal, float tone) {
     const vec3 key = vec3(-0.4364, 0.5455, 0.7155);
     float lit = max(dot(normal, key), 0.0);
-    return 0.34 + 0.12 * (0.5 + 0.5 * normal.y) + 0.60 * lit;
+    float light = 0.36 + 0.14 * (0.5 + 0.5 * normal.y) + 0.62 * lit;
+    return (colour * light + 0.03 * lit * lit) * tone;
 }
 
 // A colour of four bytes, red in the lowest.

@@ -14,7 +14,7 @@ void main() {
     vec3 ray = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : v_eye;
     vec3 facing = dot(v_normal, ray) > 0.0 ? -v_normal : v_normal;
     vec3 base = to_linear(v_colour.rgb);
-    vec3 lit = base * matte_light(facing);
+    vec3 lit = matte(base, facing, 1.0);
     if (edges != 0) {
         vec3 per_pixel = max(fwidth(v_corner), vec3(1e-9));
         vec3 away = v_corner / per_pixel;

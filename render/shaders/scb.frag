@@ -1,4 +1,5 @@
-// Ray-casts a slab cut ball exactly: v_a = c, r; v_b = n, e; v_c = f. A ball has e = r, f = -r.
+// Ray-casts a slab cut ball exactly: v_a = c, r; v_b = n, e; v_c = f, the
+// radii of the two rims (0 where there is none), 1 / r. A ball has e = r, f = -r.
 //
 // All distances are measured from the point of the ray that is closest to c, so their rounding errors are of the
 // size of the ball, not of the distance to it; and both planes of a disc (e == f) are hit at the same float.
@@ -32,26 +33,22 @@ void main() {
     vec3 p_radial = p - p_height * n;
     float p_radius = sqrt(dot(p_radial, p_radial));
     vec3 outward = p_radius > 0.0 ? p_radial / p_radius : vec3(0.0);
-    vec3 normal = on_cap ? n : p / r;
+    vec3 normal = on_cap ? n : p * v_c.w;
 
-    // Rims: the circles in which the planes meet the sphere.
-    float radius_in_pixels = r / size_of_pixel;
-    float line = 0.0;
-    for (int i = 0; i < 2; ++i) {
-        float k = i == 0 ? e : f;
-        float rim_radius = sqrt(max(r * r - k * k, 0.0));
-        vec2 offset = vec2(p_height - k, p_radius - rim_radius);
-        float away = sqrt(dot(offset, offset));
-        bool same_cap = on_cap && (i == 0 ? surface == upper : surface == lower);
-        if (rim_radius <= 1e-3 * r || (on_cap && !same_cap)) continue;
-        vec3 direction = on_cap ? outward : normal * (p_height / r) - n;
-        direction /= max(sqrt(dot(direction, direction)), 1e-6);
-        line = max(line, line_cover(to_pixels(away, direction, normal, ray, size_of_pixel), 2.0));
-    }
+    // The nearer rim: the circle in which a plane meets the sphere.
+    bool at_upper = on_cap ? surface == upper : 2.0 * p_height > e + f;
+    float rim_height = at_upper ? e : f;
+    float rim_radius = at_upper ? v_c.y : v_c.z;
+    vec2 offset = vec2(p_height - rim_height, p_radius - rim_radius);
+    vec3 direction = on_cap ? outward : normal * (p_height * v_c.w) - n;
+    direction /= max(sqrt(dot(direction, direction)), 1e-6);
+    float from_rim = to_pixels(sqrt(dot(offset, offset)), direction, normal, ray, size_of_pixel);
+    float line = rim_radius > 0.0 ? line_cover(from_rim, 2.0) : 0.0;
+
     // The silhouette of the round part.
     float away = (r - sqrt(dot(q, q))) / size_of_pixel;
     if (!on_cap) line = max(line, 0.8 * line_cover(away, 1.6));
 
-    line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, radius_in_pixels);
+    line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, r / size_of_pixel);
     shade(normal, ray, on_cap ? 1.12 : 0.94, 0.85 * line, depth);
 }

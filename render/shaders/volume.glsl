@@ -52,7 +52,7 @@ void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
     vec3 facing = dot(normal, ray) > 0.0 ? -normal : normal;
     vec4 colour = unpack_colour(v_tag.x);
     vec3 base = to_linear(colour.rgb);
-    vec3 lit = base * matte_light(facing) * tone;
+    vec3 lit = matte(base, facing, tone);
     vec3 ink = base * 0.16;
     out_colour = vec4(to_stored(mix(lit, ink, line)), mix(colour.a, min(1.0, colour.a + 0.35), line));
     out_id = v_tag.y;

@@ -1,0 +1,124 @@
+#include "render/image_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "render/encode_queue.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImageFile : public testing::Test {
+  protected:
+    ImageFile() {
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder = fs::temp_directory_path() / ("scb_image_file_" + name);
+        fs::remove_all(folder);
+        fs::create_directory(folder);
+    }
+    ~ImageFile() override { fs::remove_all(folder); }
+
+    std::ptrdiff_t file_count() const { return std::distance(fs::directory_iterator(folder), {}); }
+
+    fs::path folder;
+};
+
+Image gradient(bool opaque) {
+    Image image{37, 23, {}};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (const int value : {7 * x, 11 * y, x * y, opaque ? 255 : 5 * x})
+                image.rgba.push_back(static_cast<std::uint8_t>(value));
+    return image;
+}
+
+TEST_F(ImageFile, PicturesSurviveTheRoundTrip) {
+    for (const bool opaque : {true, false}) {
+        const Image image = gradient(opaque);
+        write_file_whole(folder / "picture.png", encode_png(image));
+        EXPECT_EQ(read_png(folder / "picture.png"), image);
+    }
+}
+
+TEST_F(ImageFile, IdsSurviveTheRoundTrip) {
+    const IdImage ids{3, 2, {0, 1, 0xFFFFFFFF, 0x01020304, 0x80000000, 255}};
+    write_file_whole(folder / "ids.png", encode_png(ids));
+    EXPECT_EQ(unpack_ids(read_png(folder / "ids.png")), ids);
+}
+
+TEST_F(ImageFile, WhatIsNoPngIsRefused) {
+    EXPECT_THROW(read_png(folder / "missing.png"), InputError);
+    std::ofstream(folder / "text.png") << "not a picture";
+    EXPECT_THROW(read_png(folder / "text.png"), InputError);
+    std::vector<std::uint8_t> half = encode_png(gradient(true));
+    half.resize(half.size() / 2);
+    write_file_whole(folder / "half.png", half);
+    EXPECT_THROW(read_png(folder / "half.png"), InputError);
+}
+
+TEST_F(ImageFile, AFileIsReplacedWhole) {
+    const std::vector<std::uint8_t> first(1000, 1), second(10, 2);
+    write_file_whole(folder / "file", first);
+    write_file_whole(folder / "file", second);
+    EXPECT_EQ(fs::file_size(folder / "file"), 10u);
+    EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(ImageFile, AFailureNamesTheFileAndLeavesNothingBehind) {
+    const std::vector<std::uint8_t> bytes(100, 1);
+    std::ofstream(folder / "file") << "kept";
+    fs::create_directory(folder / "folder");
+    std::ofstream(folder / "folder" / "inside") << "kept";
+    for (const fs::path& path :
+         {folder / "missing" / "picture.png", folder / "file" / "picture.png", folder / "folder"}) {
+        try {
+            write_file_whole(path, bytes);
+            ADD_FAILURE() << path;
+        } catch (const OutputError& error) {
+            EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_EQ(file_count(), 2);
+    EXPECT_EQ(fs::file_size(folder / "file"), 4u);
+}
+
+TEST_F(ImageFile, AFullDiskIsReported) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    try {
+        write_file_whole("/dev/full", std::vector<std::uint8_t>(100, 1));
+        ADD_FAILURE();
+    } catch (const OutputError& error) {
+        EXPECT_NE(std::string(error.what()).find("make room"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+TEST_F(ImageFile, TheQueueWritesEverything) {
+    EncodeQueue queue(2, 2);
+    for (int i = 0; i < 20; ++i) queue.push(folder / (std::to_string(i) + ".png"), gradient(true));
+    queue.push(folder / "ids.png", IdImage{1, 1, {42}});
+    queue.finish();
+    EXPECT_EQ(file_count(), 21);
+    EXPECT_EQ(read_png(folder / "19.png"), gradient(true));
+}
+
+TEST_F(ImageFile, TheQueueReportsTheFirstErrorAndDoesNotHang) {
+    EncodeQueue queue(1);
+    EXPECT_THROW(
+        {
+            for (int i = 0; i < 20; ++i)
+                queue.push(folder / "missing" / "picture.png", gradient(true));
+            queue.finish();
+        },
+        OutputError);
+}
+
+}  // namespace
+}  // namespace scb

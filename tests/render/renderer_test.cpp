@@ -1,0 +1,223 @@
+#include "render/renderer.h"
+
+#include <optional>
+
+#include "core/error.h"
+#include "render/figures.h"
+#include "render/font_face.h"
+#include "tests/render/gl_fixture.h"
+
+namespace scb {
+namespace {
+
+Mesh quad() {
+    Mesh mesh;
+    mesh.vertices = {Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(1, 0, 1), Vec3(-1, 0, 1)};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+/// Everything at once: opaque and translucent volumes, a mesh with edges, segments, two panes,
+/// text.
+struct Everything {
+    Picture picture;
+    Overlay overlay;
+
+    Everything(Renderer& renderer, int samples) {
+        std::vector<AnyVolume> volumes = assorted_volumes();
+        picture = picture_of(volumes, 300, 200, samples);
+        Pane& pane = picture.panes[0];
+        for (std::size_t i = 0; i < pane.volumes.size(); i += 3) pane.volumes[i].colour.a = 120;
+        MeshDraw mesh;
+        mesh.mesh = renderer.upload(quad());
+        mesh.edges = true;
+        mesh.first_id = 1000;
+        mesh.pose.translation = Vec3(3, 2, 1);
+        pane.meshes.push_back(mesh);
+        pane.segments.push_back({Vec3(0, 0, 0), Vec3(8, 2, 1), {200, 0, 0}, 2000, 2, true});
+        Pane inset = pane;
+        inset.viewport = {190, 120, 100, 70};
+        inset.background = Rgba8{230, 230, 230};
+        picture.panes.push_back(inset);
+        FigureStyle style;
+        style.unit = 13;
+        overlay.text(5, 5, "τ = e − f ≤ 2r · Δ", {15, FontWeight::bold, {20, 20, 20}, Align::left});
+        draw_legend(overlay, 5, 120, "Stage", std::vector<LegendEntry>{{body_a_colour, "A", "1"}},
+                    style);
+        draw_colour_bar(overlay, {100, 170, 80, 8}, viridis, "",
+                        std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
+    }
+};
+
+TEST(Renderer, TheSamePictureGivesTheSameBytes) {
+    for (const int samples : {1, 4}) {
+        Drawing drawing;
+        Everything scene(drawing.renderer, samples);
+        const Rendering first = drawing.renderer.draw(scene.picture, &scene.overlay, true);
+        drawing.renderer.draw(picture_of({Ball{Vec3(0, 0, 0), 1}}, 64, 64, 4));  // leaves no trace
+        const Rendering again = drawing.renderer.draw(scene.picture, &scene.overlay, true);
+        EXPECT_EQ(first.image, again.image);
+        EXPECT_EQ(first.ids, again.ids);
+
+        Drawing other;
+        Everything same(other.renderer, samples);
+        const Rendering elsewhere = other.renderer.draw(same.picture, &same.overlay, true);
+        EXPECT_EQ(first.image, elsewhere.image);
+        EXPECT_EQ(first.ids, elsewhere.ids);
+    }
+}
+
+TEST(Renderer, BothBackEndsDrawTheSame) {
+    if (!is_compiled_in(GlBackend::osmesa) || !is_compiled_in(GlBackend::egl))
+        GTEST_SKIP() << "one back end only";
+    for (const int samples : {1, 4}) {
+        std::optional<Rendering> first;
+        for (const GlBackend backend : {GlBackend::osmesa, GlBackend::egl}) {
+            std::optional<Context> context;
+            try {
+                context.emplace(backend);
+            } catch (const GlError& error) {
+                GTEST_SKIP() << error.what();
+            }
+            EXPECT_EQ(context->info().backend, to_string(backend));
+            Renderer renderer(*context);
+            Everything scene(renderer, samples);
+            Rendering rendering = renderer.draw(scene.picture, &scene.overlay, true);
+            if (!first) {
+                first = std::move(rendering);
+            } else {
+                EXPECT_EQ(first->image, rendering.image);
+                EXPECT_EQ(first->ids, rendering.ids);
+            }
+        }
+    }
+}
+
+TEST(Renderer, SaysWhatItIsWithoutMachineFacts) {
+    Drawing drawing;
+    const GlInfo& info = drawing.context.info();
+    EXPECT_FALSE(info.version.empty());
+    EXPECT_EQ(info.renderer.find("bits"), std::string::npos);
+    EXPECT_EQ(info.version.find(' '), std::string::npos);
+}
+
+TEST(Renderer, RefusesSizesThatItCannotDraw) {
+    Drawing drawing;
+    for (const auto& [width, height] : {std::pair{0, 0}, {0, 10}, {-1, 5}, {100000, 100000}}) {
+        Picture picture;
+        picture.width = width;
+        picture.height = height;
+        EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+    }
+    Picture picture;
+    picture.samples = 3;
+    EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+    picture.samples = 1;
+    picture.panes.resize(1);
+    picture.panes[0].viewport = {1200, 0, 100, 100};
+    EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+}
+
+TEST(Renderer, TrianglesHaveIdsAndColoursOfTheirOwn) {
+    Drawing drawing;
+    const Mesh mesh = quad();
+    Picture picture;
+    picture.width = picture.height = 100;
+    Pane pane;
+    pane.viewport = {0, 0, 100, 100};
+    MeshDraw draw;
+    draw.mesh = drawing.renderer.upload(mesh);
+    draw.triangle_colours = {{200, 0, 0}, {0, 0, 200}};
+    draw.first_id = 7;
+    pane.meshes.push_back(draw);
+    pane.camera = fit_camera(orbit_axes(0, 0), support_of(mesh, draw.pose), {1, 0.04, true, 30});
+    picture.panes.push_back(pane);
+    for (const int samples : {1, 4}) {
+        picture.samples = samples;
+        const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+        EXPECT_EQ(pixel(*rendering.ids, 70, 80), 7u);
+        EXPECT_EQ(pixel(*rendering.ids, 20, 30), 8u);
+        EXPECT_EQ(pixel(*rendering.ids, 1, 1), 0u);
+        EXPECT_GT(pixel(rendering.image, 70, 80).r, pixel(rendering.image, 70, 80).b);
+        EXPECT_GT(pixel(rendering.image, 20, 30).b, pixel(rendering.image, 20, 30).r);
+        EXPECT_EQ(pixel(rendering.image, 1, 1), picture.background);
+    }
+    picture.panes[0].meshes[0].dim = 1;
+    EXPECT_EQ(pixel(drawing.renderer.draw(picture).image, 70, 80), picture.background);
+    picture.panes[0].meshes[0].first_id = 0;
+    EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 70, 80), 0u);
+}
+
+TEST(Renderer, AFlatVolumeWinsOverTheMeshItLiesOn) {
+    Drawing drawing;
+    const Mesh mesh = quad();
+    Picture picture = picture_of({Scb{Vec3(0, 0, 0), 0.5, Vec3::UnitY(), 0, 0}}, 200, 200, 1);
+    MeshDraw draw;
+    draw.mesh = drawing.renderer.upload(mesh);
+    draw.first_id = 100;
+    picture.panes[0].meshes.push_back(draw);
+    for (const double azimuth : {0.0, 50.0, 80.0}) {
+        picture.panes[0].camera =
+            fit_camera(orbit_axes(azimuth, 20), support_of(mesh, draw.pose), {1, 0.04, false, 30});
+        const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+        const Vec3 middle = project(picture.panes[0].camera, Vec3(0, 0, 0), 200, 200);
+        int run_starts = 0;
+        for (int x = 1; x < 200; ++x) {
+            const int y = static_cast<int>(middle[1]);
+            run_starts += pixel(*rendering.ids, x, y) == 1 && pixel(*rendering.ids, x - 1, y) != 1;
+        }
+        EXPECT_EQ(run_starts, 1);
+    }
+}
+
+TEST(Renderer, TranslucentVolumesShowWhatIsBehindThem) {
+    Drawing drawing;
+    const std::vector<AnyVolume> volumes = {Ball{Vec3(0, -2, 0), 1}, Ball{Vec3(0, 2, 0), 0.5}};
+    Picture picture = picture_of(volumes, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.camera = fit_camera(orbit_axes(0, 0), support_of(volumes), {1, 0.04, true, 30});
+    pane.volumes[0].colour = {0, 0, 255, 60};
+    pane.volumes[1].colour = {255, 0, 0};
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);  // the nearest surface, though translucent
+    const Rgba8 over_ball = pixel(rendering.image, 50, 50);
+    EXPECT_GT(over_ball.r, over_ball.b);
+    std::reverse(pane.volumes.begin(), pane.volumes.end());
+    EXPECT_EQ(drawing.renderer.draw(picture).image, rendering.image);
+    pane.volumes[1].colour.a = 0;
+    EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50), 2u);
+}
+
+TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 1}}),
+                   {1, 0.04, true, 30});
+    const Segment segment{Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0), {255, 0, 0}, 9, 3, true};
+    pane.segments = {segment};
+    Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    int rows = 0;
+    for (int y = 0; y < 101; ++y) rows += pixel(*rendering.ids, 50, y) == 9;
+    EXPECT_EQ(rows, 3);
+    pane.segments[0].on_top = false;
+    rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+}
+
+TEST(Renderer, PanesAreClippedToTheirRectangles) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 100, 100, 4);
+    picture.panes[0].viewport = {60, 10, 30, 20};
+    picture.panes[0].background = Rgba8{1, 2, 3};
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(rendering.image, 59, 15), picture.background);
+    EXPECT_EQ(pixel(rendering.image, 60, 10), (Rgba8{1, 2, 3}));
+    EXPECT_EQ(pixel(rendering.image, 89, 29), (Rgba8{1, 2, 3}));
+    EXPECT_EQ(pixel(rendering.image, 90, 30), picture.background);
+    EXPECT_EQ(pixel(*rendering.ids, 75, 20), 1u);
+}
+
+}  // namespace
+}  // namespace scb
