@@ -33,7 +33,7 @@ inline Picture picture_of(const std::vector<AnyVolume>& volumes, int width, int 
         const auto shade = static_cast<std::uint8_t>(60 + 50 * (i % 4));
         pane.volumes.push_back({volumes[i], {shade, 120, 200}, static_cast<std::uint32_t>(i + 1)});
     }
-    FitOptions options;
+    CameraFit options;
     options.aspect = static_cast<double>(width) / height;
     pane.camera = fit_camera(orbit_axes(35, 25), support_of(volumes), options);
     picture.panes.push_back(pane);
