@@ -1,11 +1,13 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <numbers>
+#include <cstdlib>
+#include <filesystem>
 
 #include "core/hierarchy.h"
 #include "core/random.h"
 #include "core/trigonometry.h"
+#include "scenes/mesh_file.h"
 
 namespace scb {
 namespace {
@@ -60,6 +62,19 @@ void build(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(build_hierarchy<V>(mesh));
     per_n_log_n(state, static_cast<double>(mesh.triangles.size()));
 }
+
+// A model of the models folder (SCB_MODELS, or shared/models beside the project); skipped, with its name, where that is missing.
+void build_model(benchmark::State& state, const char* name) {
+    const char* folder = std::getenv("SCB_MODELS");
+    const std::filesystem::path path =
+        std::filesystem::path(folder != nullptr ? folder : SCB_SOURCE_DIR "/../shared/models") / name;
+    if (!std::filesystem::exists(path)) return state.SkipWithError((path.string() + " is missing").c_str());
+    const Mesh mesh = load_mesh(path);
+    for (auto _ : state) benchmark::DoNotOptimize(build_hierarchy<Scb>(mesh));
+    per_n_log_n(state, static_cast<double>(mesh.triangles.size()));
+}
+BENCHMARK_CAPTURE(build_model, horse, "horse.ply")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_model, dragon, "dragon.ply")->Unit(benchmark::kMillisecond);
 
 BENCHMARK(fit_scb_of)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(build<Scb>)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);

@@ -1,0 +1,63 @@
+#include <benchmark/benchmark.h>
+
+#include "core/hierarchy.h"
+#include "render/fit_camera.h"
+#include "render/image_file.h"
+#include "render/palette.h"
+#include "render/renderer.h"
+#include "scenes/procedural.h"
+
+namespace scb {
+namespace {
+
+// The nodes of one level of a sphere's hierarchy, seen whole at 1280x720.
+Picture level_of_a_sphere(int level, int samples) {
+    const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(icosphere(6, 1));
+    const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
+    std::vector<AnyVolume> volumes;
+    Pane pane;
+    for (std::uint32_t i = 0; i < depths.size(); ++i) {
+        if (depths[i] != level) continue;
+        volumes.push_back(hierarchy.volumes[i]);
+        pane.volumes.push_back({hierarchy.volumes[i], body_a_colour, i + 1});
+    }
+    Picture picture;
+    picture.samples = samples;
+    pane.viewport = {0, 0, picture.width, picture.height};
+    pane.camera = fit_camera(orbit_axes(30, 20), support_of(volumes), {});
+    picture.panes.push_back(std::move(pane));
+    return picture;
+}
+
+void draw_level(benchmark::State& state) {
+    const Picture picture = level_of_a_sphere(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Context context(GlBackend::osmesa);
+    Renderer renderer(context);
+    for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(picture));
+    state.counters["volumes"] = static_cast<double>(picture.panes[0].volumes.size());
+}
+BENCHMARK(draw_level)
+    ->ArgNames({"level", "samples"})
+    ->ArgsProduct({{5, 9, 12, 15}, {1, 4}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void encode_level(benchmark::State& state) {
+    const Context context(GlBackend::osmesa);
+    Renderer renderer(context);
+    const Image image = renderer.draw(level_of_a_sphere(static_cast<int>(state.range(0)), 4)).image;
+    std::size_t bytes = 0;
+    for (auto _ : state) bytes = encode_png(image).size();
+    state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(encode_level)->ArgName("level")->Arg(5)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond);
+
+void make_context(benchmark::State& state) {
+    for (auto _ : state) Context context(GlBackend::osmesa);
+}
+BENCHMARK(make_context)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace scb
+
+BENCHMARK_MAIN();
