@@ -184,7 +184,7 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
         EXPECT_EQ(image.width, 320);
         EXPECT_EQ(image.height, 240);
         if (file["level"] == 5) {
-            for (int b = 0; b < 2; ++b) EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
+            for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
         } else if (file["level"] == "leaves") {
             EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
         }
