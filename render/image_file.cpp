@@ -15,8 +15,8 @@
 
 namespace {
 
-// stb's own deflate takes most of the time of encoding; zlib's fastest levels take a fraction, for
-// files of the same size.
+// Rendered pictures are encoded in a quarter of the time that stb's own deflate takes, and a fifth
+// smaller.
 unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed_size, int level) {
     uLongf capacity = compressBound(static_cast<uLong>(size));
     auto* packed = static_cast<unsigned char*>(std::malloc(capacity));
@@ -48,9 +48,10 @@ namespace scb {
 
 namespace {
 
-// A rendered picture at 1280x720 takes zlib 7 ms at level 2, 10 ms at level 4 and 15 to 22 ms at
-// level 6, and the files shrink by 10 % and by 2 %. The filter `up` comes within 1 % of the best
-// that could be chosen line by line.
+// Three rendered pictures at 1280x720: zlib takes 7 ms at level 2, 10 ms at level 4 (files 7 to 13
+// % smaller) and 15 to 22 ms at level 6 (another 1 to 6 %). Of the filters none, sub, up and paeth,
+// used throughout, up comes within 2 % of the smallest file, and stb need not try them line by
+// line.
 constexpr int compression_level = 4;
 constexpr int filter_up = 2;
 

@@ -8,9 +8,9 @@
 
 namespace scb {
 
-/// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen. Rectangles,
-/// because they beat boxes around the volumes: a hierarchy's finer levels have many small volumes,
-/// where triangles cost more than fragments do.
+/// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
+/// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
+/// levels have thousands of volumes of a few pixels each.
 class VolumePainter {
   public:
     explicit VolumePainter(const Gl& gl);

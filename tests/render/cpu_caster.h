@@ -106,8 +106,8 @@ inline Hit cast(const Pane& pane, double x, double y) {
 inline std::optional<std::uint32_t> certain_id(const Pane& pane, double x, double y) {
     const Hit hit = cast(pane, x, y);
     if (hit.second - hit.distance < 2e-4 * pane.camera.far_distance) return std::nullopt;
-    for (const double dx : {-0.01, 0.0, 0.01})
-        for (const double dy : {-0.01, 0.0, 0.01})
+    for (const double dx : {-0.01, 0.01})
+        for (const double dy : {-0.01, 0.01})
             if (cast(pane, x + dx, y + dy).id != hit.id) return std::nullopt;
     return hit.id;
 }

@@ -39,12 +39,12 @@ class RayCast : public testing::TestWithParam<int> {
 };
 
 TEST_P(RayCast, AgreesInPerspective) {
-    draw_and_compare(picture_of(assorted_volumes(), 400, 300, GetParam()));
+    draw_and_compare(picture_of(assorted_volumes(), 240, 180, GetParam()));
 }
 
 TEST_P(RayCast, AgreesInOrthographicView) {
     const std::vector<AnyVolume> volumes = assorted_volumes();
-    Picture picture = picture_of(volumes, 400, 300, GetParam());
+    Picture picture = picture_of(volumes, 240, 180, GetParam());
     picture.panes[0].camera =
         fit_camera(orbit_axes(-20, 50), support_of(volumes), {4.0 / 3, 0.04, true, 30});
     draw_and_compare(picture);
@@ -58,7 +58,7 @@ TEST_P(RayCast, AgreesFromTheAxesOfTheSlabs) {
         Scb{Vec3(0, 0, 2.5), 1, Vec3::UnitX(), 0.3, -0.2},
         Obb{Vec3(2.5, 0, 2.5), Mat3::Identity(), Vec3(1, 0.5, 0.7)}};
     for (const bool orthographic : {false, true}) {
-        Picture picture = picture_of(volumes, 300, 300, GetParam());
+        Picture picture = picture_of(volumes, 150, 150, GetParam());
         picture.panes[0].camera =
             fit_camera(orbit_axes(0, 0), support_of(volumes), {1, 0.04, orthographic, 30});
         draw_and_compare(picture);
@@ -69,7 +69,7 @@ TEST_P(RayCast, ShowsTheInnerSideToAnEyeInside) {
     const std::vector<AnyVolume> volumes = {
         Scb{Vec3(0, 0, 0), 3, Vec3(0.6, 0, 0.8), 1.2, -1.5}, Ball{Vec3(0.4, 2, 0.1), 0.3},
         Obb{Vec3(-0.4, 1.8, 0.1), orbit_axes(20, 30), Vec3(0.2, 0.3, 0.1)}};
-    Picture picture = picture_of(volumes, 320, 240, GetParam());
+    Picture picture = picture_of(volumes, 160, 120, GetParam());
     picture.panes[0].camera = orbit_camera(0, 0, Vec3(0, 0.1, 0), 0.1, false, 70);
     picture.panes[0].camera.near_distance = 0.01;
     picture.panes[0].camera.far_distance = 10;
@@ -83,7 +83,7 @@ TEST_P(RayCast, AgreesForScenesOfAnyScale) {
         std::vector<AnyVolume> volumes = {
             Scb{Vec3(0, 0, 0), scale, Vec3(0.6, 0, 0.8), 0.3 * scale, -0.2 * scale},
             Ball{Vec3(2 * scale, 0, 0), scale}};
-        draw_and_compare(picture_of(volumes, 200, 150, GetParam()));
+        draw_and_compare(picture_of(volumes, 120, 90, GetParam()));
     }
 }
 
