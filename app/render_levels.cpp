@@ -29,10 +29,18 @@ struct Options {
     HierarchyOptions hierarchy;
     PictureOptions picture;
     CameraOptions camera;
-    std::string levels = "0:12";
+    std::string levels = "auto";
     std::string color_by = "auto";
     double opacity = 1;
     bool mesh = false, edges = false, no_sheet = false;
+
+    /// Refuses what makes no sense before any work is done.
+    void check() const {
+        picture.check();
+        if (!(opacity >= 0 && opacity <= 1)) throw InputError("--opacity: give 0 (volumes hidden) to 1 (opaque).");
+        if (color_by != "auto" && !colour_by_of(color_by))
+            throw InputError("--color-by " + color_by + ": give body, depth, radius, thickness or auto.");
+    }
 };
 
 struct Run {
@@ -77,16 +85,12 @@ std::string level_part(int level) {
 LevelStyle style_of(const Run& run) {
     const Options& options = run.options;
     LevelStyle style;
-    if (!(options.opacity >= 0 && options.opacity <= 1)) throw InputError("--opacity: give 0 (volumes hidden) to 1 (opaque).");
     style.opacity = options.opacity;
     style.mesh = options.mesh || options.edges || options.opacity < 1;
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
     const bool several = run.scene.bodies.size() > 1;
-    const std::string name = options.color_by == "auto" ? (several ? "body" : "thickness") : options.color_by;
-    const std::optional<ColourBy> by = colour_by_of(name);
-    if (!by) throw InputError("--color-by " + name + ": give body, depth, radius or thickness.");
-    style.colours.by = *by;
+    style.colours.by = colour_by_of(options.color_by).value_or(several ? ColourBy::body : ColourBy::thickness);
     style.colours.deepest = deepest(run.topologies);
     style.colours.root_diameter = 0;
     for (const AnyHierarchy& hierarchy : run.hierarchies[0])
@@ -175,7 +179,7 @@ Json index_json(const Run& run, const GlInfo& gl, const CameraSpec& camera) {
 }
 
 int render(const Options& options, const Console& console) {
-    options.picture.check();
+    options.check();
     Run run{options, console, options.scene.load(), 0, {}, options.hierarchy.kinds(), {}, {}, {}, Json::array(), {}};
     run.frame = options.scene.frame_of(run.scene);
     const FitOptions fit_options = options.hierarchy.fit();
@@ -278,7 +282,6 @@ void add_render_levels(CLI::App& render_command, const Console& console, Action&
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, true);
     add_hierarchy_options(*command, options->hierarchy);
-    options->levels = "auto";
     command->add_option("--levels", options->levels, "Levels: 5,7,9,11 or 0:12 or leaves; auto is all of them")
         ->type_name("LIST")
         ->capture_default_str();

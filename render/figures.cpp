@@ -43,54 +43,7 @@ PixelRect write(Overlay& overlay, int x, int y, std::string_view text, const Tex
     return {x - shift, y, size.width, size.height};
 }
 
-struct LegendLayout {
-    int value_right;  // of the values' column, from the panel's left
-    TextSize size;
-};
-
-LegendLayout lay_out(Overlay& overlay, std::string_view title, std::span<const LegendEntry> entries,
-                     const FigureStyle& style) {
-    int labels = 0, values = 0;
-    for (const LegendEntry& entry : entries) {
-        labels = std::max(labels, overlay.measure(entry.label, body(style)).width);
-        values = std::max(values, overlay.measure(entry.value, body(style)).width);
-    }
-    const int swatch = small_size(style.unit) + style.unit / 3;
-    int width = swatch + labels + (values > 0 ? style.unit + values : 0);
-    width = std::max(width, overlay.measure(title, heading(style)).width);
-    const int lines = static_cast<int>(entries.size()) + (title.empty() ? 0 : 1);
-    return {padding(style) + width,
-            {width + 2 * padding(style), lines * line_height(style) + 2 * padding(style)}};
-}
-
 }  // namespace
-
-TextSize measure_legend(Overlay& overlay, std::string_view title,
-                        std::span<const LegendEntry> entries, const FigureStyle& style) {
-    return lay_out(overlay, title, entries, style).size;
-}
-
-PixelRect draw_legend(Overlay& overlay, int x, int y, std::string_view title,
-                      std::span<const LegendEntry> entries, const FigureStyle& style) {
-    const LegendLayout layout = lay_out(overlay, title, entries, style);
-    const PixelRect panel{x, y, layout.size.width, layout.size.height};
-    overlay.rectangle(panel, style.theme.panel);
-    const int left = x + padding(style);
-    int top = y + padding(style);
-    if (!title.empty()) {
-        overlay.text(left, top, title, heading(style));
-        top += line_height(style);
-    }
-    const int side = small_size(style.unit) * 7 / 10;
-    for (const LegendEntry& entry : entries) {
-        overlay.rectangle({left, top + (small_size(style.unit) - side) / 2 + 1, side, side},
-                          entry.colour);
-        overlay.text(left + small_size(style.unit) + style.unit / 3, top, entry.label, body(style));
-        overlay.text(x + layout.value_right, top, entry.value, aligned(body(style), Align::right));
-        top += line_height(style);
-    }
-    return panel;
-}
 
 PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
                           const std::function<Rgba8(double)>& colour, std::string_view title,
@@ -106,6 +59,7 @@ PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
 
     PixelRect covered = bar;
     const int tick_length = std::max(3, style.unit / 4);
+    int free_from = bar.x;
     for (const Tick& tick : ticks) {
         const int i = static_cast<int>(std::lround(std::clamp(tick.at, 0.0, 1.0) * (length - 1)));
         if (vertical) {
@@ -117,9 +71,12 @@ PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
         } else {
             overlay.rectangle({bar.x + i, bar.y + bar.height, 1, tick_length},
                               style.theme.faint_text);
-            covered =
-                together(covered, write(overlay, bar.x + i, bar.y + bar.height + tick_length + 1,
-                                        tick.label, aligned(body(style), Align::center)));
+            const int width = overlay.measure(tick.label, body(style)).width;
+            const int x = std::max(bar.x, std::min(bar.x + i - width / 2, bar.x + bar.width - width));
+            if (x < free_from) continue;
+            free_from = x + width + style.unit / 4;
+            covered = together(covered, write(overlay, x, bar.y + bar.height + tick_length + 1,
+                                              tick.label, body(style)));
         }
     }
     if (!title.empty())
@@ -166,45 +123,6 @@ PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, doub
     const PixelRect text = write(overlay, x + width / 2, y - end - line_height(style), label,
                                  aligned(body(style), Align::center));
     return together({x, y - end, width, end}, text);
-}
-
-PixelRect draw_table(Overlay& overlay, int x, int y, std::span<const Column> columns,
-                     std::span<const std::vector<std::string>> rows, const FigureStyle& style) {
-    std::vector<int> widths;
-    int total = 0;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        int width = overlay.measure(columns[i].title, heading(style)).width;
-        for (const std::vector<std::string>& row : rows)
-            width = std::max(width, overlay.measure(row[i], body(style)).width);
-        widths.push_back(width);
-        total += width + (i > 0 ? style.unit : 0);
-    }
-    const int lines = static_cast<int>(rows.size()) + 1;
-    const PixelRect panel{x, y, total + 2 * padding(style),
-                          lines * line_height(style) + 2 * padding(style)};
-    overlay.rectangle(panel, style.theme.panel);
-
-    const auto line = [&](int top, const auto& text_of, const TextStyle& text) {
-        int left = x + padding(style);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const int shift = columns[i].align == Align::left
-                                  ? 0
-                                  : (columns[i].align == Align::center ? widths[i] / 2 : widths[i]);
-            overlay.text(left + shift, top, text_of(i), aligned(text, columns[i].align));
-            left += widths[i] + style.unit;
-        }
-    };
-    int top = y + padding(style);
-    line(
-        top, [&](std::size_t i) -> std::string_view { return columns[i].title; }, heading(style));
-    const int rule = top + line_height(style) - line_height(style) / 8;
-    overlay.rectangle({x + padding(style), rule, total, 1}, style.theme.border);
-    for (const std::vector<std::string>& row : rows) {
-        top += line_height(style);
-        line(
-            top, [&](std::size_t i) -> std::string_view { return row[i]; }, body(style));
-    }
-    return panel;
 }
 
 }  // namespace scb

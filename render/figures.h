@@ -18,21 +18,6 @@ struct FigureStyle {
     int unit = 20;
 };
 
-struct LegendEntry {
-    Rgba8 colour;
-    std::string label;
-    std::string value;  ///< set flush right; may be empty
-};
-
-/// Named colours with numbers, one a line, on a panel whose top left corner is (x, y). The title
-/// may be empty.
-PixelRect draw_legend(Overlay& overlay, int x, int y, std::string_view title,
-                      std::span<const LegendEntry> entries, const FigureStyle& style);
-
-/// The size that draw_legend would cover, for placing it at the right or the bottom.
-TextSize measure_legend(Overlay& overlay, std::string_view title,
-                        std::span<const LegendEntry> entries, const FigureStyle& style);
-
 struct Tick {
     double at = 0;  ///< 0 (left or bottom end) to 1
     std::string label;
@@ -40,7 +25,7 @@ struct Tick {
 
 /// A scale of colours, `colour(0)` at the left or bottom end to `colour(1)`: the bar fills `bar`;
 /// tick labels stand below a horizontal bar and right of a vertical one (taller than wide). `title`
-/// stands above.
+/// stands above. Labels of a horizontal bar stay within its ends, and one that would touch the one before it is left out.
 PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
                           const std::function<Rgba8(double)>& colour, std::string_view title,
                           std::span<const Tick> ticks, const FigureStyle& style);
@@ -61,16 +46,5 @@ PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<co
 /// orthographic views, or at a stated depth.
 PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, double pixels_per_unit,
                          const FigureStyle& style);
-
-/// One column of a table.
-struct Column {
-    std::string title;
-    Align align = Align::right;
-};
-
-/// A table with a header, hairlines above and below it, and the columns as wide as their contents;
-/// `rows` has one text for each column. (x, y) is the top left corner of its panel.
-PixelRect draw_table(Overlay& overlay, int x, int y, std::span<const Column> columns,
-                     std::span<const std::vector<std::string>> rows, const FigureStyle& style);
 
 }  // namespace scb

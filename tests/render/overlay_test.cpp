@@ -108,11 +108,7 @@ TEST(Figures, StayInThePixelsThatTheyReport) {
     Overlay overlay;
     FigureStyle style;
     const Picture picture = empty_picture(600, 400);
-    const std::vector<LegendEntry> entries = {{body_a_colour, "Slab cut ball", "1 024"},
-                                              {body_b_colour, "Ball", "7"}};
     const std::vector<Tick> ticks = {{0, "0"}, {0.5, "0.5"}, {1, "1"}};
-    const std::vector<Column> columns = {{"Level", Align::left}, {"Nodes", Align::right}};
-    const std::vector<std::vector<std::string>> rows = {{"0", "1"}, {"1", "2"}};
     const std::vector<BarPart> parts = {{body_a_colour, 1}, {body_b_colour, 2}};
     const auto check = [&](const auto& draw) {
         overlay.begin();
@@ -122,7 +118,6 @@ TEST(Figures, StayInThePixelsThatTheyReport) {
         EXPECT_GT(inside, 0);
         EXPECT_EQ(outside, 0);
     };
-    check([&] { return draw_legend(overlay, 100, 100, "Volumes", entries, style); });
     check([&] {
         return draw_colour_bar(overlay, {100, 100, 300, 14}, viridis, "τ / 2r", ticks, style);
     });
@@ -131,7 +126,6 @@ TEST(Figures, StayInThePixelsThatTheyReport) {
     });
     check([&] { return draw_stacked_bar(overlay, {100, 100, 300, 14}, parts, 3); });
     check([&] { return draw_scale_bar(overlay, 100, 100, 200, 123.4, style); });
-    check([&] { return draw_table(overlay, 100, 100, columns, rows, style); });
 }
 
 TEST(Figures, StackedBarsShareTheirLength) {
