@@ -68,6 +68,8 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 
 std::string number_text(double value, int digits) {
     char text[48];
+    if (std::abs(value) >= 100 && std::abs(value) < 1e7 && digits <= 3)
+        return (value < 0 ? "-" : "") + count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
     // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end goes.
     std::snprintf(text, sizeof text, "%#.*g", digits, value);
     std::string result(text);

@@ -25,8 +25,6 @@ TextStyle aligned(TextStyle text, Align align) {
 
 int line_height(const FigureStyle& style) { return small_size(style.unit) * 13 / 10; }
 
-int padding(const FigureStyle& style) { return style.unit * 3 / 5; }
-
 PixelRect together(const PixelRect& a, const PixelRect& b) {
     const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x,

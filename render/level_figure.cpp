@@ -57,8 +57,8 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     row("mean d", [](const CoverStatistics& s) { return number_text(s.mean_diameter); });
     row("mean τ", [](const CoverStatistics& s) { return number_text(s.mean_thickness); });
     row("τ / d", ratio_text);
-    row("area, sum", [](const CoverStatistics& s) { return number_text(s.area); });
-    row("volume, sum", [](const CoverStatistics& s) { return number_text(s.volume); });
+    row("Σ area", [](const CoverStatistics& s) { return number_text(s.area); });
+    row("Σ volume", [](const CoverStatistics& s) { return number_text(s.volume); });
     if (figure.bodies.size() > 2 && by_body)
         for (std::size_t b = 0; b < figure.bodies.size(); ++b)
             items.emplace_back(PanelKey{category_colour(b), figure.bodies[b].name});

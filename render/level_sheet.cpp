@@ -81,7 +81,7 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
             const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
             overlay.text(x, y + unit * 5 / 4,
                          "mean d " + number_text(numbers.all.mean_diameter) + ", mean τ " +
-                             number_text(numbers.all.mean_thickness) + ", volume, sum " +
+                             number_text(numbers.all.mean_thickness) + ", Σ volume " +
                              number_text(numbers.all.volume),
                          faint);
 
