@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 #include <nlohmann/json.hpp>
 
 #include "render/image_file.h"
@@ -16,6 +17,8 @@ struct BaselineCase {
     const char* name;
     const char* arguments;
 };
+
+void PrintTo(const BaselineCase& tested, std::ostream* out) { *out << tested.name; }
 
 // Small pictures with one sample; what each is there for.
 constexpr BaselineCase cases[] = {
