@@ -7,7 +7,8 @@
 
 namespace scb {
 
-/// What the chosen command does, once the whole command line has been read; returns the exit status.
+/// What the chosen command does, once the whole command line has been read; returns the exit
+/// status.
 using Action = std::function<int()>;
 
 // Each adds one command to the program. When it is chosen, it sets `action`.

@@ -12,7 +12,8 @@ namespace scb {
 namespace {
 
 bool colored(ColorMode mode) {
-    return mode == ColorMode::always || (mode == ColorMode::automatic && isatty(STDERR_FILENO) != 0);
+    return mode == ColorMode::always ||
+           (mode == ColorMode::automatic && isatty(STDERR_FILENO) != 0);
 }
 
 }  // namespace
@@ -31,13 +32,15 @@ void Console::progress(std::string_view what, std::size_t done, std::size_t tota
     if (quiet || isatty(STDERR_FILENO) == 0) return;
     constexpr int width = 30;
     const int filled = total == 0 ? width : static_cast<int>(width * done / total);
-    std::fprintf(stderr, "\r[%.*s%*s] %zu/%zu %.*s\033[K%s", filled, "##############################", width - filled, "",
-                 done, total, static_cast<int>(what.size()), what.data(), done == total ? "\n" : "");
+    std::fprintf(stderr, "\r[%.*s%*s] %zu/%zu %.*s\033[K%s", filled,
+                 "##############################", width - filled, "", done, total,
+                 static_cast<int>(what.size()), what.data(), done == total ? "\n" : "");
 }
 
 void print_result(std::string_view text) {
     errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (written) return;
     throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno) +
                       "; make room there, or send it elsewhere.");

@@ -16,11 +16,13 @@ struct Console {
     void error(std::string_view sentence) const;
     /// A line on standard error.
     void note(std::string_view line) const;
-    /// Progress on one line that overwrites itself; only on a terminal. `done == total` ends the line.
+    /// Progress on one line that overwrites itself; only on a terminal. `done == total` ends the
+    /// line.
     void progress(std::string_view what, std::size_t done, std::size_t total) const;
 };
 
-/// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed pipe, a full disk).
+/// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed
+/// pipe, a full disk).
 void print_result(std::string_view text);
 
 }  // namespace scb

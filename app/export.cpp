@@ -30,7 +30,8 @@ struct Options {
 void append(Mesh& mesh, const Mesh& part) {
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const Triangle& t : part.triangles) mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    for (const Triangle& t : part.triangles)
+        mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     if (mesh.triangles.size() > most_triangles)
         throw InputError("this level would take more than " + std::to_string(most_triangles) +
                          " triangles; give a coarser --level or fewer --segments.");
@@ -38,15 +39,20 @@ void append(Mesh& mesh, const Mesh& part) {
 
 int run(const Options& options, const Console& console) {
     if (options.segments < 3 || options.segments > 1024)
-        throw InputError("--segments " + std::to_string(options.segments) + ": give 3 to 1024 corners per circle.");
+        throw InputError("--segments " + std::to_string(options.segments) +
+                         ": give 3 to 1024 corners per circle.");
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    if (kinds.size() != 1) throw InputError("--volume " + options.hierarchy.volumes + ": a file holds one kind; give one.");
+    if (kinds.size() != 1)
+        throw InputError("--volume " + options.hierarchy.volumes +
+                         ": a file holds one kind; give one.");
     const Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies = build_topologies(scene);
     const std::vector<int> levels = parse_levels(options.level, deepest(topologies));
-    if (levels.size() != 1) throw InputError("--level " + options.level + ": a file holds one level; give one.");
-    const std::vector<AnyHierarchy> hierarchies = fit_meshes(topologies, kinds[0], options.hierarchy.fit());
+    if (levels.size() != 1)
+        throw InputError("--level " + options.level + ": a file holds one level; give one.");
+    const std::vector<AnyHierarchy> hierarchies =
+        fit_meshes(topologies, kinds[0], options.hierarchy.fit());
 
     std::vector<ExportPart> parts;
     std::size_t nodes = 0;
@@ -57,13 +63,18 @@ int run(const Options& options, const Console& console) {
         const Rgba8 colour = category_colour(b);
         ExportPart part{body.name, {}, {colour.r / 255.0f, colour.g / 255.0f, colour.b / 255.0f}};
         for (const std::uint32_t node : level_cover(topology_of(hierarchy), levels[0])) {
-            std::visit([&](const auto& h) { append(part.mesh, volume_mesh(placed(h.volumes[node], pose), options.segments)); },
-                       hierarchy);
+            std::visit(
+                [&](const auto& h) {
+                    append(part.mesh, volume_mesh(placed(h.volumes[node], pose), options.segments));
+                },
+                hierarchy);
             ++nodes;
         }
         if (!part.mesh.triangles.empty()) parts.push_back(std::move(part));
     }
-    if (parts.empty()) throw InputError("--level " + options.level + ": all volumes of this level are points; nothing to write.");
+    if (parts.empty())
+        throw InputError("--level " + options.level +
+                         ": all volumes of this level are points; nothing to write.");
     write_file_whole(options.output, encode_mesh(parts, options.output));
     console.note(options.output + ": " + std::to_string(nodes) + " volumes");
     return exit_done;
@@ -72,16 +83,23 @@ int run(const Options& options, const Console& console) {
 }  // namespace
 
 void add_export(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand("export", "Write a level as a mesh, for other viewers");
+    CLI::App* command =
+        program.add_subcommand("export", "Write a level as a mesh, for other viewers");
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, true);
     add_hierarchy_options(*command, options->hierarchy);
-    command->add_option("--level", options->level, "The level: a number, or 'leaves'")->required()->type_name("K");
-    command->add_option("--segments", options->segments, "Corners per circle")->capture_default_str();
-    command->add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")->required()->type_name("FILE");
+    command->add_option("--level", options->level, "The level: a number, or 'leaves'")
+        ->required()
+        ->type_name("K");
+    command->add_option("--segments", options->segments, "Corners per circle")
+        ->capture_default_str();
+    command->add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
+        ->required()
+        ->type_name("FILE");
     command->footer("Example:\n  scb export spheres-l1 --level 7 -o level-7.ply");
-    command->callback(
-        [&action, &console, options] { action = [&console, options] { return run(*options, console); }; });
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
 }
 
 }  // namespace scb

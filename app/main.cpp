@@ -15,12 +15,14 @@ namespace scb {
 namespace {
 
 int run(int argc, char** argv) {
-    CLI::App program{"scb: render, inspect and test hierarchies of slab cut balls, without a display."};
+    CLI::App program{
+        "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
     program.name("scb");
     program.require_subcommand(1);
     program.set_help_all_flag("--help-all", "Help of all commands");
     program.footer(
-        "Exit status: 0 done, 1 a comparison found differences, 2 bad usage or input, 3 the environment failed\n"
+        "Exit status: 0 done, 1 a comparison found differences, 2 bad usage or input, 3 the "
+        "environment failed\n"
         "(disk full, cannot write), 77 no OpenGL context.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
@@ -66,7 +68,9 @@ int run(int argc, char** argv) {
             console.error(std::string(error.what()) + "; see `scb --help`.");
             return exit_bad_input;
         }
-        console.color = color == "always" ? ColorMode::always : color == "never" ? ColorMode::never : ColorMode::automatic;
+        console.color = color == "always"  ? ColorMode::always
+                        : color == "never" ? ColorMode::never
+                                           : ColorMode::automatic;
         return action();
     } catch (const InputError& error) {
         console.error(error.what());
@@ -90,7 +94,8 @@ int run(int argc, char** argv) {
 }  // namespace scb
 
 int main(int argc, char** argv) {
-    // A closed pipe and a file that may not grow are reported as errors of the write, not by a silent end.
+    // A closed pipe and a file that may not grow are reported as errors of the write, not by a
+    // silent end.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     return scb::run(argc, argv);

@@ -27,23 +27,28 @@ int SceneOptions::frame_of(const Scene& scene) const {
     const int wanted = frame.value_or(scene.default_frame);
     if (wanted >= 0 && wanted < scene.frames) return wanted;
     std::ostringstream sentence;
-    sentence << "--frame " << wanted << ": the scene '" << scene.name << "' has the frames 0 to " << scene.frames - 1
-             << "; give one of these.";
+    sentence << "--frame " << wanted << ": the scene '" << scene.name << "' has the frames 0 to "
+             << scene.frames - 1 << "; give one of these.";
     throw InputError(sentence.str());
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame) {
-    command.add_option("SCENE", options.names, "A built-in scene (see `scb scenes`), a scene file, a mesh file or two")
+    command
+        .add_option("SCENE", options.names,
+                    "A built-in scene (see `scb scenes`), a scene file, a mesh file or two")
         ->required()
         ->expected(1, 2);
-    command.add_option("--pose", options.pose, "Pose of the second of two meshes: 12 numbers, [R|t] row by row")
+    command
+        .add_option("--pose", options.pose,
+                    "Pose of the second of two meshes: 12 numbers, [R|t] row by row")
         ->delimiter(',')
         ->expected(12)
         ->type_name("R00,R01,R02,T0,...");
     command.add_option("--models", options.models_dir, "Where scene files look for meshes")
         ->envname("SCB_MODELS")
         ->type_name("DIR");
-    if (with_frame) command.add_option("--frame", options.frame, "Frame of the scene")->type_name("N");
+    if (with_frame)
+        command.add_option("--frame", options.frame, "Frame of the scene")->type_name("N");
 }
 
 FitOptions HierarchyOptions::fit() const {
@@ -52,7 +57,8 @@ FitOptions HierarchyOptions::fit() const {
         options.growth = BallGrowth::radius;
     else if (growth != "ritter")
         throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
-    if (!(margin >= 0 && margin <= 1)) throw InputError("--margin: give a share of the radius from 0 to 1.");
+    if (!(margin >= 0 && margin <= 1))
+        throw InputError("--margin: give a share of the radius from 0 to 1.");
     options.margin = margin;
     return options;
 }
@@ -61,20 +67,24 @@ std::vector<VolumeKind> HierarchyOptions::kinds() const {
     std::vector<VolumeKind> kinds;
     for (const std::string& name : split_list(volumes)) {
         const std::optional<VolumeKind> kind = volume_kind_of(name);
-        if (!kind) throw InputError("--volume " + volumes + ": '" + name + "' is no volume; give some of scb,ball,ritter,obb.");
+        if (!kind)
+            throw InputError("--volume " + volumes + ": '" + name +
+                             "' is no volume; give some of scb,ball,ritter,obb.");
         if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
     }
     return kinds;
 }
 
 void add_hierarchy_options(CLI::App& command, HierarchyOptions& options) {
-    command.add_option("--volume", options.volumes, "Bounding volumes: some of scb,ball,ritter,obb")
+    command
+        .add_option("--volume", options.volumes, "Bounding volumes: some of scb,ball,ritter,obb")
         ->type_name("LIST")
         ->capture_default_str();
     command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
         ->type_name("RULE")
         ->capture_default_str();
-    command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")->capture_default_str();
+    command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
+        ->capture_default_str();
 }
 
 std::vector<std::string> split_list(const std::string& text, char separator) {

@@ -19,7 +19,8 @@ struct SceneOptions {
     std::optional<int> frame;
 
     Scene load() const;
-    /// The frame asked for, or the scene's own; throws InputError, with the range, where there is no such frame.
+    /// The frame asked for, or the scene's own; throws InputError, with the range, where there is
+    /// no such frame.
     int frame_of(const Scene& scene) const;
 };
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);

@@ -14,19 +14,23 @@ constexpr int smallest_width = 160, smallest_height = 120, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
     const std::vector<std::string> parts = split_list(size, 'x');
-    if (parts.size() != 2) throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
+    if (parts.size() != 2)
+        throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
     return whole_number(parts[side], "--size " + size);
 }
 
 }  // namespace
 
 void PictureOptions::check() const {
-    if (width() < smallest_width || height() < smallest_height || width() > largest || height() > largest)
+    if (width() < smallest_width || height() < smallest_height || width() > largest ||
+        height() > largest)
         throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
                          std::to_string(smallest_height) + " to " + std::to_string(largest) + "x" +
                          std::to_string(largest) + " pixels.");
-    if (samples != 1 && samples != 4) throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
-    if (job_count < 0 || job_count > 256) throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
+    if (samples != 1 && samples != 4)
+        throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
+    if (job_count < 0 || job_count > 256)
+        throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
     theme();
     backend();
 }
@@ -54,24 +58,37 @@ std::filesystem::path PictureOptions::output_folder() const {
     std::error_code error;
     std::filesystem::create_directories(output, error);
     if (error || !std::filesystem::is_directory(output))
-        throw OutputError(output + ": this folder cannot be made" + (error ? " (" + error.message() + ")" : "") +
-                          "; name another with -o.");
+        throw OutputError(output + ": this folder cannot be made" +
+                          (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
     return output;
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
-    command.add_option("-o,--output", options.output, "Folder for the pictures")->type_name("DIR")->capture_default_str();
-    command.add_option("--size", options.size, "Size of a picture in pixels")->type_name("WxH")->capture_default_str();
-    command.add_option("--camera", camera.camera,
-                       "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the scene's own")
+    command.add_option("-o,--output", options.output, "Folder for the pictures")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_option("--size", options.size, "Size of a picture in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command
+        .add_option("--camera", camera.camera,
+                    "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
+                    "scene's own")
         ->type_name("CAMERA");
     command.add_option("--up", camera.up, "The axis that points up: x, y or z")->type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
-    command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")->capture_default_str();
-    command.add_option("--background", options.background, "light or dark")->type_name("THEME")->capture_default_str();
-    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")->type_name("NAME")->capture_default_str();
-    command.add_option("--jobs", options.job_count, "Threads that encode; 0 is one per core")->capture_default_str();
-    command.add_flag("--ids", options.ids, "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
+    command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
+        ->capture_default_str();
+    command.add_option("--background", options.background, "light or dark")
+        ->type_name("THEME")
+        ->capture_default_str();
+    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command.add_option("--jobs", options.job_count, "Threads that encode; 0 is one per core")
+        ->capture_default_str();
+    command.add_flag("--ids", options.ids,
+                     "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
     command.add_flag("--json", options.json, "Print index.json instead of the file names");
 }
 

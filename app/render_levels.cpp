@@ -37,9 +37,11 @@ struct Options {
     /// Refuses what makes no sense before any work is done.
     void check() const {
         picture.check();
-        if (!(opacity >= 0 && opacity <= 1)) throw InputError("--opacity: give 0 (volumes hidden) to 1 (opaque).");
+        if (!(opacity >= 0 && opacity <= 1))
+            throw InputError("--opacity: give 0 (volumes hidden) to 1 (opaque).");
         if (color_by != "auto" && !colour_by_of(color_by))
-            throw InputError("--color-by " + color_by + ": give body, depth, radius, thickness or auto.");
+            throw InputError("--color-by " + color_by +
+                             ": give body, depth, radius, thickness or auto.");
     }
 };
 
@@ -59,15 +61,21 @@ struct Run {
 
 const char* title_of(VolumeKind kind) {
     switch (kind) {
-        case VolumeKind::scb: return "SCB";
-        case VolumeKind::ball: return "ball";
-        case VolumeKind::ritter: return "Ritter's ball";
-        case VolumeKind::obb: return "OBB";
+        case VolumeKind::scb:
+            return "SCB";
+        case VolumeKind::ball:
+            return "ball";
+        case VolumeKind::ritter:
+            return "Ritter's ball";
+        case VolumeKind::obb:
+            return "OBB";
     }
     return "";
 }
 
-std::string level_title(int level) { return level == leaf_level ? "leaves" : "level " + std::to_string(level); }
+std::string level_title(int level) {
+    return level == leaf_level ? "leaves" : "level " + std::to_string(level);
+}
 
 std::string file_name(const Run& run, std::string_view what, const std::string& level) {
     char frame[32];
@@ -90,12 +98,14 @@ LevelStyle style_of(const Run& run) {
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
     const bool several = run.scene.bodies.size() > 1;
-    style.colours.by = colour_by_of(options.color_by).value_or(several ? ColourBy::body : ColourBy::thickness);
+    style.colours.by =
+        colour_by_of(options.color_by).value_or(several ? ColourBy::body : ColourBy::thickness);
     style.colours.deepest = deepest(run.topologies);
     style.colours.root_diameter = 0;
     for (const AnyHierarchy& hierarchy : run.hierarchies[0])
-        style.colours.root_diameter = std::max(
-            style.colours.root_diameter, std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
+        style.colours.root_diameter =
+            std::max(style.colours.root_diameter,
+                     std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
     return style;
 }
 
@@ -112,7 +122,8 @@ std::vector<LevelBody> bodies_of(const Run& run, const std::vector<AnyHierarchy>
         b.hierarchy = &hierarchies[body.mesh];
         b.first_id = next_id;
         const std::size_t nodes = topology_of(*b.hierarchy).nodes.size();
-        if (nodes > 0xffffffffu - next_id) throw InputError("the scene has more nodes than 32-bit ids; use fewer bodies.");
+        if (nodes > 0xffffffffu - next_id)
+            throw InputError("the scene has more nodes than 32-bit ids; use fewer bodies.");
         next_id += static_cast<std::uint32_t>(nodes);
         bodies.push_back(std::move(b));
     }
@@ -141,7 +152,8 @@ Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(
 std::string subtitle_of(const Run& run) {
     const std::string levels = "levels 0 to " + std::to_string(deepest(run.topologies));
     if (run.scene.frames == 1) return levels;
-    return "frame " + std::to_string(run.frame) + " (0 to " + std::to_string(run.scene.frames - 1) + "), " + levels;
+    return "frame " + std::to_string(run.frame) + " (0 to " + std::to_string(run.scene.frames - 1) +
+           "), " + levels;
 }
 
 void add_file(Run& run, const std::string& name, Json entry) {
@@ -180,12 +192,14 @@ Json index_json(const Run& run, const GlInfo& gl, const CameraSpec& camera) {
 
 int render(const Options& options, const Console& console) {
     options.check();
-    Run run{options, console, options.scene.load(), 0, {}, options.hierarchy.kinds(), {}, {}, {}, Json::array(), {}};
+    Run run{options, console, options.scene.load(), 0, {}, options.hierarchy.kinds(), {},
+            {},      {},      Json::array(),        {}};
     run.frame = options.scene.frame_of(run.scene);
     const FitOptions fit_options = options.hierarchy.fit();
     run.topologies = build_topologies(run.scene);
-    run.levels = parse_levels(options.levels == "auto" ? "0:" + std::to_string(deepest(run.topologies)) : options.levels,
-                              deepest(run.topologies));
+    run.levels = parse_levels(
+        options.levels == "auto" ? "0:" + std::to_string(deepest(run.topologies)) : options.levels,
+        deepest(run.topologies));
     const CameraSpec spec = camera_spec_for(options.camera, run.scene);
     const std::filesystem::path folder = options.picture.output_folder();
 
@@ -193,8 +207,10 @@ int render(const Options& options, const Console& console) {
     Renderer renderer(context);
     std::vector<MeshHandle> meshes;
     for (const NamedMesh& mesh : run.scene.meshes) meshes.push_back(renderer.upload(mesh.mesh));
-    for (const VolumeKind kind : run.kinds) run.hierarchies.push_back(fit_meshes(run.topologies, kind, fit_options));
-    for (const auto& hierarchies : run.hierarchies) run.bodies.push_back(bodies_of(run, hierarchies, meshes));
+    for (const VolumeKind kind : run.kinds)
+        run.hierarchies.push_back(fit_meshes(run.topologies, kind, fit_options));
+    for (const auto& hierarchies : run.hierarchies)
+        run.bodies.push_back(bodies_of(run, hierarchies, meshes));
     const LevelStyle style = style_of(run);
 
     std::vector<Support> parts;
@@ -202,7 +218,9 @@ int render(const Options& options, const Console& console) {
     const Support support = support_of_all(std::move(parts));
     const Vec3 center = center_of(support);
     std::optional<Detail> detail;
-    if (spec.inset) detail = Detail{detail_camera(spec, *spec.inset, support, 1), spec.inset->center, spec.inset->radius};
+    if (spec.inset)
+        detail = Detail{detail_camera(spec, *spec.inset, support, 1), spec.inset->center,
+                        spec.inset->radius};
 
     LevelFigure figure;
     figure.subtitle = subtitle_of(run);
@@ -218,10 +236,12 @@ int render(const Options& options, const Console& console) {
     for (std::size_t k = 0; k < run.kinds.size(); ++k)
         for (const int level : run.levels) {
             const std::string kind_name(volume_kind_name(run.kinds[k]));
-            figure.title = run.scene.name + " · " + title_of(run.kinds[k]) + " · " + level_title(level);
+            figure.title =
+                run.scene.name + " · " + title_of(run.kinds[k]) + " · " + level_title(level);
             figure.bodies = run.bodies[k];
             figure.level = level;
-            const Picture picture = compose(figure, width, height, options.picture.samples, overlay);
+            const Picture picture =
+                compose(figure, width, height, options.picture.samples, overlay);
             Rendering rendering = renderer.draw(picture, &overlay, options.picture.ids);
             const std::string name = file_name(run, kind_name, level_part(level));
             queue.push(folder / name, std::move(rendering.image));
@@ -242,17 +262,20 @@ int render(const Options& options, const Console& console) {
 
     if (total > 1 && !options.no_sheet) {
         LevelSheet sheet;
-        const LevelSheetLayout layout = level_sheet_layout(run.kinds.size(), run.levels.size(), detail.has_value());
+        const LevelSheetLayout layout =
+            level_sheet_layout(run.kinds.size(), run.levels.size(), detail.has_value());
         sheet.title = run.scene.name + " · levels";
         sheet.subtitle = subtitle_of(run);
         sheet.style = style;
         sheet.center = center;
         sheet.detail = detail;
-        sheet.camera = camera_for(spec, support, static_cast<double>(layout.view_width) / layout.view_height);
+        sheet.camera =
+            camera_for(spec, support, static_cast<double>(layout.view_width) / layout.view_height);
         for (std::size_t k = 0; k < run.kinds.size(); ++k) {
             std::vector<LevelSheetCell>& row = sheet.rows.emplace_back();
             for (const int level : run.levels)
-                row.push_back({std::string(title_of(run.kinds[k])) + " · " + level_title(level), run.bodies[k], level});
+                row.push_back({std::string(title_of(run.kinds[k])) + " · " + level_title(level),
+                               run.bodies[k], level});
         }
         const Picture picture = compose(sheet, options.picture.samples, overlay);
         const std::string name = file_name(run, "levels", "_sheet");
@@ -278,32 +301,42 @@ int render(const Options& options, const Console& console) {
 }  // namespace
 
 void add_render_levels(CLI::App& render_command, const Console& console, Action& action) {
-    CLI::App* command = render_command.add_subcommand("levels", "The levels of the hierarchies, one picture each, and a sheet");
+    CLI::App* command = render_command.add_subcommand(
+        "levels", "The levels of the hierarchies, one picture each, and a sheet");
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, true);
     add_hierarchy_options(*command, options->hierarchy);
-    command->add_option("--levels", options->levels, "Levels: 5,7,9,11 or 0:12 or leaves; auto is all of them")
+    command
+        ->add_option("--levels", options->levels,
+                     "Levels: 5,7,9,11 or 0:12 or leaves; auto is all of them")
         ->type_name("LIST")
         ->capture_default_str();
     add_picture_options(*command, options->picture, options->camera);
-    command->add_option("--color-by", options->color_by,
-                        "body, depth, radius or thickness; auto is body for several, thickness for one")
+    command
+        ->add_option(
+            "--color-by", options->color_by,
+            "body, depth, radius or thickness; auto is body for several, thickness for one")
         ->type_name("WHAT")
         ->capture_default_str();
-    command->add_option("--opacity", options->opacity, "Opacity of the volumes; below 1 the mesh shows through")
+    command
+        ->add_option("--opacity", options->opacity,
+                     "Opacity of the volumes; below 1 the mesh shows through")
         ->capture_default_str();
     command->add_flag("--mesh", options->mesh, "Draw the meshes too");
     command->add_flag("--edges", options->edges, "Draw the meshes with their edges");
     command->add_flag("--no-sheet", options->no_sheet, "No contact sheet");
     command->footer(
-        "A level shows the nodes at that depth, and the leaves above it, so it covers the mesh. One camera and one scale\n"
-        "hold for all pictures of a run. Beside them, index.json has their counts, the options, the camera (which\n"
+        "A level shows the nodes at that depth, and the leaves above it, so it covers the mesh. "
+        "One camera and one scale\n"
+        "hold for all pictures of a run. Beside them, index.json has their counts, the options, "
+        "the camera (which\n"
         "--camera takes again) and the versions.\n\n"
         "Examples:\n"
         "  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/\n"
         "  scb render levels part.stl --levels 0:12 --opacity 0.4 --camera orbit:40,15 -o out/");
-    command->callback(
-        [&action, &console, options] { action = [&console, options] { return render(*options, console); }; });
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return render(*options, console); };
+    });
 }
 
 }  // namespace scb

@@ -7,14 +7,16 @@
 namespace scb {
 namespace {
 
-// The default angle, taken from the side on which the first mesh is longer: a horse is seen from its flank.
+// The default angle, taken from the side on which the first mesh is longer: a horse is seen from
+// its flank.
 double azimuth_for(const Scene& scene, const Vec3& up) {
     const double azimuth = CameraSpec{}.azimuth;
     const Box box = bounding_box(scene.meshes[0].mesh);
     const Vec3 sides = box.upper - box.lower;
     // What orbit_axes turns x and y to.
     const Mat3 front = orbit_axes(0, 0, up);
-    const double along_x = std::abs(dot(Vec3(front.col(0)), sides)), along_y = std::abs(dot(Vec3(front.col(2)), sides));
+    const double along_x = std::abs(dot(Vec3(front.col(0)), sides)),
+                 along_y = std::abs(dot(Vec3(front.col(2)), sides));
     return along_x >= along_y ? azimuth : 90 - azimuth;
 }
 
@@ -58,7 +60,8 @@ Camera camera_for(const CameraSpec& spec, const Support& support, double aspect)
     return camera;
 }
 
-Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support, double aspect) {
+Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support,
+                     double aspect) {
     CameraSpec detail = spec;
     detail.orthographic = true;
     detail.target = inset.center;

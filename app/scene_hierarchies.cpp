@@ -19,14 +19,16 @@ std::vector<MeshTopology> build_topologies(const Scene& scene) {
 
 int deepest(const std::vector<MeshTopology>& topologies) {
     int deepest_level = 0;
-    for (const MeshTopology& mesh : topologies) deepest_level = std::max(deepest_level, depth(*mesh.topology));
+    for (const MeshTopology& mesh : topologies)
+        deepest_level = std::max(deepest_level, depth(*mesh.topology));
     return deepest_level;
 }
 
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const FitOptions& options) {
     std::vector<AnyHierarchy> result;
-    for (const MeshTopology& mesh : topologies) result.push_back(fit_any(kind, mesh.topology, mesh.points, options));
+    for (const MeshTopology& mesh : topologies)
+        result.push_back(fit_any(kind, mesh.topology, mesh.points, options));
     return result;
 }
 

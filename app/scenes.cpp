@@ -19,15 +19,18 @@ int list() {
         text += line + scene.description + "\n";
     }
     text +=
-        "\nA SCENE can also be a scene file (scene.json; `scb scenes NAME` prints one to start from), one mesh\n"
-        "file (OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX and more), or two mesh files with --pose.\n";
+        "\nA SCENE can also be a scene file (scene.json; `scb scenes NAME` prints one to start "
+        "from), one mesh\n"
+        "file (OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX and more), or two mesh files with "
+        "--pose.\n";
     print_result(text);
     return exit_done;
 }
 
 int show(const std::string& name) {
     const BuiltinScene* scene = find_builtin(name);
-    if (scene == nullptr) throw InputError("'" + name + "' is no built-in scene; `scb scenes` lists them.");
+    if (scene == nullptr)
+        throw InputError("'" + name + "' is no built-in scene; `scb scenes` lists them.");
     print_result(scene->json);
     return exit_done;
 }
@@ -35,11 +38,13 @@ int show(const std::string& name) {
 }  // namespace
 
 void add_scenes(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
+    CLI::App* command =
+        program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
     const auto name = std::make_shared<std::string>();
     command->add_option("NAME", *name, "Print this built-in scene's file");
     command->footer("Example:\n  scb scenes spheres-l1 > my-scene.json");
-    command->callback([&action, name] { action = [name] { return name->empty() ? list() : show(*name); }; });
+    command->callback(
+        [&action, name] { action = [name] { return name->empty() ? list() : show(*name); }; });
 }
 
 }  // namespace scb

@@ -78,7 +78,8 @@ std::string rules_text(const LevelStatistics& level) {
     for (std::size_t r = 1; r < split_rule_count; ++r)
         if (level.rules[r] != 0)
             text += format("%s%s %u", text.empty() ? "" : ", ",
-                           std::string(split_rule_name(static_cast<SplitRule>(r))).c_str(), level.rules[r]);
+                           std::string(split_rule_name(static_cast<SplitRule>(r))).c_str(),
+                           level.rules[r]);
     return text;
 }
 
@@ -87,29 +88,34 @@ std::string table(const Measured& m) {
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
     std::string text =
         format("%s (%s): %zu triangles, %zu distinct points, %s hierarchy\n\n", m.mesh.c_str(),
-               m.bodies.size() == 1 ? ("body " + bodies).c_str() : ("bodies " + bodies).c_str(), m.triangles, m.points,
-               std::string(volume_kind_name(m.kind)).c_str());
-    text += "level     nodes    leaves    mean d     max d  ratio  mean tau   max tau  ratio       area     volume  split by\n";
+               m.bodies.size() == 1 ? ("body " + bodies).c_str() : ("bodies " + bodies).c_str(),
+               m.triangles, m.points, std::string(volume_kind_name(m.kind)).c_str());
+    text +=
+        "level     nodes    leaves    mean d     max d  ratio  mean tau   max tau  ratio       "
+        "area     volume  split by\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
         const auto ratio_text = [i](double value, double before) {
             return i == 0 ? std::string("      ") : format(" %5.3f", ratio(value, before));
         };
-        text += format("%5zu %9u %9u %9.4g %9.4g", i, l.nodes, l.leaves, l.mean_diameter, l.max_diameter) +
+        text += format("%5zu %9u %9u %9.4g %9.4g", i, l.nodes, l.leaves, l.mean_diameter,
+                       l.max_diameter) +
                 ratio_text(l.mean_diameter, above.mean_diameter) +
                 format(" %9.4g %9.4g", l.mean_thickness, l.max_thickness) +
-                ratio_text(l.mean_thickness, above.mean_thickness) + format(" %10.4g %10.4g  ", l.area, l.volume) +
-                rules_text(l) + "\n";
+                ratio_text(l.mean_thickness, above.mean_thickness) +
+                format(" %10.4g %10.4g  ", l.area, l.volume) + rules_text(l) + "\n";
     }
     LevelStatistics total;
     for (const LevelStatistics& l : m.levels)
         for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
-    text += format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ", m.levels.size() - 1,
-                   m.nodes, m.bytes_per_node,
-                   static_cast<double>(m.bytes_per_node * m.nodes) / static_cast<double>(m.triangles)) +
-            rules_text(total) +
-            format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n", m.topology_ms, m.fit_ms);
+    text +=
+        format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ",
+               m.levels.size() - 1, m.nodes, m.bytes_per_node,
+               static_cast<double>(m.bytes_per_node * m.nodes) / static_cast<double>(m.triangles)) +
+        rules_text(total) +
+        format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
+               m.topology_ms, m.fit_ms);
     return text;
 }
 
@@ -169,8 +175,10 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
     add_hierarchy_options(*command, options->hierarchy);
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
-        "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in the mesh's units;\n"
-        "ratio: mean over the mean of the level above. On a smooth surface d halves every other level and tau\n"
+        "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in "
+        "the mesh's units;\n"
+        "ratio: mean over the mean of the level above. On a smooth surface d halves every other "
+        "level and tau\n"
         "quarters (Section 3.1 of the paper).\n\n"
         "Example:\n  scb stats spheres-l1 --volume scb,ball");
     command->callback([&action, options] { action = [options] { return run(*options); }; });

@@ -14,7 +14,8 @@ std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl) {
         list.emplace_back("mesa", gl->mesa);
         list.emplace_back("llvm", gl->llvm);
     }
-    list.emplace_back("eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+    list.emplace_back("eigen", std::to_string(EIGEN_WORLD_VERSION) + "." +
+                                   std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                    std::to_string(EIGEN_MINOR_VERSION));
     list.emplace_back("imgui", IMGUI_VERSION);
     return list;
@@ -24,7 +25,8 @@ std::string version_text() {
     std::string text;
     const auto add = [&text](const GlInfo* gl) {
         for (const auto& [name, version] : versions(gl))
-            text += name + std::string(name.size() < 6 ? 6 - name.size() : 0, ' ') + " " + version + "\n";
+            text += name + std::string(name.size() < 6 ? 6 - name.size() : 0, ' ') + " " + version +
+                    "\n";
     };
     for (const GlBackend backend : {GlBackend::osmesa, GlBackend::egl}) {
         try {

@@ -8,8 +8,8 @@
 
 namespace scb {
 
-/// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order. Without an OpenGL context, the
-/// first and the last ones.
+/// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order.
+/// Without an OpenGL context, the first and the last ones.
 std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl);
 
 /// The same as text, one a line; makes a context to ask it.

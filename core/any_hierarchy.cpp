@@ -6,7 +6,8 @@
 namespace scb {
 namespace {
 
-constexpr std::array kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter, VolumeKind::obb};
+constexpr std::array kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
+                              VolumeKind::obb};
 constexpr std::array<std::string_view, kinds.size()> names = {"scb", "ball", "ritter", "obb"};
 
 }  // namespace
@@ -21,17 +22,23 @@ std::optional<VolumeKind> volume_kind_of(std::string_view name) {
 
 std::span<const VolumeKind> all_volume_kinds() { return kinds; }
 
-AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology, const LeafOrder& points,
-                     FitOptions options) {
+AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
+                     const LeafOrder& points, FitOptions options) {
     const auto fitted = [&]<class V>(V) -> AnyHierarchy {
         std::vector<V> volumes = fit_volumes<V>(*topology, points, options);
         return Hierarchy<V>{std::move(topology), std::move(volumes)};
     };
     switch (kind) {
-        case VolumeKind::ball: options.ball_method = BallMethod::minimum; return fitted(Ball{});
-        case VolumeKind::ritter: options.ball_method = BallMethod::ritter; return fitted(Ball{});
-        case VolumeKind::obb: return fitted(Obb{});
-        case VolumeKind::scb: break;
+        case VolumeKind::ball:
+            options.ball_method = BallMethod::minimum;
+            return fitted(Ball{});
+        case VolumeKind::ritter:
+            options.ball_method = BallMethod::ritter;
+            return fitted(Ball{});
+        case VolumeKind::obb:
+            return fitted(Obb{});
+        case VolumeKind::scb:
+            break;
     }
     return fitted(Scb{});
 }

@@ -18,12 +18,13 @@ std::string_view volume_kind_name(VolumeKind kind);
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 std::span<const VolumeKind> all_volume_kinds();
 
-/// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a template.
+/// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
+/// template.
 using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>>;
 
 /// Fits volumes of the kind to a topology; `ritter` sets FitOptions::ball_method.
-AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology, const LeafOrder& points,
-                     FitOptions options = {});
+AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
+                     const LeafOrder& points, FitOptions options = {});
 
 const Topology& topology_of(const AnyHierarchy& hierarchy);
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);

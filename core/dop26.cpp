@@ -8,8 +8,7 @@ namespace {
 // Direction.p for all 13 directions. dop26_directions() lists them in the same order.
 inline std::array<double, Dop26::directions> project(double x, double y, double z) {
     const double xy = x + y, x_y = x - y;
-    return {x,     y,     z,      xy,     x_y,     x + z,  x - z,
-            y + z, y - z, xy + z, xy - z, x_y + z, x_y - z};
+    return {x, y, z, xy, x_y, x + z, x - z, y + z, y - z, xy + z, xy - z, x_y + z, x_y - z};
 }
 
 }  // namespace
@@ -77,7 +76,8 @@ Dop26 merge(const Dop26& a, const Dop26& b) {
 Dop26 dop26_of(const PointsView& points, std::uint32_t first_id) {
     Dop26 dop = empty_dop26();
     for (std::size_t i = 0; i < points.size; ++i)
-        add_point(dop, points.x[i], points.y[i], points.z[i], first_id + static_cast<std::uint32_t>(i));
+        add_point(dop, points.x[i], points.y[i], points.z[i],
+                  first_id + static_cast<std::uint32_t>(i));
     return dop;
 }
 

@@ -28,7 +28,8 @@ std::uint8_t index_of(std::uint32_t id, MetIds& met, ExtremalPoints& points, con
 
 }  // namespace
 
-ExtremalPoints extremal_points(const Dop26& dop, const double* x, const double* y, const double* z) {
+ExtremalPoints extremal_points(const Dop26& dop, const double* x, const double* y,
+                               const double* z) {
     ExtremalPoints points;
     MetIds met;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {

@@ -8,7 +8,8 @@
 
 namespace scb {
 
-/// The distinct extremal points of a 26-DOP (the set E of Figure 3) and, per direction, which of them are its pair.
+/// The distinct extremal points of a 26-DOP (the set E of Figure 3) and, per direction, which of
+/// them are its pair.
 struct ExtremalPoints {
     static constexpr std::size_t capacity = 2 * Dop26::directions;
 

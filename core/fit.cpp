@@ -22,15 +22,22 @@ Volume fit_points(std::span<const Vec3> points, const FitOptions& options) {
     const PointArrays arrays(points);
     const Dop26 dop = dop26_of(arrays.view());
     Volume result;
-    fit(result, {{arrays.view(), {}}, arrays.x.data(), arrays.y.data(), arrays.z.data(), &dop, nullptr},
+    fit(result,
+        {{arrays.view(), {}}, arrays.x.data(), arrays.y.data(), arrays.z.data(), &dop, nullptr},
         options);
     return result;
 }
 
 }  // namespace
 
-Scb fit_scb(std::span<const Vec3> points, const FitOptions& options) { return fit_points<Scb>(points, options); }
-Ball fit_ball(std::span<const Vec3> points, const FitOptions& options) { return fit_points<Ball>(points, options); }
-Obb fit_obb(std::span<const Vec3> points, const FitOptions& options) { return fit_points<Obb>(points, options); }
+Scb fit_scb(std::span<const Vec3> points, const FitOptions& options) {
+    return fit_points<Scb>(points, options);
+}
+Ball fit_ball(std::span<const Vec3> points, const FitOptions& options) {
+    return fit_points<Ball>(points, options);
+}
+Obb fit_obb(std::span<const Vec3> points, const FitOptions& options) {
+    return fit_points<Obb>(points, options);
+}
 
 }  // namespace scb

@@ -27,26 +27,28 @@ enum class BallMethod {
 
 /// What fits did, summed over them; for showing that the work is linear.
 struct FitCounts {
-    std::uint64_t point_visits = 0;     ///< points looked at: by the growth of the ball and by every slab tried
+    std::uint64_t point_visits =
+        0;  ///< points looked at: by the growth of the ball and by every slab tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
 };
 
 struct FitOptions {
-    /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes smaller and hardly any larger (summed
-    /// area -0.05 %), at the same cost.
+    /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes
+    /// smaller and hardly any larger (summed area -0.05 %), at the same cost.
     BallGrowth growth = BallGrowth::ritter;
     BallMethod ball_method = BallMethod::minimum;
-    /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward by margin * r, but not
-    /// out of the ball.
+    /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward
+    /// by margin * r, but not out of the ball.
     double margin = 0;
     /// Where to count the work of SCB fits; nowhere by default.
     FitCounts* counts = nullptr;
 };
 
-/// A set of points to fit a volume to, with what is already known about it. `build_hierarchy` derives it from the
-/// children's; the fit of a plain list of points computes it.
+/// A set of points to fit a volume to, with what is already known about it. `build_hierarchy`
+/// derives it from the children's; the fit of a plain list of points computes it.
 struct FitInput {
-    /// The points, in ascending order of their ids; either part may be empty, and 26 points or fewer are all in the first.
+    /// The points, in ascending order of their ids; either part may be empty, and 26 points or
+    /// fewer are all in the first.
     std::array<PointsView, 2> parts;
     /// Coordinates by id, for the ids in `dop`.
     const double* x = nullptr;
@@ -60,20 +62,23 @@ struct FitInput {
 
 /// Fits the volume to the points; every point satisfies `contains` exactly.
 ///
-/// Scb: Figure 3 of the paper, O(n). Minimum ball of the at most 26 extremal points of the 26-DOP (of all points where
-/// n <= 26; n counts distinct positions in a hierarchy), grown over all points; the narrowest slab among the DOP's 13 and
-/// the planes through an extremal pair and the extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or whose
-/// points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
+/// Scb: Figure 3 of the paper, O(n). Minimum ball of the at most 26 extremal points of the 26-DOP
+/// (of all points where n <= 26; n counts distinct positions in a hierarchy), grown over all
+/// points; the narrowest slab among the DOP's 13 and the planes through an extremal pair and the
+/// extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or
+/// whose points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
 ///
 /// Ball: the same ball, or Ritter's.
 ///
-/// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha, "OBBTree", 1996, as in RAPID),
-/// of the points where there are no triangles or they have no area; sides along them as tight as can be.
+/// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha,
+/// "OBBTree", 1996, as in RAPID), of the points where there are no triangles or they have no area;
+/// sides along them as tight as can be.
 void fit(Scb& result, const FitInput& input, const FitOptions& options);
 void fit(Ball& result, const FitInput& input, const FitOptions& options);
 void fit(Obb& result, const FitInput& input, const FitOptions& options);
 
-/// The same for a plain list of points. At least one point, all finite: throws InputError otherwise.
+/// The same for a plain list of points. At least one point, all finite: throws InputError
+/// otherwise.
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});
 Ball fit_ball(std::span<const Vec3> points, const FitOptions& options = {});
 Obb fit_obb(std::span<const Vec3> points, const FitOptions& options = {});

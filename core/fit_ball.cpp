@@ -16,7 +16,8 @@ Ball enclosing_ball(const FitInput& input, const ExtremalPoints& extremal, BallG
     Ball ball = min_ball(extremal.view());
     if (growth == BallGrowth::ritter) return grown_by_shifting(ball, input.parts);
     double reach = 0;
-    for (const PointsView& part : input.parts) reach = std::max(reach, max_squared_distance(part, ball.center));
+    for (const PointsView& part : input.parts)
+        reach = std::max(reach, max_squared_distance(part, ball.center));
     ball.radius = radius_reaching(reach);
     return ball;
 }
@@ -29,7 +30,8 @@ void fit(Ball& result, const FitInput& input, const FitOptions& options) {
     }
     const PointsView points = extremal.view();
     std::array<std::array<Vec3, 2>, 3> axis_pairs;
-    for (std::size_t i = 0; i < 3; ++i) axis_pairs[i] = {points[extremal.lower[i]], points[extremal.upper[i]]};
+    for (std::size_t i = 0; i < 3; ++i)
+        axis_pairs[i] = {points[extremal.lower[i]], points[extremal.upper[i]]};
     result = ritter_ball(axis_pairs, input.parts);
 }
 

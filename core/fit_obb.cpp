@@ -24,7 +24,8 @@ Mat3 point_scatter(const FitInput& input) {
     return scatter;
 }
 
-// A right-handed frame of eigenvectors, the longest direction first; the coordinate axes where there is no direction.
+// A right-handed frame of eigenvectors, the longest direction first; the coordinate axes where
+// there is no direction.
 Mat3 principal_axes(Mat3 scatter) {
     const double scale = scatter.cwiseAbs().maxCoeff();
     if (!(scale > 0) || !std::isfinite(scale)) return Mat3::Identity();
@@ -55,7 +56,8 @@ void fit(Obb& result, const FitInput& input, const FitOptions&) {
     // Measured again from the center itself, so that every point is inside to the last bit.
     for (int i = 0; i < 3; ++i) {
         Interval interval;
-        for (const PointsView& part : input.parts) extend(interval, part, result.center, result.axes.col(i));
+        for (const PointsView& part : input.parts)
+            extend(interval, part, result.center, result.axes.col(i));
         result.half[i] = std::max(interval.upper, -interval.lower);
     }
 }

@@ -16,7 +16,8 @@ struct Slab {
     bool measured;
 };
 
-// Line 7: the narrowest of the 13 slabs of the DOP. The directions have lengths 1, sqrt 2 and sqrt 3.
+// Line 7: the narrowest of the 13 slabs of the DOP. The directions have lengths 1, sqrt 2 and
+// sqrt 3.
 Slab narrowest_dop_slab(const Dop26& dop) {
     Slab slab{};
     int narrowest = 0;
@@ -27,13 +28,15 @@ Slab narrowest_dop_slab(const Dop26& dop) {
         slab.width = width;
         narrowest = i;
     }
-    slab.n = dop26_directions()[static_cast<std::size_t>(narrowest)] * dop26_inverse_length(narrowest);
+    slab.n =
+        dop26_directions()[static_cast<std::size_t>(narrowest)] * dop26_inverse_length(narrowest);
     return slab;
 }
 
-// Line 9: the point farthest from the line through h and l, the first of several; line 10: the unit normal of the three. False where
-// they are collinear.
-bool normal_of_largest_triangle(const PointsView& points, const Vec3& h, const Vec3& l, Vec3& normal) {
+// Line 9: the point farthest from the line through h and l, the first of several; line 10: the unit
+// normal of the three. False where they are collinear.
+bool normal_of_largest_triangle(const PointsView& points, const Vec3& h, const Vec3& l,
+                                Vec3& normal) {
     const Vec3 d = l - h;
     std::array<double, ExtremalPoints::capacity> squared_area{};
     for (std::size_t i = 0; i < points.size; ++i) {
@@ -49,10 +52,10 @@ bool normal_of_largest_triangle(const PointsView& points, const Vec3& h, const V
     return true;
 }
 
-// Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they mostly decide. Returns how many
-// points were looked at.
+// Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they
+// mostly decide. Returns how many points were looked at.
 std::size_t keep_if_narrower(Slab& best, const Vec3& n, const Vec3& c, const PointsView& extremal,
-                      const FitInput& input) {
+                             const FitInput& input) {
     Interval interval;
     std::size_t visits = extend(interval, extremal, c, n, best.width);
     for (const PointsView& part : input.parts) {
@@ -69,18 +72,21 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
     const ExtremalPoints extremal = extremal_points(*input.dop, input.x, input.y, input.z);
     const Ball ball = enclosing_ball(input, extremal, options.growth);
 
-    // Few points stand for themselves, as they do for the ball: the third corner of a slender triangle need not be extremal, and a slab
-    // through the other two alone is not flat.
+    // Few points stand for themselves, as they do for the ball: the third corner of a slender
+    // triangle need not be extremal, and a slab through the other two alone is not flat.
     const PointsView points = extremal.view();
     const PointsView thirds = input.size() <= ExtremalPoints::capacity ? input.parts[0] : points;
 
     Slab slab = narrowest_dop_slab(*input.dop);
-    std::array<std::uint16_t, Dop26::directions> met;  // pairs of extremal points, smaller index first
+    std::array<std::uint16_t, Dop26::directions>
+        met;  // pairs of extremal points, smaller index first
     std::size_t met_count = 0;
-    std::uint64_t visits = (options.growth == BallGrowth::ritter ? 2 : 1) * input.size(), candidates = 0;
+    std::uint64_t visits = (options.growth == BallGrowth::ritter ? 2 : 1) * input.size(),
+                  candidates = 0;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const std::uint8_t upper = extremal.upper[i], lower = extremal.lower[i];
-        const auto pair = static_cast<std::uint16_t>(std::min(upper, lower) << 8 | std::max(upper, lower));
+        const auto pair =
+            static_cast<std::uint16_t>(std::min(upper, lower) << 8 | std::max(upper, lower));
         const auto end = met.begin() + static_cast<std::ptrdiff_t>(met_count);
         if (upper == lower || std::find(met.begin(), end, pair) != end) continue;
         met[met_count++] = pair;
@@ -90,7 +96,8 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
         ++candidates;
     }
     if (!slab.measured)
-        for (const PointsView& part : input.parts) visits += extend(slab.interval, part, ball.center, slab.n);
+        for (const PointsView& part : input.parts)
+            visits += extend(slab.interval, part, ball.center, slab.n);
     if (options.counts != nullptr) {
         options.counts->point_visits += visits;
         options.counts->candidate_slabs += candidates;

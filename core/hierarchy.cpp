@@ -7,7 +7,8 @@
 namespace scb {
 namespace {
 
-// What a fitted subtree leaves for its parent. Its shared point ids are at the end of a common stack.
+// What a fitted subtree leaves for its parent. Its shared point ids are at the end of a common
+// stack.
 struct Subtree {
     Dop26 dop;
     SurfaceMoments moments;
@@ -19,7 +20,10 @@ template <Volume V>
 class BottomUpFit {
   public:
     BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options)
-        : topology_(topology), points_(points), options_(options), volumes_(topology.nodes.size()) {}
+        : topology_(topology),
+          points_(points),
+          options_(options),
+          volumes_(topology.nodes.size()) {}
 
     std::vector<V> run() {
         // A node is met twice: before its children, and after them.
@@ -76,12 +80,14 @@ class BottomUpFit {
         Subtree& left = stack_[stack_.size() - 2];
         if constexpr (needs_dop) left.dop = merge(left.dop, right.dop);
         if constexpr (needs_moments) left.moments = merge(left.moments, right.moments);
-        // What the right child shares with the left one belongs to both, and so becomes their parent's own.
+        // What the right child shares with the left one belongs to both, and so becomes their
+        // parent's own.
         const auto right_begin = shared_.end() - right.shared_count;
         const auto left_begin = right_begin - left.shared_count;
         const auto right_end = std::lower_bound(right_begin, shared_.end(), left.own_first);
         merged_.clear();
-        std::set_union(left_begin, right_begin, right_begin, right_end, std::back_inserter(merged_));
+        std::set_union(left_begin, right_begin, right_begin, right_end,
+                       std::back_inserter(merged_));
         shared_.erase(std::copy(merged_.begin(), merged_.end(), left_begin), shared_.end());
         left.shared_count = static_cast<std::uint32_t>(merged_.size());
         stack_.pop_back();
@@ -100,7 +106,11 @@ class BottomUpFit {
             own = {};
         }
         fit(volume,
-            FitInput{{gathered_.view(), own}, p.x.data(), p.y.data(), p.z.data(), &top.dop,
+            FitInput{{gathered_.view(), own},
+                     p.x.data(),
+                     p.y.data(),
+                     p.z.data(),
+                     &top.dop,
                      needs_moments ? &top.moments : nullptr},
             options_);
     }
@@ -125,7 +135,8 @@ std::string sentence(const Parts&... parts) {
 }  // namespace
 
 template <Volume V>
-std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points, const FitOptions& options) {
+std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
+                           const FitOptions& options) {
     return BottomUpFit<V>(topology, points, options).run();
 }
 
@@ -140,9 +151,11 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
 std::string validate(const Topology& topology, const Mesh& mesh) {
     const std::size_t count = mesh.triangles.size();
     if (topology.order.size() != count)
-        return sentence("the topology orders ", topology.order.size(), " triangles, the mesh has ", count, ".");
+        return sentence("the topology orders ", topology.order.size(), " triangles, the mesh has ",
+                        count, ".");
     if (topology.nodes.size() != 2 * count - 1 || topology.rules.size() != topology.nodes.size())
-        return sentence("the topology has ", topology.nodes.size(), " nodes, ", 2 * count - 1, " are needed.");
+        return sentence("the topology has ", topology.nodes.size(), " nodes, ", 2 * count - 1,
+                        " are needed.");
     std::vector<char> met(count, 0);
     for (const std::uint32_t t : topology.order) {
         if (t >= count || met[t]) return sentence("triangle ", t, " is not in exactly one leaf.");
@@ -154,7 +167,8 @@ std::string validate(const Topology& topology, const Mesh& mesh) {
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];
         if (node.is_leaf()) {
-            if (node.count != 1) return sentence("node ", i, " is a leaf of ", node.count, " triangles.");
+            if (node.count != 1)
+                return sentence("node ", i, " is a leaf of ", node.count, " triangles.");
             continue;
         }
         if (node.left <= i || std::size_t{node.left} + 1 >= topology.nodes.size())
@@ -174,14 +188,15 @@ std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh) {
     const Topology& topology = *hierarchy.topology;
     if (std::string failure = validate(topology, mesh); !failure.empty()) return failure;
     if (hierarchy.volumes.size() != topology.nodes.size())
-        return sentence(hierarchy.volumes.size(), " volumes for ", topology.nodes.size(), " nodes.");
+        return sentence(hierarchy.volumes.size(), " volumes for ", topology.nodes.size(),
+                        " nodes.");
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
             for (const std::uint32_t v : mesh.triangles[topology.order[k]])
                 if (!contains(hierarchy.volumes[i], mesh.vertices[v]))
-                    return sentence("vertex ", v, " of triangle ", topology.order[k], " is outside the volume of node ",
-                                    i, ".");
+                    return sentence("vertex ", v, " of triangle ", topology.order[k],
+                                    " is outside the volume of node ", i, ".");
     }
     return {};
 }

@@ -10,26 +10,31 @@
 
 namespace scb {
 
-/// A bounding volume hierarchy: a topology, which several hierarchies may share, and a volume for each of its nodes, in
-/// the body frame of the mesh.
+/// A bounding volume hierarchy: a topology, which several hierarchies may share, and a volume for
+/// each of its nodes, in the body frame of the mesh.
 template <Volume V>
 struct Hierarchy {
     std::shared_ptr<const Topology> topology;
     std::vector<V> volumes;
 };
 
-/// Fits a volume to the points of every node, bottom up: the 26-DOP and the surface moments of a node come from its children,
-/// the rest of the fit from its points. The same volumes as fitting each node by itself. O(n log n).
+/// Fits a volume to the points of every node, bottom up: the 26-DOP and the surface moments of a
+/// node come from its children, the rest of the fit from its points. The same volumes as fitting
+/// each node by itself. O(n log n).
 template <Volume V>
-std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points, const FitOptions& options = {});
+std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
+                           const FitOptions& options = {});
 
-/// Topology and volumes at once. Throws InputError where check_mesh does; `name` says which mesh it is.
+/// Topology and volumes at once. Throws InputError where check_mesh does; `name` says which mesh it
+/// is.
 template <Volume V>
-Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options = {}, std::string_view name = "mesh");
+Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options = {},
+                             std::string_view name = "mesh");
 
-/// Checks that the hierarchy is one of this mesh: every triangle in exactly one leaf, the ranges of two children make up their
-/// parent's, and every vertex of a node's triangles is contained in its volume. Empty where all holds, else a sentence that
-/// names the first node at which it does not. O(n log n).
+/// Checks that the hierarchy is one of this mesh: every triangle in exactly one leaf, the ranges of
+/// two children make up their parent's, and every vertex of a node's triangles is contained in its
+/// volume. Empty where all holds, else a sentence that names the first node at which it does not.
+/// O(n log n).
 template <Volume V>
 std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh);
 

@@ -28,8 +28,8 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
     });
     std::vector<std::uint32_t> first(mesh.vertices.size(), none);
     for (std::size_t i = 0; i < located.size(); ++i) {
-        const bool repeats = i > 0 && located[i].x == located[i - 1].x && located[i].y == located[i - 1].y &&
-                             located[i].z == located[i - 1].z;
+        const bool repeats = i > 0 && located[i].x == located[i - 1].x &&
+                             located[i].y == located[i - 1].y && located[i].z == located[i - 1].z;
         first[located[i].vertex] = repeats ? first[located[i - 1].vertex] : located[i].vertex;
     }
     return first;

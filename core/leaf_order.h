@@ -9,12 +9,14 @@
 
 namespace scb {
 
-/// The points of a mesh in the order in which the leaves of a topology first use them, equal positions joined to one point (0 and -0
-/// are equal). A node's points are then a contiguous range, its own, and a few with smaller ids, which it
-/// shares with what lies left of it; a soup and an indexed mesh of the same triangles have the same points.
+/// The points of a mesh in the order in which the leaves of a topology first use them, equal
+/// positions joined to one point (0 and -0 are equal). A node's points are then a contiguous range,
+/// its own, and a few with smaller ids, which it shares with what lies left of it; a soup and an
+/// indexed mesh of the same triangles have the same points.
 struct LeafOrder {
-    PointArrays points;                                 ///< by point id
-    std::vector<std::array<std::uint32_t, 3>> corners;  ///< point ids per position in Topology::order
+    PointArrays points;  ///< by point id
+    std::vector<std::array<std::uint32_t, 3>>
+        corners;  ///< point ids per position in Topology::order
 };
 
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology);

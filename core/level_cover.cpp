@@ -9,7 +9,8 @@ std::vector<std::uint32_t> level_cover(const Topology& topology, int level) {
     std::vector<std::uint32_t> cover;
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         const bool leaf = topology.nodes[i].is_leaf();
-        if (level == leaf_level ? leaf : depths[i] == level || (leaf && depths[i] < level)) cover.push_back(i);
+        if (level == leaf_level ? leaf : depths[i] == level || (leaf && depths[i] < level))
+            cover.push_back(i);
     }
     return cover;
 }

@@ -10,8 +10,8 @@ namespace scb {
 /// The level that means all leaves, wherever they are.
 inline constexpr int leaf_level = -1;
 
-/// The nodes that cover a body at a level: those at that depth, and the leaves above it. In the order of the nodes.
-/// `leaf_level`: all leaves.
+/// The nodes that cover a body at a level: those at that depth, and the leaves above it. In the
+/// order of the nodes. `leaf_level`: all leaves.
 std::vector<std::uint32_t> level_cover(const Topology& topology, int level);
 
 /// The volumes of a cover in numbers; lengths as in LevelStatistics.
@@ -23,7 +23,8 @@ struct CoverStatistics {
 };
 
 template <Volume V>
-CoverStatistics cover_statistics(const Hierarchy<V>& hierarchy, const std::vector<std::uint32_t>& cover) {
+CoverStatistics cover_statistics(const Hierarchy<V>& hierarchy,
+                                 const std::vector<std::uint32_t>& cover) {
     CoverStatistics s;
     for (const std::uint32_t node : cover) {
         const V& v = hierarchy.volumes[node];

@@ -7,7 +7,8 @@ namespace scb {
 template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
     const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
-    std::vector<LevelStatistics> levels(*std::max_element(depths.begin(), depths.end()) + std::size_t{1});
+    std::vector<LevelStatistics> levels(*std::max_element(depths.begin(), depths.end()) +
+                                        std::size_t{1});
     for (std::size_t i = 0; i < depths.size(); ++i) {
         LevelStatistics& level = levels[depths[i]];
         const V& v = hierarchy.volumes[i];

@@ -8,8 +8,9 @@
 
 namespace scb {
 
-/// The quality of one level of a hierarchy: its nodes at one depth. Lengths are those of Section 3.1 of the paper, the diameter
-/// d = 2r and the thickness tau = e - f (for an OBB the diagonal and the shortest side); in the mesh's units.
+/// The quality of one level of a hierarchy: its nodes at one depth. Lengths are those of
+/// Section 3.1 of the paper, the diameter d = 2r and the thickness tau = e - f (for an OBB the
+/// diagonal and the shortest side); in the mesh's units.
 struct LevelStatistics {
     std::uint32_t nodes = 0;
     std::uint32_t leaves = 0;  ///< of the nodes

@@ -33,9 +33,9 @@ void check_mesh(const Mesh& mesh, std::string_view name) {
             const Vec3& p = mesh.vertices[v];
             for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(p[axis]) <= max_coordinate))
-                    refuse(name, "vertex ", v, " of triangle ", t, " has the coordinate ", "xyz"[axis],
-                           " = ", p[axis], "; coordinates must be finite and at most ", max_coordinate,
-                           " in magnitude.");
+                    refuse(name, "vertex ", v, " of triangle ", t, " has the coordinate ",
+                           "xyz"[axis], " = ", p[axis], "; coordinates must be finite and at most ",
+                           max_coordinate, " in magnitude.");
         }
     }
 }

@@ -13,8 +13,9 @@ namespace scb {
 /// The three corners of a triangle, as indices of vertices.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle mesh or triangle soup in its body frame. No connectivity is assumed; degenerate and duplicate
-/// triangles are legal, and vertices that no triangle uses are ignored by everything that bounds the mesh.
+/// A triangle mesh or triangle soup in its body frame. No connectivity is assumed; degenerate and
+/// duplicate triangles are legal, and vertices that no triangle uses are ignored by everything that
+/// bounds the mesh.
 struct Mesh {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -41,8 +42,9 @@ inline constexpr double max_coordinate = 1e70;
 /// The most triangles that a hierarchy can index.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
 
-/// Throws InputError, naming the first offender, where the mesh has no triangles, too many, an index out of range,
-/// or a used vertex that is not finite or beyond max_coordinate. `name` says which mesh it is.
+/// Throws InputError, naming the first offender, where the mesh has no triangles, too many, an
+/// index out of range, or a used vertex that is not finite or beyond max_coordinate. `name` says
+/// which mesh it is.
 void check_mesh(const Mesh& mesh, std::string_view name);
 
 /// The box of the vertices that triangles use.

@@ -9,7 +9,8 @@
 namespace scb {
 namespace {
 
-// Radii within this share of each other are the same: cospherical points must not chase rounding errors.
+// Radii within this share of each other are the same: cospherical points must not chase rounding
+// errors.
 constexpr double equal_squares = 1 + 1e-15;
 
 // At most four points on the surface of the ball, and the point that is to join them.
@@ -17,7 +18,8 @@ using Support = std::array<Vec3, 5>;
 
 struct Candidate {
     Vec3 center;
-    bool inside_hull;  // the center lies in the convex hull of the points that define it: the ball is their smallest
+    bool inside_hull;  // the center lies in the convex hull of the points that define it: the ball
+                       // is their smallest
 };
 
 Candidate ball_of_two(const Vec3& a, const Vec3& b) { return {a + 0.5 * (b - a), true}; }
@@ -46,8 +48,8 @@ bool ball_of_four(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Ca
     return true;
 }
 
-// The smallest ball of the first `count` points, the last of which lies on its surface. `count` becomes the number of points that
-// define it; they move to the front.
+// The smallest ball of the first `count` points, the last of which lies on its surface. `count`
+// becomes the number of points that define it; they move to the front.
 struct SupportSolver {
     Support& points;
     int& count;
@@ -56,7 +58,8 @@ struct SupportSolver {
     unsigned chosen = 0;  // bit i: points[i] defines the ball
     bool optimal = false;
 
-    // A candidate counts with the radius at which it contains all points, so a badly conditioned one can only lose.
+    // A candidate counts with the radius at which it contains all points, so a badly conditioned
+    // one can only lose.
     void consider(const Candidate& candidate, unsigned members) {
         double reach = 0, own = 0;
         for (int i = 0; i < count; ++i) {
@@ -117,7 +120,8 @@ Ball min_ball(const PointsView& points) {
     Vec3 center = ball_of_two(support[0], support[1]).center;
     double squared_radius = squared_norm(support[0] - center);
 
-    // Each pivot enlarges the smallest ball of the support, so no support returns; the bound is for rounding alone.
+    // Each pivot enlarges the smallest ball of the support, so no support returns; the bound is for
+    // rounding alone.
     for (int pivot = 0; pivot < 256; ++pivot) {
         const Farthest far = farthest_point(points, center);
         if (far.squared_distance <= squared_radius * equal_squares) break;

@@ -20,7 +20,8 @@ bool contains(const Obb& box, const Vec3& point) {
 
 double extent(const Obb& box, const Vec3& direction) {
     double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += box.half[i] * std::abs(dot(Vec3(box.axes.col(i)), direction));
+    for (int i = 0; i < 3; ++i)
+        sum += box.half[i] * std::abs(dot(Vec3(box.axes.col(i)), direction));
     return sum;
 }
 

@@ -20,11 +20,12 @@ bool contains(const Obb& box, const Vec3& point);
 /// How far the box reaches from its center in the unit direction `direction`.
 double extent(const Obb& box, const Vec3& direction);
 
-/// The size that decides which of two volumes a traversal descends into: the longest half length, as in
-/// RAPID (Gottschalk).
+/// The size that decides which of two volumes a traversal descends into: the longest half length,
+/// as in RAPID (Gottschalk).
 inline double descent_size(const Obb& box) { return box.half.maxCoeff(); }
 
-/// Diameter (the diagonal) and thickness (the shortest side): the counterparts of Section 3.1's d and tau.
+/// Diameter (the diagonal) and thickness (the shortest side): the counterparts of Section 3.1's d
+/// and tau.
 inline double diameter(const Obb& box) { return 2 * box.half.norm(); }
 inline double thickness(const Obb& box) { return 2 * box.half.minCoeff(); }
 

@@ -11,8 +11,12 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 
 inline void load(Lanes& lanes, const double* from) { std::memcpy(&lanes, from, sizeof(Lanes)); }
 
-inline double largest(const Lanes& v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
-inline double smallest(const Lanes& v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
+inline double largest(const Lanes& v) {
+    return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+}
+inline double smallest(const Lanes& v) {
+    return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+}
 
 inline double squared_distance(const PointsView& p, std::size_t i, const Vec3& c) {
     const double x = p.x[i] - c[0], y = p.y[i] - c[1], z = p.z[i] - c[2];
@@ -40,7 +44,8 @@ double max_squared_distance(const PointsView& points, const Vec3& c) {
     return result;
 }
 
-std::size_t extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n, double enough) {
+std::size_t extend(Interval& interval, const PointsView& points, const Vec3& c, const Vec3& n,
+                   double enough) {
     constexpr std::size_t block = 64;
     std::size_t i = 0;
     while (i + width <= points.size) {

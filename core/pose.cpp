@@ -27,7 +27,8 @@ double rigidity_defect(const Pose& pose) {
     double defect = 0;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            defect = std::max(defect, std::abs(dot(Vec3(r.col(i)), Vec3(r.col(j))) - (i == j ? 1.0 : 0.0)));
+            defect = std::max(defect,
+                              std::abs(dot(Vec3(r.col(i)), Vec3(r.col(j))) - (i == j ? 1.0 : 0.0)));
     return defect;
 }
 

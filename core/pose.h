@@ -31,11 +31,12 @@ inline Vec3 transform_direction(const Pose& pose, const Vec3& direction) {
 /// The pose of B as seen from A's frame: `inverse(a) * b` (equation 6 of the paper).
 Pose relative_pose(const Pose& a, const Pose& b);
 
-/// The largest entry of |R^T R - I|, or infinity where the determinant is not positive or an entry is not finite.
+/// The largest entry of |R^T R - I|, or infinity where the determinant is not positive or an entry
+/// is not finite.
 double rigidity_defect(const Pose& pose);
 
-/// Throws InputError where the pose is not rigid to 1e-9: a scaled or mirrored pose would silently break
-/// radii and normals. `name` says whose pose it is.
+/// Throws InputError where the pose is not rigid to 1e-9: a scaled or mirrored pose would silently
+/// break radii and normals. `name` says whose pose it is.
 void check_rigid(const Pose& pose, std::string_view name);
 
 }  // namespace scb

@@ -4,8 +4,8 @@
 
 namespace scb {
 
-/// A small seeded generator (SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
-/// 2014). The same numbers on every machine and standard library.
+/// A small seeded generator (SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
+/// Generators", 2014). The same numbers on every machine and standard library.
 struct Random {
     std::uint64_t state;
 

@@ -28,15 +28,18 @@ Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts) {
         }
     // The center moved after the first points were met, so what they need is measured anew.
     double reach = 0;
-    for (const PointsView& part : parts) reach = std::max(reach, max_squared_distance(part, ball.center));
+    for (const PointsView& part : parts)
+        reach = std::max(reach, max_squared_distance(part, ball.center));
     ball.radius = radius_reaching(reach);
     return ball;
 }
 
-Ball ritter_ball(const std::array<std::array<Vec3, 2>, 3>& axis_pairs, const std::array<PointsView, 2>& parts) {
+Ball ritter_ball(const std::array<std::array<Vec3, 2>, 3>& axis_pairs,
+                 const std::array<PointsView, 2>& parts) {
     const auto* widest = &axis_pairs[0];
     for (const auto& pair : axis_pairs)
-        if (squared_norm(pair[1] - pair[0]) > squared_norm((*widest)[1] - (*widest)[0])) widest = &pair;
+        if (squared_norm(pair[1] - pair[0]) > squared_norm((*widest)[1] - (*widest)[0]))
+            widest = &pair;
     const Vec3 half = 0.5 * ((*widest)[1] - (*widest)[0]);
     return grown_by_shifting({(*widest)[0] + half, std::sqrt(squared_norm(half))}, parts);
 }

@@ -25,7 +25,8 @@ double extent(const Scb& s, const Vec3& direction) {
     const double cosine = dot(s.n, direction);
     const double h = s.r * cosine;
     if (s.f <= h && h <= s.e) return s.r;
-    // The plane cuts off the farthest point of the ball: the farthest one left is on the rim of the cut.
+    // The plane cuts off the farthest point of the ball: the farthest one left is on the rim of the
+    // cut.
     const double k = h > s.e ? s.e : s.f;
     // |n x d|^2, since 1 - (n.d)^2 cancels where the two are nearly parallel.
     const double squared_sine = squared_norm(cross(s.n, direction));

@@ -5,8 +5,8 @@
 namespace scb {
 
 /// A slab cut ball: the points x of a ball with `f <= n.(x - c) <= e` (Larsson and Akenine-Moller,
-/// "Bounding Volume Hierarchies of Slab Cut Balls", Section 1.1). Closed. The symbols are the paper's.
-/// `f <= e`, both within [-r, r]; a fitted one also has `f <= 0 <= e`.
+/// "Bounding Volume Hierarchies of Slab Cut Balls", Section 1.1). Closed. The symbols are the
+/// paper's. `f <= e`, both within [-r, r]; a fitted one also has `f <= 0 <= e`.
 struct Scb {
     Vec3 c = Vec3::Zero();   ///< center of the ball
     double r = 0;            ///< radius of the ball
@@ -18,14 +18,15 @@ struct Scb {
 /// Surface area: the spherical zone and the two discs (equation 4).
 double surface_area(const Scb& scb);
 
-/// Volume (equation 5, with -f for |f|, so that it also holds for a slab that leaves the center out).
+/// Volume (equation 5, with -f for |f|, so that it also holds for a slab that leaves the center
+/// out).
 double volume(const Scb& scb);
 
 /// Whether the point is inside or on the surface.
 bool contains(const Scb& scb, const Vec3& point);
 
-/// How far the SCB reaches from c in the unit direction `direction`: max of direction.(x - c) over the SCB.
-/// Exact; may be negative for a slab that leaves the center out.
+/// How far the SCB reaches from c in the unit direction `direction`: max of direction.(x - c) over
+/// the SCB. Exact; may be negative for a slab that leaves the center out.
 double extent(const Scb& scb, const Vec3& direction);
 
 /// The size that decides which of two volumes a traversal descends into: the radius (Section 5).

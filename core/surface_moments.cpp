@@ -16,8 +16,10 @@ SurfaceMoments triangle_moments(const Vec3& a, const Vec3& b, const Vec3& c) {
     SurfaceMoments m;
     m.area = std::sqrt(squared_norm(cross(b - a, c - a))) / 2;
     m.centroid = (a + b + c) / 3;
-    // The integral over a triangle of a quadratic form about its centroid: area / 12 times the sum over the corners.
-    for (const Vec3& corner : {a, b, c}) add_outer_product(m.scatter, m.area / 12, corner - m.centroid);
+    // The integral over a triangle of a quadratic form about its centroid: area / 12 times the sum
+    // over the corners.
+    for (const Vec3& corner : {a, b, c})
+        add_outer_product(m.scatter, m.area / 12, corner - m.centroid);
     return m;
 }
 

@@ -4,8 +4,9 @@
 
 namespace scb {
 
-/// Area, centroid and scatter of a triangulated surface: what the axes of an OBB are made from. The scatter is the integral of
-/// (x - centroid)(x - centroid)^T over the surface; kept relative to the centroid, since raw moments cancel far from the origin.
+/// Area, centroid and scatter of a triangulated surface: what the axes of an OBB are made from. The
+/// scatter is the integral of (x - centroid)(x - centroid)^T over the surface; kept relative to the
+/// centroid, since raw moments cancel far from the origin.
 struct SurfaceMoments {
     double area = 0;
     Vec3 centroid = Vec3::Zero();

@@ -45,7 +45,8 @@ std::array<int, 3> axes_by_length(const Vec3& sides) {
     return axes;
 }
 
-// Moves the triangles whose centroid is below the plane to the front, in place as in quicksort; returns their number.
+// Moves the triangles whose centroid is below the plane to the front, in place as in quicksort;
+// returns their number.
 std::uint32_t partition(Range range, const Primitives& primitives, int axis, double plane) {
     std::size_t lower = 0, upper = range.size();
     for (;;) {
@@ -63,7 +64,9 @@ bool balanced(std::uint32_t left, std::size_t count) {
 double median_of_7(Range range, const Primitives& primitives, int axis, Random random) {
     std::array<double, 7> samples;
     for (double& sample : samples)
-        sample = primitives.centroids[range[random.below(static_cast<std::uint32_t>(range.size()))]][axis];
+        sample =
+            primitives
+                .centroids[range[random.below(static_cast<std::uint32_t>(range.size()))]][axis];
     std::sort(samples.begin(), samples.end());
     return samples[3];
 }
@@ -99,14 +102,16 @@ Split split(Range range, std::uint32_t first, const Primitives& primitives) {
         insertion_sort(range, {primitives, axes[0]});
         return {count / 2, SplitRule::sorted};
     }
-    constexpr SplitRule rules[] = {SplitRule::longest_side, SplitRule::second_side, SplitRule::third_side};
+    constexpr SplitRule rules[] = {SplitRule::longest_side, SplitRule::second_side,
+                                   SplitRule::third_side};
     for (std::size_t i = 0; i < 3; ++i) {
         const int axis = axes[i];
         const double middle = 0.5 * box.lower[axis] + 0.5 * box.upper[axis];
         const std::uint32_t left = partition(range, primitives, axis, middle);
         if (balanced(left, count)) return {left, rules[i]};
     }
-    // Seeded by the range, so that the result does not depend on the order in which nodes are visited.
+    // Seeded by the range, so that the result does not depend on the order in which nodes are
+    // visited.
     const Random random(std::uint64_t{first} << 32 | count);
     const std::uint32_t left =
         partition(range, primitives, axes[0], median_of_7(range, primitives, axes[0], random));

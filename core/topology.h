@@ -18,7 +18,8 @@ enum class SplitRule : std::uint8_t {
     third_side,    ///< the same across the shortest side
     median_of_7,   ///< across the longest side, at the median of 7 randomly selected centroids
     sorted,        ///< fewer than 8 triangles: insertion sort along the longest side, halved
-    index,         ///< all of the above were worse than 10 : 90: halved in the order of centroid, then index
+    index,  ///< all of the above were worse than 10 : 90: halved in the order of centroid, then
+            ///< index
 };
 inline constexpr std::size_t split_rule_count = 7;
 
@@ -34,18 +35,19 @@ struct TopologyNode {
     bool is_leaf() const { return left == 0; }
 };
 
-/// The shape of a hierarchy, without volumes: a binary tree of ranges, one triangle per leaf. nodes[0] is the root; parents
-/// come before their children; 2 n - 1 nodes for n triangles.
+/// The shape of a hierarchy, without volumes: a binary tree of ranges, one triangle per leaf.
+/// nodes[0] is the root; parents come before their children; 2 n - 1 nodes for n triangles.
 struct Topology {
     std::vector<TopologyNode> nodes;
     std::vector<SplitRule> rules;      ///< per node
     std::vector<std::uint32_t> order;  ///< triangle indices, permuted
 };
 
-/// Builds the tree top down by the rules of Section 3: the primitives' box is divided through its centroid across the longest
-/// side, by the centroids of the triangles; where a side gets less than 10 %, across the other sides in turn, then at the
-/// median of 7 randomly selected centroids. Where that fails too (centroids that coincide), at the middle index, so the depth is at
-/// most some 6.6 log2 n whatever the input. The random numbers depend on the range alone.
+/// Builds the tree top down by the rules of Section 3: the primitives' box is divided through its
+/// centroid across the longest side, by the centroids of the triangles; where a side gets less than
+/// 10 %, across the other sides in turn, then at the median of 7 randomly selected centroids. Where
+/// that fails too (centroids that coincide), at the middle index, so the depth is at most some 6.6
+/// log2 n whatever the input. The random numbers depend on the range alone.
 ///
 /// `mesh` must satisfy check_mesh. O(n log n); no recursion.
 Topology build_topology(const Mesh& mesh);

@@ -7,9 +7,10 @@ struct SinCos {
     double cos = 1;
 };
 
-/// Sine and cosine of an angle in turns (1 turn = 360 degrees), to about one unit in the last place, and exact at
-/// multiples of a quarter. The C library's functions round differently from one version and CPU to the next, so
-/// poses made with them would not give the same counts everywhere; this uses only operations that IEEE 754 fixes.
+/// Sine and cosine of an angle in turns (1 turn = 360 degrees), to about one unit in the last
+/// place, and exact at multiples of a quarter. The C library's functions round differently from one
+/// version and CPU to the next, so poses made with them would not give the same counts everywhere;
+/// this uses only operations that IEEE 754 fixes.
 SinCos sin_cos_turns(double turns);
 
 inline SinCos sin_cos_degrees(double degrees) { return sin_cos_turns(degrees / 360); }

@@ -10,19 +10,20 @@
 
 namespace scb {
 
-/// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these free functions.
+/// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
+/// free functions.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
-                 requires(V& v, const V& c, const Vec3& p, const FitInput& in, const FitOptions& options) {
-                     fit(v, in, options);
-                     { contains(c, p) } -> std::same_as<bool>;
-                     { extent(c, p) } -> std::same_as<double>;
-                     { surface_area(c) } -> std::same_as<double>;
-                     { volume(c) } -> std::same_as<double>;
-                     { descent_size(c) } -> std::same_as<double>;
-                     { diameter(c) } -> std::same_as<double>;
-                     { thickness(c) } -> std::same_as<double>;
-                 };
+    requires(V& v, const V& c, const Vec3& p, const FitInput& in, const FitOptions& options) {
+    fit(v, in, options);
+    { contains(c, p) } -> std::same_as<bool>;
+    { extent(c, p) } -> std::same_as<double>;
+    { surface_area(c) } -> std::same_as<double>;
+    { volume(c) } -> std::same_as<double>;
+    { descent_size(c) } -> std::same_as<double>;
+    { diameter(c) } -> std::same_as<double>;
+    { thickness(c) } -> std::same_as<double>;
+};
 
 static_assert(Volume<Scb> && Volume<Ball> && Volume<Obb>);
 

@@ -25,7 +25,8 @@ struct Camera {
 /// with x to the right. Angles in degrees; at elevation +-90 the azimuth says where up points.
 Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees);
 
-/// The same where another world direction than z is up: all turned by the smallest rotation that takes z there.
+/// The same where another world direction than z is up: all turned by the smallest rotation that
+/// takes z there.
 Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees, const Vec3& up);
 
 /// A camera with orbit_axes, `distance` away from `target` (world units, above 0). The depth range

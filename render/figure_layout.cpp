@@ -17,12 +17,13 @@ FigureLayout figure_layout(int width, int height) {
     const int top = margin + heading;
     layout.heading = {margin, margin, width - 2 * margin, heading};
     layout.panel = {width - margin - panel, top, panel, height - top - margin};
-    layout.view = {margin, top, std::max(1, width - 3 * margin - panel), std::max(1, height - top - margin)};
+    layout.view = {margin, top, std::max(1, width - 3 * margin - panel),
+                   std::max(1, height - top - margin)};
     return layout;
 }
 
-void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme, std::string_view title,
-                  std::string_view subtitle) {
+void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
+                  std::string_view title, std::string_view subtitle) {
     const int unit = layout.unit;
     const PixelRect& box = layout.heading;
     const TextStyle title_style{title_size(unit), FontWeight::bold, theme.text};
@@ -35,12 +36,14 @@ void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& the
     overlay.text(box.x + used, box.y + (title_size(unit) - unit) * 4 / 5, remark, subtitle_style);
 }
 
-std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width) {
+std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style,
+                        int width) {
     std::string shown(text);
     if (overlay.measure(shown, style).width <= width) return shown;
     while (!shown.empty()) {
         // Whole characters: bytes 10xxxxxx continue one.
-        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0) == 0x80) shown.pop_back();
+        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0) == 0x80)
+            shown.pop_back();
         if (!shown.empty()) shown.pop_back();
         const std::string cut = shown + "…";
         if (overlay.measure(cut, style).width <= width) return cut;
@@ -48,18 +51,21 @@ std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle
     return shown;
 }
 
-void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at, const Theme& theme,
-                    int unit) {
+void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
+                    const Theme& theme, int unit) {
     const double scale = pixels_per_unit(camera, at, view.height);
     if (!(scale > 0) || !std::isfinite(scale)) return;
-    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2, view.width / 5, scale, {theme, unit});
+    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2, view.width / 5,
+                   scale, {theme, unit});
 }
 
-std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center, double radius) {
+std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
+                                   double radius) {
     if (!(-to_eye(camera, center)[2] > 0)) return std::nullopt;
     const Vec3 at = project(camera, center, view.width, view.height);
     const double reach = radius * pixels_per_unit(camera, center, view.height);
-    if (!(at[0] - reach >= 0 && at[1] - reach >= 0 && at[0] + reach <= view.width && at[1] + reach <= view.height))
+    if (!(at[0] - reach >= 0 && at[1] - reach >= 0 && at[0] + reach <= view.width &&
+          at[1] + reach <= view.height))
         return std::nullopt;
     const int side = std::max(3, static_cast<int>(std::lround(2 * reach)));
     return PixelRect{view.x + static_cast<int>(std::lround(at[0] - reach)),
@@ -69,8 +75,10 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 std::string number_text(double value, int digits) {
     char text[48];
     if (std::abs(value) >= 100 && std::abs(value) < 1e7 && digits <= 3)
-        return (value < 0 ? "-" : "") + count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
-    // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end goes.
+        return (value < 0 ? "-" : "") +
+               count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
+    // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end
+    // goes.
     std::snprintf(text, sizeof text, "%#.*g", digits, value);
     std::string result(text);
     if (const std::size_t exponent = result.find('e'); exponent != std::string::npos) {

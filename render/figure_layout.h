@@ -11,8 +11,8 @@
 
 namespace scb {
 
-/// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of numbers at its right. Nothing of
-/// the panel or the heading ever covers the view.
+/// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of
+/// numbers at its right. Nothing of the panel or the heading ever covers the view.
 struct FigureLayout {
     int unit = 20;  ///< size of body text, pixels
     PixelRect heading;
@@ -22,21 +22,26 @@ struct FigureLayout {
 
 FigureLayout figure_layout(int width, int height);
 
-inline double aspect_of(const PixelRect& rect) { return static_cast<double>(rect.width) / rect.height; }
+inline double aspect_of(const PixelRect& rect) {
+    return static_cast<double>(rect.width) / rect.height;
+}
 
 /// The title and, behind or below it, a line of smaller text.
-void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme, std::string_view title,
-                  std::string_view subtitle);
+void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
+                  std::string_view title, std::string_view subtitle);
 
 /// The text, cut to what fits into `width` pixels, with an ellipsis where it was cut.
 std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width);
 
-/// A length bar in the lower left corner of a view: what a round number of scene units spans at `at`.
-void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at, const Theme& theme,
-                    int unit);
+/// A length bar in the lower left corner of a view: what a round number of scene units spans at
+/// `at`.
+void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
+                    const Theme& theme, int unit);
 
-/// Where a ball about `center` appears in the view: the square around it, or nothing where it is behind the eye or outside.
-std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center, double radius);
+/// Where a ball about `center` appears in the view: the square around it, or nothing where it is
+/// behind the eye or outside.
+std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
+                                   double radius);
 
 /// A number of about `digits` digits for a reader: 20,480 or 0.0731 or 1.2e-05.
 std::string number_text(double value, int digits = 3);

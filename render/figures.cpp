@@ -70,7 +70,8 @@ PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
             overlay.rectangle({bar.x + i, bar.y + bar.height, 1, tick_length},
                               style.theme.faint_text);
             const int width = overlay.measure(tick.label, body(style)).width;
-            const int x = std::max(bar.x, std::min(bar.x + i - width / 2, bar.x + bar.width - width));
+            const int x =
+                std::max(bar.x, std::min(bar.x + i - width / 2, bar.x + bar.width - width));
             if (x < free_from) continue;
             free_from = x + width + style.unit / 4;
             covered = together(covered, write(overlay, x, bar.y + bar.height + tick_length + 1,

@@ -11,8 +11,10 @@ namespace {
 void add(CoverStatistics& sum, const CoverStatistics& s) {
     const double volumes = static_cast<double>(sum.volumes) + s.volumes;
     if (volumes > 0) {
-        sum.mean_diameter = (sum.mean_diameter * sum.volumes + s.mean_diameter * s.volumes) / volumes;
-        sum.mean_thickness = (sum.mean_thickness * sum.volumes + s.mean_thickness * s.volumes) / volumes;
+        sum.mean_diameter =
+            (sum.mean_diameter * sum.volumes + s.mean_diameter * s.volumes) / volumes;
+        sum.mean_thickness =
+            (sum.mean_thickness * sum.volumes + s.mean_thickness * s.volumes) / volumes;
     }
     sum.volumes += s.volumes;
     sum.leaves += s.leaves;
@@ -52,7 +54,8 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     };
     items.emplace_back(std::move(names));
     items.emplace_back(std::move(triangles));
-    row("volumes", [](const CoverStatistics& s) { return count_text(s.volumes); }, true);
+    row(
+        "volumes", [](const CoverStatistics& s) { return count_text(s.volumes); }, true);
     row("leaves", [](const CoverStatistics& s) { return count_text(s.leaves); });
     row("mean d", [](const CoverStatistics& s) { return number_text(s.mean_diameter); });
     row("mean τ", [](const CoverStatistics& s) { return number_text(s.mean_thickness); });
@@ -75,7 +78,8 @@ LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
     LevelNumbers numbers;
     for (const LevelBody& body : bodies) {
         numbers.bodies.push_back(std::visit(
-            [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); }, *body.hierarchy));
+            [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); },
+            *body.hierarchy));
         add(numbers.all, numbers.bodies.back());
     }
     return numbers;
@@ -86,7 +90,8 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
     for (const LevelBody& body : bodies) {
         std::vector<std::uint32_t> nodes;
         for (const int level : levels) {
-            const std::vector<std::uint32_t> cover = level_cover(topology_of(*body.hierarchy), level);
+            const std::vector<std::uint32_t> cover =
+                level_cover(topology_of(*body.hierarchy), level);
             nodes.insert(nodes.end(), cover.begin(), cover.end());
         }
         std::sort(nodes.begin(), nodes.end());
@@ -97,7 +102,8 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
                 [&](const auto& h) {
                     double most = -std::numeric_limits<double>::infinity();
                     for (const std::uint32_t node : nodes)
-                        most = std::max(most, dot(center(h.volumes[node]), local) + extent(h.volumes[node], local));
+                        most = std::max(most, dot(center(h.volumes[node]), local) +
+                                                  extent(h.volumes[node], local));
                     return most;
                 },
                 *body.hierarchy);
@@ -107,8 +113,8 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
     return support_of_all(std::move(parts));
 }
 
-Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,
-                const LevelStyle& style) {
+Pane level_pane(const PixelRect& viewport, const Camera& camera,
+                const std::vector<LevelBody>& bodies, int level, const LevelStyle& style) {
     Pane pane;
     pane.viewport = viewport;
     pane.camera = camera;
@@ -128,8 +134,10 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vect
             [&](const auto& h) {
                 for (const std::uint32_t node : level_cover(*h.topology, level)) {
                     const auto& volume = h.volumes[node];
-                    const Rgba8 colour = volume_colour(style.colours, volume, depths[node], b, node);
-                    pane.volumes.push_back({placed(volume, body.pose), with_opacity(colour, style.opacity),
+                    const Rgba8 colour =
+                        volume_colour(style.colours, volume, depths[node], b, node);
+                    pane.volumes.push_back({placed(volume, body.pose),
+                                            with_opacity(colour, style.opacity),
                                             body.first_id + node});
                 }
             },
@@ -142,12 +150,14 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
     const FigureLayout layout = figure_layout(width, height);
     const Theme& theme = *figure.style.theme;
     Picture picture{width, height, samples, theme.background, {}};
-    picture.panes.push_back(level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
+    picture.panes.push_back(
+        level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
 
     overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
-    const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit,
-                                      panel_items(figure, level_numbers(figure.bodies, figure.level)));
+    const int below =
+        draw_side_panel(overlay, layout.panel, theme, layout.unit,
+                        panel_items(figure, level_numbers(figure.bodies, figure.level)));
     draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
 
     // The magnified detail takes what the panel leaves.
@@ -161,7 +171,8 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
         overlay.text(square.x, top - small_size(layout.unit) * 5 / 4,
                      "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
         overlay.frame(square, theme.accent, std::max(1, layout.unit / 10));
-        if (const auto marker = marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
+        if (const auto marker =
+                marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
             overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
     }
     return picture;

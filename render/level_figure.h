@@ -47,12 +47,13 @@ struct LevelNumbers {
 };
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
 
-/// The support of all that pictures of these levels show: the volumes of their covers, which contain the meshes. The bodies must outlive the result.
+/// The support of all that pictures of these levels show: the volumes of their covers, which
+/// contain the meshes. The bodies must outlive the result.
 Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
 
 /// The view of a level: its volumes (see level_cover) and, where the style says so, the meshes.
-Pane level_pane(const PixelRect& viewport, const Camera& camera, const std::vector<LevelBody>& bodies, int level,
-                const LevelStyle& style);
+Pane level_pane(const PixelRect& viewport, const Camera& camera,
+                const std::vector<LevelBody>& bodies, int level, const LevelStyle& style);
 
 /// All that one picture of a level says.
 struct LevelFigure {
@@ -61,7 +62,7 @@ struct LevelFigure {
     std::vector<LevelBody> bodies;
     int level = 0;
     LevelStyle style;
-    Camera camera;  ///< for the view of figure_layout(width, height)
+    Camera camera;               ///< for the view of figure_layout(width, height)
     Vec3 center = Vec3::Zero();  ///< of the scene, where the scale bar holds
     std::optional<Detail> detail;
 };
@@ -76,7 +77,8 @@ struct LevelSheetCell {
     int level = 0;
 };
 
-/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with one camera and one scale.
+/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
+/// one camera and one scale.
 struct LevelSheet {
     std::string title;
     std::string subtitle;

@@ -25,14 +25,15 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
     layout.detail_size = with_detail ? layout.view_width * 9 / 20 : 0;
     const int cell_height = layout.view_height + layout.detail_size + 4 * layout.unit;
     layout.width = margin + layout.columns * (layout.view_width + margin);
-    layout.height = heading_height(layout.unit) +
-                    layout.bands * static_cast<int>(volumes) * cell_height;
+    layout.height =
+        heading_height(layout.unit) + layout.bands * static_cast<int>(volumes) * cell_height;
     return layout;
 }
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     const std::size_t levels = sheet.rows.front().size();
-    const LevelSheetLayout layout = level_sheet_layout(sheet.rows.size(), levels, sheet.detail.has_value());
+    const LevelSheetLayout layout =
+        level_sheet_layout(sheet.rows.size(), levels, sheet.detail.has_value());
     const Theme& theme = *sheet.style.theme;
     const int unit = layout.unit;
     Picture picture{layout.width, layout.height, samples, theme.background, {}};
@@ -51,10 +52,12 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         int x = margin;
         const auto& bodies = sheet.rows.front().front().bodies;
         for (std::size_t b = 0; b < bodies.size() && x < layout.width / 2; ++b) {
-            const std::string text = "body " + bodies[b].name + ", " + count_text(bodies[b].triangles) + " triangles";
+            const std::string text =
+                "body " + bodies[b].name + ", " + count_text(bodies[b].triangles) + " triangles";
             const TextStyle style{unit, FontWeight::regular, theme.text};
             const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
-            draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit, {PanelKey{category_colour(b), text}});
+            draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit,
+                            {PanelKey{category_colour(b), text}});
             x += width;
         }
     }
@@ -64,9 +67,12 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {
             const LevelSheetCell& cell = sheet.rows[r][c];
-            const int band = static_cast<int>(c) / layout.columns, column = static_cast<int>(c) % layout.columns;
+            const int band = static_cast<int>(c) / layout.columns,
+                      column = static_cast<int>(c) % layout.columns;
             const int x = margin + column * (layout.view_width + margin);
-            const int y = first_y + (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) * cell_height;
+            const int y =
+                first_y +
+                (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) * cell_height;
             const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
 
             overlay.rectangle({x, y - unit / 4, layout.view_width, 1}, theme.border);
@@ -77,7 +83,8 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
                 counts += (counts.empty() ? "" : " + ") + count_text(s.volumes);
             if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
             const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
-            overlay.text(x + layout.view_width, y, counts + (counts == "1" ? " volume" : " volumes"), right);
+            overlay.text(x + layout.view_width, y,
+                         counts + (counts == "1" ? " volume" : " volumes"), right);
             const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
             overlay.text(x, y + unit * 5 / 4,
                          "mean d " + number_text(numbers.all.mean_diameter) + ", mean τ " +
@@ -86,19 +93,23 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
                          faint);
 
             const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
-            picture.panes.push_back(level_pane(view, sheet.camera, cell.bodies, cell.level, sheet.style));
+            picture.panes.push_back(
+                level_pane(view, sheet.camera, cell.bodies, cell.level, sheet.style));
             if (!sheet.detail) {
                 if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
                 continue;
             }
-            const PixelRect square{x + (layout.view_width - layout.detail_size) / 2, view.y + view.height,
-                                   layout.detail_size, layout.detail_size};
-            picture.panes.push_back(level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
+            const PixelRect square{x + (layout.view_width - layout.detail_size) / 2,
+                                   view.y + view.height, layout.detail_size, layout.detail_size};
+            picture.panes.push_back(
+                level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
             overlay.frame(square, theme.accent, 2);
-            if (const auto marker = marker_of(view, sheet.camera, sheet.detail->center, sheet.detail->radius)) {
+            if (const auto marker =
+                    marker_of(view, sheet.camera, sheet.detail->center, sheet.detail->radius)) {
                 overlay.frame(*marker, theme.accent, 2);
             }
-            overlay.text(square.x + square.width + unit / 2, square.y + square.height - small_size(unit) * 5 / 4,
+            overlay.text(square.x + square.width + unit / 2,
+                         square.y + square.height - small_size(unit) * 5 / 4,
                          number_text(2 * sheet.detail->radius) + " wide", faint);
             if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
         }

@@ -61,7 +61,8 @@ struct PanelPainter {
         overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, key.colour);
         const TextStyle text = style(FontWeight::regular, theme.text);
         const int indent = unit * 5 / 4;
-        overlay.text(box.x + indent, y, fitted_text(overlay, key.text, text, box.width - indent), text);
+        overlay.text(box.x + indent, y, fitted_text(overlay, key.text, text, box.width - indent),
+                     text);
         y += line_height();
     }
 
@@ -70,8 +71,9 @@ struct PanelPainter {
         if (!fits(line_height() + bar + small + unit / 2)) return;
         std::vector<Tick> ticks;
         for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
-        const PixelRect covered = draw_colour_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
-                                                  scale.title, ticks, {theme, unit});
+        const PixelRect covered =
+            draw_colour_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
+                            scale.title, ticks, {theme, unit});
         y = covered.y + covered.height + unit / 4;
     }
 

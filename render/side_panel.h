@@ -40,7 +40,8 @@ struct PanelNote {
 
 using PanelItem = std::variant<PanelHeading, PanelRow, PanelKey, PanelScale, PanelNote>;
 
-/// Draws the items into the box, top down; what does not fit any more is left out. Returns the y below the last one.
+/// Draws the items into the box, top down; what does not fit any more is left out. Returns the y
+/// below the last one.
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items);
 

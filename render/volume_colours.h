@@ -12,10 +12,12 @@ namespace scb {
 
 /// What the colour of a volume tells.
 enum class ColourBy {
-    body,       ///< which body it belongs to, in the categories of the palette, with slight variations so that neighbours part
-    depth,      ///< its level, viridis from the root to the deepest level
-    radius,     ///< its diameter against the largest root's, viridis on a scale of halvings
-    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole ball), on a square-root scale
+    body,    ///< which body it belongs to, in the categories of the palette, with slight variations
+             ///< so that neighbours part
+    depth,   ///< its level, viridis from the root to the deepest level
+    radius,  ///< its diameter against the largest root's, viridis on a scale of halvings
+    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole
+                ///< ball), on a square-root scale
 };
 
 std::string_view colour_by_name(ColourBy by);
@@ -35,7 +37,8 @@ template <Volume V>
 double colour_magnitude(const ColourScale& scale, const V& volume, int depth);
 
 template <Volume V>
-Rgba8 volume_colour(const ColourScale& scale, const V& volume, int depth, std::size_t body, std::uint32_t node);
+Rgba8 volume_colour(const ColourScale& scale, const V& volume, int depth, std::size_t body,
+                    std::uint32_t node);
 
 /// The scale as a legend, or nothing where the colours are categories.
 std::optional<PanelScale> legend_of(const ColourScale& scale);

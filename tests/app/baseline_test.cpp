@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <ostream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "render/image_file.h"
 #include "tests/app/program.h"
@@ -22,15 +22,19 @@ void PrintTo(const BaselineCase& tested, std::ostream* out) { *out << tested.nam
 
 // Small pictures with one sample; what each is there for.
 constexpr BaselineCase cases[] = {
-    {"levels-spheres-scb", "spheres-l1 --volume scb --levels 7"},                           // slab cuts, two bodies, a detail
-    {"levels-cylinder-obb", "thin-cylinder --volume obb --levels 4 --background dark"},      // boxes, long thin triangles
-    {"levels-knots-translucent", "knots-l1 --volume ball --levels 6 --opacity 0.5 --edges"}, // blending, meshes
+    {"levels-spheres-scb",
+     "spheres-l1 --volume scb --levels 7"},  // slab cuts, two bodies, a detail
+    {"levels-cylinder-obb",
+     "thin-cylinder --volume obb --levels 4 --background dark"},  // boxes, long thin triangles
+    {"levels-knots-translucent",
+     "knots-l1 --volume ball --levels 6 --opacity 0.5 --edges"},  // blending, meshes
 };
 
 const fs::path folder_of_baselines = fs::path(SCB_SOURCE_DIR) / "golden" / "baselines";
 
 void write_text(const fs::path& path, const std::string& text) {
-    write_file_whole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    write_file_whole(path,
+                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 // The first pixels that differ, in words.
@@ -50,15 +54,20 @@ class Baseline : public testing::TestWithParam<BaselineCase> {};
 TEST_P(Baseline, CountsIdsAndColoursAreUnchanged) {
     const BaselineCase& baseline = GetParam();
     const TemporaryFolder folder;
-    const ProgramRun run = run_scb(std::string("render levels ") + baseline.arguments +
-                                   " --size 320x240 --samples 1 --ids --no-sheet -o " + folder.path.string());
+    const ProgramRun run =
+        run_scb(std::string("render levels ") + baseline.arguments +
+                " --size 320x240 --samples 1 --ids --no-sheet -o " + folder.path.string());
     ASSERT_EQ(run.status, 0) << run.err;
     const json index = json::parse(file_text(folder / "index.json"));
     const json& file = index["files"][0];
     const std::string counts = file["bodies"].dump(2) + "\n";
-    const std::string meta = json{{"arguments", baseline.arguments}, {"versions", index["versions"]}}.dump(2) + "\n";
-    const fs::path image = folder / file["file"].get<std::string>(), ids = folder / file["ids"].get<std::string>();
-    const auto stored = [&](const char* ending) { return folder_of_baselines / (std::string(baseline.name) + ending); };
+    const std::string meta =
+        json{{"arguments", baseline.arguments}, {"versions", index["versions"]}}.dump(2) + "\n";
+    const fs::path image = folder / file["file"].get<std::string>(),
+                   ids = folder / file["ids"].get<std::string>();
+    const auto stored = [&](const char* ending) {
+        return folder_of_baselines / (std::string(baseline.name) + ending);
+    };
 
     if (std::getenv("SCB_UPDATE_BASELINES") != nullptr) {
         ASSERT_EQ(std::getenv("CI"), nullptr) << "baselines are not updated where CI is set";
@@ -75,9 +84,10 @@ TEST_P(Baseline, CountsIdsAndColoursAreUnchanged) {
     if (versions["mesa"] == stored_versions["mesa"] && versions["llvm"] == stored_versions["llvm"])
         EXPECT_EQ(difference(read_png(image), read_png(stored(".png"))), "") << "colours";
     else
-        std::fprintf(stderr, "%s: colours NOT compared: drawn with Mesa %s, LLVM %s, stored with %s, %s\n", baseline.name,
-                     versions["mesa"].dump().c_str(), versions["llvm"].dump().c_str(),
-                     stored_versions["mesa"].dump().c_str(), stored_versions["llvm"].dump().c_str());
+        std::fprintf(
+            stderr, "%s: colours NOT compared: drawn with Mesa %s, LLVM %s, stored with %s, %s\n",
+            baseline.name, versions["mesa"].dump().c_str(), versions["llvm"].dump().c_str(),
+            stored_versions["mesa"].dump().c_str(), stored_versions["llvm"].dump().c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Baseline, testing::ValuesIn(cases),

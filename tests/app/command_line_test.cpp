@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 void write_text(const std::string& path, const std::string& text) {
-    write_file_whole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    write_file_whole(path,
+                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 std::size_t lines_of(const std::string& text) {
@@ -23,13 +24,15 @@ std::size_t lines_of(const std::string& text) {
 }
 
 std::size_t files_in(const fs::path& folder) {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
 TEST(CommandLine, VersionNamesWhatDraws) {
     const ProgramRun run = run_scb("--version");
     EXPECT_EQ(run.status, 0);
-    for (const char* name : {"scb ", "mesa ", "llvm ", "eigen ", "imgui "}) EXPECT_NE(run.out.find(name), std::string::npos);
+    for (const char* name : {"scb ", "mesa ", "llvm ", "eigen ", "imgui "})
+        EXPECT_NE(run.out.find(name), std::string::npos);
     EXPECT_EQ(run.err, "");
 }
 
@@ -43,9 +46,9 @@ TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
 }
 
 TEST(CommandLine, BadUsageIsOneSentenceAndStatus2) {
-    for (const char* arguments :
-         {"", "nonsense", "stats", "stats spheres-l1 --nonsense", "render", "render levels", "export spheres-l1",
-          "stats a b c", "stats spheres-l1 --pose 1,2,3", "--color maybe scenes"}) {
+    for (const char* arguments : {"", "nonsense", "stats", "stats spheres-l1 --nonsense", "render",
+                                  "render levels", "export spheres-l1", "stats a b c",
+                                  "stats spheres-l1 --pose 1,2,3", "--color maybe scenes"}) {
         const ProgramRun run = run_scb(arguments);
         EXPECT_EQ(run.status, 2) << arguments;
         EXPECT_EQ(run.out, "") << arguments;
@@ -63,12 +66,15 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
     const TemporaryFolder folder;
     write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     write_text(folder / "nan.ply",
-               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n");
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+               "y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 nan "
+               "0\n0 1 0\n3 0 1 2\n");
     write_text(folder / "index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     write_text(folder / "noise.stl", "this is no mesh at all");
     write_text(folder / "broken.json", "{\"scb_scene\": 1,\n \"name\": }");
-    write_text(folder / "field.json", R"({"scb_scene": 1, "name": "x", "sphere": 3, "models": [], "bodies": []})");
+    write_text(folder / "field.json",
+               R"({"scb_scene": 1, "name": "x", "sphere": 3, "models": [], "bodies": []})");
     write_text(folder / "file", "not a folder");
     const std::string out = folder / "out", small = " --size 200x150 -o " + out;
     const std::vector<Refusal> refusals = {
@@ -93,7 +99,8 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"render levels spheres-l1 --levels 2 --frame 500" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --frame -1" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --size 0x0 -o " + out, 2, "--size 0x0"},
-        {"render levels spheres-l1 --levels 2 --size 100000x100000 -o " + out, 2, "--size 100000x100000"},
+        {"render levels spheres-l1 --levels 2 --size 100000x100000 -o " + out, 2,
+         "--size 100000x100000"},
         {"render levels spheres-l1 --levels 2 --size 640 -o " + out, 2, "WIDTHxHEIGHT"},
         {"render levels spheres-l1 --levels 2 --samples 3" + small, 2, "--samples 3"},
         {"render levels spheres-l1 --levels 2 --gl vulkan" + small, 2, "--gl vulkan"},
@@ -106,13 +113,15 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"export spheres-l1 --level 3 -o " + (folder / "level.xyz"), 2, ".xyz"},
         {"export spheres-l1 --level 3 -o /proc/none/level.ply", 3, "/proc/none/level.ply"},
         {"export spheres-l1 --level 3,4 -o " + (folder / "level.ply"), 2, "one level"},
-        {"export spheres-l1 --level 3 --segments 1 -o " + (folder / "level.ply"), 2, "--segments 1"},
+        {"export spheres-l1 --level 3 --segments 1 -o " + (folder / "level.ply"), 2,
+         "--segments 1"},
         {"scenes nonsense", 2, "'nonsense' is no built-in scene"},
     };
     for (const Refusal& refusal : refusals) {
         const ProgramRun run = run_scb(refusal.arguments);
         EXPECT_EQ(run.status, refusal.status) << refusal.arguments << "\n" << run.err;
-        EXPECT_NE(run.err.find(refusal.sentence), std::string::npos) << refusal.arguments << "\n" << run.err;
+        EXPECT_NE(run.err.find(refusal.sentence), std::string::npos) << refusal.arguments << "\n"
+                                                                     << run.err;
         EXPECT_EQ(lines_of(run.err), 1u) << run.err;
         EXPECT_EQ(run.out, "") << refusal.arguments;
         EXPECT_TRUE(!fs::exists(out) || files_in(out) == 0) << refusal.arguments;
@@ -125,8 +134,8 @@ TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {
     EXPECT_EQ(to_full.status, 3);
     const TemporaryFolder folder;
     // No file may grow past 4 KiB: pictures fail, and none is left behind.
-    const ProgramRun limited =
-        run_scb("render levels soup --levels 3 --size 640x480 -o " + (folder / "out"), "ulimit -f 8;");
+    const ProgramRun limited = run_scb(
+        "render levels soup --levels 3 --size 640x480 -o " + (folder / "out"), "ulimit -f 8;");
     EXPECT_EQ(limited.status, 3) << limited.err;
     EXPECT_EQ(lines_of(limited.err), 1u) << limited.err;
     EXPECT_EQ(files_in(folder / "out"), 0u);
@@ -160,8 +169,10 @@ TEST(CommandLine, StatsAddUp) {
         EXPECT_GT(h["time"]["fit_ms"], 0);
     }
     // The ball of an SCB is the ball; Ritter's is no smaller.
-    EXPECT_EQ(hierarchies[0]["levels"][7]["mean_diameter"], hierarchies[1]["levels"][7]["mean_diameter"]);
-    EXPECT_GT(hierarchies[2]["levels"][7]["mean_diameter"], hierarchies[1]["levels"][7]["mean_diameter"]);
+    EXPECT_EQ(hierarchies[0]["levels"][7]["mean_diameter"],
+              hierarchies[1]["levels"][7]["mean_diameter"]);
+    EXPECT_GT(hierarchies[2]["levels"][7]["mean_diameter"],
+              hierarchies[1]["levels"][7]["mean_diameter"]);
 
     const std::string table = run_scb("stats spheres-l1").out;
     EXPECT_NE(table.find("20480 triangles"), std::string::npos);
@@ -170,8 +181,9 @@ TEST(CommandLine, StatsAddUp) {
 
 TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
     const TemporaryFolder folder;
-    const ProgramRun run =
-        run_scb("render levels knots-l1 --volume scb,ball --levels 3,5,leaves --size 320x240 --ids -o " + (folder / "out"));
+    const ProgramRun run = run_scb(
+        "render levels knots-l1 --volume scb,ball --levels 3,5,leaves --size 320x240 --ids -o " +
+        (folder / "out"));
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const json index = json::parse(file_text(folder / "out/index.json"));
@@ -184,7 +196,8 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
         EXPECT_EQ(image.width, 320);
         EXPECT_EQ(image.height, 240);
         if (file["level"] == 5) {
-            for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
+            for (std::size_t b = 0; b < 2; ++b)
+                EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
         } else if (file["level"] == "leaves") {
             EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
         }
@@ -193,7 +206,8 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
         const std::set<std::uint32_t> met(ids.ids.begin(), ids.ids.end());
         EXPECT_EQ(*met.begin(), 0u);
         EXPECT_GT(met.size(), 8u);
-        EXPECT_LT(*met.rbegin(), 1 + stats[0]["nodes"].get<std::uint32_t>() + stats[1]["nodes"].get<std::uint32_t>());
+        EXPECT_LT(*met.rbegin(), 1 + stats[0]["nodes"].get<std::uint32_t>() +
+                                     stats[1]["nodes"].get<std::uint32_t>());
     }
     EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_frame-0000.png"));
     EXPECT_TRUE(fs::exists(folder / "out/knots-l1_ball_level-leaves_frame-0000_ids.png"));
@@ -205,17 +219,33 @@ TEST(CommandLine, TheCameraOfAnIndexGivesTheSamePictureAgain) {
     ASSERT_EQ(run_scb("render levels cone" + common + (folder / "a")).status, 0);
     const json index = json::parse(file_text(folder / "a/index.json"));
     write_text(folder / "camera.json", index["camera"].dump());
-    ASSERT_EQ(run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b")).status, 0);
+    ASSERT_EQ(
+        run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
+            .status,
+        0);
     const std::string name = index["files"][0]["ids"];
     EXPECT_EQ(file_text(folder / "a/" + name), file_text(folder / "b/" + name));
 }
 
 TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_scb("render levels cone --levels 2,6 --camera orbit:20,20,6 --size 320x240 --jobs 1 -o " + (folder / "a")).status, 0);
-    ASSERT_EQ(run_scb("render levels cone --levels 6,2 --camera orbit:20,20,6 --size 320x240 --jobs 7 -o " + (folder / "b")).status, 0);
-    for (const char* name : {"cone_scb_level-02_frame-0000.png", "cone_scb_level-06_frame-0000.png"})
-        EXPECT_EQ(file_text(folder / (std::string("a/") + name)), file_text(folder / (std::string("b/") + name))) << name;
+    ASSERT_EQ(
+        run_scb(
+            "render levels cone --levels 2,6 --camera orbit:20,20,6 --size 320x240 --jobs 1 -o " +
+            (folder / "a"))
+            .status,
+        0);
+    ASSERT_EQ(
+        run_scb(
+            "render levels cone --levels 6,2 --camera orbit:20,20,6 --size 320x240 --jobs 7 -o " +
+            (folder / "b"))
+            .status,
+        0);
+    for (const char* name :
+         {"cone_scb_level-02_frame-0000.png", "cone_scb_level-06_frame-0000.png"})
+        EXPECT_EQ(file_text(folder / (std::string("a/") + name)),
+                  file_text(folder / (std::string("b/") + name)))
+            << name;
 }
 
 TEST(CommandLine, ExportedLevelsCanBeReadBack) {
@@ -223,7 +253,8 @@ TEST(CommandLine, ExportedLevelsCanBeReadBack) {
     for (const char* extension : {"ply", "obj", "glb", "stl"})
         for (const char* volume : {"scb", "ball", "obb"}) {
             const std::string file = folder / (std::string("level.") + extension);
-            const ProgramRun run = run_scb("export spheres-l1 --level 4 --segments 16 --volume " + std::string(volume) + " -o " + file);
+            const ProgramRun run = run_scb("export spheres-l1 --level 4 --segments 16 --volume " +
+                                           std::string(volume) + " -o " + file);
             ASSERT_EQ(run.status, 0) << run.err;
             const Mesh mesh = load_mesh(file);
             EXPECT_GE(mesh.triangles.size(), 32u * 12) << file;
@@ -237,10 +268,12 @@ TEST(CommandLine, TwoMeshesAndAPose) {
     const TemporaryFolder folder;
     const std::string file = folder / "body.ply";
     ASSERT_EQ(run_scb("export soup --level 2 --segments 8 -o " + file).status, 0);
-    const ProgramRun run = run_scb("render levels " + file + " " + file +
-                                   " --pose 1,0,0,5,0,1,0,0,0,0,1,0 --levels 2 --size 320x240 -o " + (folder / "out"));
+    const ProgramRun run =
+        run_scb("render levels " + file + " " + file +
+                " --pose 1,0,0,5,0,1,0,0,0,0,1,0 --levels 2 --size 320x240 -o " + (folder / "out"));
     EXPECT_EQ(run.status, 0) << run.err;
-    const ProgramRun scaled = run_scb("stats " + file + " " + file + " --pose 2,0,0,5,0,2,0,0,0,0,2,0");
+    const ProgramRun scaled =
+        run_scb("stats " + file + " " + file + " --pose 2,0,0,5,0,2,0,0,0,0,2,0");
     EXPECT_EQ(scaled.status, 2);
     EXPECT_NE(scaled.err.find("not rigid"), std::string::npos) << scaled.err;
 }

@@ -28,8 +28,8 @@ std::string file_text(const std::filesystem::path& path) {
 
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix) {
     const TemporaryFolder folder;
-    const std::string command = prefix + " " SCB_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err") +
-                                " </dev/null";
+    const std::string command = prefix + " " SCB_PROGRAM " " + arguments + " >" + (folder / "out") +
+                                " 2>" + (folder / "err") + " </dev/null";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -12,7 +12,8 @@ struct ProgramRun {
     std::string err;
 };
 
-/// Runs `scb ARGUMENTS` through the shell, without a terminal. `prefix` stands before the program: an environment, a limit.
+/// Runs `scb ARGUMENTS` through the shell, without a terminal. `prefix` stands before the program:
+/// an environment, a limit.
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
 
 /// The whole file, as bytes.

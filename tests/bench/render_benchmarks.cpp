@@ -30,7 +30,8 @@ Picture level_of_a_sphere(int level, int samples) {
 }
 
 void draw_level(benchmark::State& state) {
-    const Picture picture = level_of_a_sphere(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Picture picture =
+        level_of_a_sphere(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     const Context context(GlBackend::osmesa);
     Renderer renderer(context);
     for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(picture));

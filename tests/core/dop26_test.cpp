@@ -13,7 +13,8 @@ TEST(Dop26, DirectionsAreThirteenAndNoTwoParallel) {
     const auto& directions = dop26_directions();
     for (std::size_t i = 0; i < directions.size(); ++i) {
         EXPECT_NEAR(directions[i].norm() * dop26_inverse_length(static_cast<int>(i)), 1, 1e-15);
-        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(cross(directions[i], directions[j]).norm(), 0.5);
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GT(cross(directions[i], directions[j]).norm(), 0.5);
     }
 }
 
@@ -40,10 +41,12 @@ TEST(Dop26, MergingPartsGivesTheWholeTiesIncluded) {
         // Coordinates in {-1, 0, 1}: ties in almost every direction.
         std::vector<Vec3> points;
         for (int i = 0; i < 20; ++i)
-            points.emplace_back(int(random.below(3)) - 1, int(random.below(3)) - 1, int(random.below(3)) - 1);
+            points.emplace_back(int(random.below(3)) - 1, int(random.below(3)) - 1,
+                                int(random.below(3)) - 1);
         const PointArrays arrays(points);
         const Dop26 whole = dop26_of(arrays.view());
-        const Dop26 a = dop26_of(arrays.view().sub(0, 8)), b = dop26_of(arrays.view().sub(8, 12), 8);
+        const Dop26 a = dop26_of(arrays.view().sub(0, 8)),
+                    b = dop26_of(arrays.view().sub(8, 12), 8);
         for (const Dop26& merged : {merge(a, b), merge(b, a), merge(whole, a), merge(b, whole)}) {
             EXPECT_EQ(merged.upper, whole.upper);
             EXPECT_EQ(merged.lower, whole.lower);

@@ -23,8 +23,9 @@ double width_along(const std::vector<Vec3>& points, const Vec3& n) {
     return upper - lower;
 }
 
-// The width of a point set: the narrowest slab has a face of the hull in one plane, or an edge in each (Houle and Toussaint), so all
-// planes through three points and all pairs of parallel planes through two edges are tried.
+// The width of a point set: the narrowest slab has a face of the hull in one plane, or an edge in
+// each (Houle and Toussaint), so all planes through three points and all pairs of parallel planes
+// through two edges are tried.
 double minimum_width(const std::vector<Vec3>& points) {
     double best = 1e300;
     const auto consider = [&](const Vec3& normal) {
@@ -53,7 +54,8 @@ TEST(FitScb, ContainsEveryPointExactly) {
     Random random(31);
     for (int i = 0; i < 2000; ++i) {
         const int count = 1 + static_cast<int>(random.below(200));
-        const std::vector<Vec3> points = random_points(random, count, i % 4 == 0 ? 0 : random.uniform());
+        const std::vector<Vec3> points =
+            random_points(random, count, i % 4 == 0 ? 0 : random.uniform());
         expect_sound(fit_scb(points), points);
         expect_sound(fit_scb(points, {.growth = BallGrowth::ritter}), points);
         const Ball ball = fit_ball(points);
@@ -124,8 +126,8 @@ TEST(FitScb, SlabIsCloseToTheMinimumWidth) {
     RecordProperty("slab_width_ratio_median", std::to_string(quantile(0.5)));
     RecordProperty("slab_width_ratio_90", std::to_string(quantile(0.9)));
     RecordProperty("slab_width_ratio_max", std::to_string(quantile(1)));
-    std::printf("slab width / minimum width: median %.3f, 90 %% below %.3f, max %.3f\n", quantile(0.5),
-                quantile(0.9), quantile(1));
+    std::printf("slab width / minimum width: median %.3f, 90 %% below %.3f, max %.3f\n",
+                quantile(0.5), quantile(0.9), quantile(1));
     EXPECT_GE(ratios.front(), 1 - 1e-9);
     EXPECT_LT(quantile(0.5), 1.25);
     EXPECT_LT(quantile(1), 3);
@@ -137,7 +139,8 @@ TEST(FitScb, IsAtLeastAsNarrowAsEachSlabOfTheDop) {
         const std::vector<Vec3> points = random_points(random, 60);
         const Scb s = fit_scb(points);
         for (int d = 0; d < Dop26::directions; ++d) {
-            const Vec3 n = dop26_directions()[static_cast<std::size_t>(d)] * dop26_inverse_length(d);
+            const Vec3 n =
+                dop26_directions()[static_cast<std::size_t>(d)] * dop26_inverse_length(d);
             EXPECT_LE(s.e - s.f, width_along(points, n) + 1e-14);
         }
     }
@@ -151,7 +154,8 @@ TEST(FitScb, WorkGrowsLinearly) {
         FitCounts counts;
         fit_scb(random_points(random, count, 0.3), {.counts = &counts});
         EXPECT_LE(counts.candidate_slabs, 13u);
-        // Two passes for the ball, at most one for each of 13 candidates and one for the slab of the DOP.
+        // Two passes for the ball, at most one for each of 13 candidates and one for the slab of
+        // the DOP.
         EXPECT_LE(counts.point_visits, 16u * static_cast<std::uint64_t>(count) + 13 * 26);
         visits_per_point[i] = static_cast<double>(counts.point_visits) / count;
         EXPECT_GE(visits_per_point[i], 2);
@@ -162,7 +166,8 @@ TEST(FitScb, WorkGrowsLinearly) {
 TEST(FitScb, MarginWidensTheSlabWithinTheBall) {
     Random random(38);
     const std::vector<Vec3> points = random_points(random, 50, 0.1);
-    const Scb exact = fit_scb(points), wide = fit_scb(points, {.margin = 0.01}), full = fit_scb(points, {.margin = 5});
+    const Scb exact = fit_scb(points), wide = fit_scb(points, {.margin = 0.01}),
+              full = fit_scb(points, {.margin = 5});
     EXPECT_DOUBLE_EQ(wide.e, exact.e + 0.01 * exact.r);
     EXPECT_DOUBLE_EQ(wide.f, exact.f - 0.01 * exact.r);
     EXPECT_EQ(full.e, full.r);
@@ -186,7 +191,8 @@ TEST(FitObb, FindsTheBoxOfABox) {
     axes.col(2) = cross(axes.col(0), axes.col(1));
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i)
-        corners.push_back(Vec3(1, 2, 3) + axes * Vec3(i & 1 ? 3 : -3, i & 2 ? 2 : -2, i & 4 ? 1 : -1));
+        corners.push_back(Vec3(1, 2, 3) +
+                          axes * Vec3(i & 1 ? 3 : -3, i & 2 ? 2 : -2, i & 4 ? 1 : -1));
     const Obb box = fit_obb(corners);
     EXPECT_NEAR(volume(box), 8 * 6, 1e-9);
     EXPECT_NEAR((box.axes.transpose() * box.axes - Mat3::Identity()).norm(), 0, 1e-14);

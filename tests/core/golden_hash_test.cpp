@@ -23,7 +23,8 @@ struct Hash {
     }
 };
 
-// The same bits for gcc and clang, Debug and Release, sanitizers or not, every CPU: the constants below are part of the interface.
+// The same bits for gcc and clang, Debug and Release, sanitizers or not, every CPU: the constants
+// below are part of the interface.
 TEST(GoldenHash, TopologyIsTheSameEverywhere) {
     Hash hash;
     for (const Mesh& mesh : {height_field(40), random_soup(61, 3000, 0.1)}) {
@@ -48,7 +49,8 @@ TEST(GoldenHash, VolumesAreTheSameEverywhere) {
             scb.add(s.e + 0.0);
             scb.add(s.f + 0.0);
         }
-        for (const Ball& b : build_hierarchy<Ball>(mesh, {.ball_method = BallMethod::ritter}).volumes) {
+        for (const Ball& b :
+             build_hierarchy<Ball>(mesh, {.ball_method = BallMethod::ritter}).volumes) {
             ball.add(b.center);
             ball.add(b.radius);
         }

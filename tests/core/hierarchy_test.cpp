@@ -19,7 +19,8 @@ TYPED_TEST_SUITE(HierarchyOf, Volumes);
 
 std::vector<Mesh> all_kinds() {
     std::vector<Mesh> meshes;
-    for (const int count : {1, 2, 3, 7, 8, 9, 26, 27, 300}) meshes.push_back(random_soup(51, count, 0.3));
+    for (const int count : {1, 2, 3, 7, 8, 9, 26, 27, 300})
+        meshes.push_back(random_soup(51, count, 0.3));
     meshes.push_back(height_field(20));
     Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
     same.triangles.assign(50, {0, 1, 2});
@@ -37,10 +38,12 @@ std::vector<Mesh> all_kinds() {
 }
 
 TYPED_TEST(HierarchyOf, EveryKindOfMeshIsValid) {
-    for (const Mesh& mesh : all_kinds()) EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh), mesh), "");
     for (const Mesh& mesh : all_kinds())
-        EXPECT_EQ(validate(build_hierarchy<TypeParam>(
-                               mesh, {.growth = BallGrowth::ritter, .ball_method = BallMethod::ritter, .margin = 0.01}),
+        EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh), mesh), "");
+    for (const Mesh& mesh : all_kinds())
+        EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh, {.growth = BallGrowth::ritter,
+                                                             .ball_method = BallMethod::ritter,
+                                                             .margin = 0.01}),
                            mesh),
                   "");
 }
@@ -87,11 +90,13 @@ TYPED_TEST(HierarchyOf, RefusesABadMeshByName) {
         build_hierarchy<TypeParam>(mesh, {}, "broken.obj");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("broken.obj: triangle 3 names vertex 1000"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("broken.obj: triangle 3 names vertex 1000"),
+                  std::string::npos);
     }
 }
 
-// Bottom up, from the children's DOPs and shared points, must give what fitting the node's distinct points directly gives.
+// Bottom up, from the children's DOPs and shared points, must give what fitting the node's distinct
+// points directly gives.
 TEST(FitVolumes, EqualsFittingEachNodeByItself) {
     for (const Mesh& mesh : {height_field(12), random_soup(54, 200, 0.3)}) {
         const Topology topology = build_topology(mesh);
@@ -135,7 +140,8 @@ TEST(FitVolumes, ASoupAndAnIndexedMeshHaveTheSameVolumes) {
 }
 
 TEST(ScbHierarchy, ThicknessShrinksFasterThanDiameterOnASmoothSurface) {
-    // Section 3.1: per level of a smooth surface the diameter halves every other level, the thickness shrinks as its square.
+    // Section 3.1: per level of a smooth surface the diameter halves every other level, the
+    // thickness shrinks as its square.
     Mesh mesh;
     constexpr int n = 128;
     for (int j = 0; j <= n; ++j)

@@ -31,10 +31,12 @@ TEST(CheckMesh, NamesTheFirstOffender) {
     EXPECT_NE(refusal({}).find("part.ply: the mesh has no triangles"), std::string::npos);
     Mesh mesh = one_triangle();
     mesh.triangles.push_back({0, 1, 3});
-    EXPECT_NE(refusal(mesh).find("triangle 1 names vertex 3, but the mesh has 3"), std::string::npos);
+    EXPECT_NE(refusal(mesh).find("triangle 1 names vertex 3, but the mesh has 3"),
+              std::string::npos);
     mesh = one_triangle();
     mesh.vertices[2][1] = std::nan("");
-    EXPECT_NE(refusal(mesh).find("vertex 2 of triangle 0 has the coordinate y = nan"), std::string::npos);
+    EXPECT_NE(refusal(mesh).find("vertex 2 of triangle 0 has the coordinate y = nan"),
+              std::string::npos);
     mesh.vertices[2][1] = 1e200;
     EXPECT_NE(refusal(mesh).find("y = 1e+200"), std::string::npos);
 }

@@ -18,12 +18,14 @@ double reach(const std::vector<Vec3>& points, const Vec3& center) {
     return r;
 }
 
-// The center equidistant from two to four points, in their affine hull, by a linear system; long double, no shortcuts.
+// The center equidistant from two to four points, in their affine hull, by a linear system; long
+// double, no shortcuts.
 Vec3 circumcenter(const std::vector<Vec3>& p) {
     using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
     const auto k = static_cast<Eigen::Index>(p.size() - 1);
     Matrix u(3, k);
-    for (Eigen::Index i = 0; i < k; ++i) u.col(i) = (p[std::size_t(i) + 1] - p[0]).cast<long double>();
+    for (Eigen::Index i = 0; i < k; ++i)
+        u.col(i) = (p[std::size_t(i) + 1] - p[0]).cast<long double>();
     const Matrix gram = 2 * u.transpose() * u;
     const Matrix rhs = u.colwise().squaredNorm().transpose();
     const Matrix offset = u * gram.fullPivLu().solve(rhs);
@@ -43,7 +45,8 @@ double brute_force_radius(const std::vector<Vec3>& points) {
             consider({points[i], points[j]});
             for (std::size_t k = 0; k < j; ++k) {
                 consider({points[i], points[j], points[k]});
-                for (std::size_t l = 0; l < k; ++l) consider({points[i], points[j], points[k], points[l]});
+                for (std::size_t l = 0; l < k; ++l)
+                    consider({points[i], points[j], points[k], points[l]});
             }
         }
     return best;
@@ -111,7 +114,8 @@ TEST(MinBall, MatchesBruteForceOnACircleAndOnANearlyFlatOne) {
     for (const double height : {0.0, 1e-15, 1e-9, 1e-4}) {
         std::vector<Vec3> points;
         for (int k = 0; k < 12; ++k)
-            points.emplace_back(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6), k % 2 == 0 ? height : 0);
+            points.emplace_back(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6),
+                                k % 2 == 0 ? height : 0);
         expect_minimal(points);
     }
 }

@@ -39,7 +39,8 @@ TEST(CheckRigid, RefusesScaledMirroredAndNonFinitePoses) {
     try {
         check_rigid(scaled, "body B");
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("body B: the pose is not rigid"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("body B: the pose is not rigid"),
+                  std::string::npos);
     }
 }
 

@@ -71,9 +71,11 @@ TEST(BuildTopology, TakesOnePointRepeated) {
 }
 
 TEST(BuildTopology, StaysShallowWhenPositionsAttackTheMiddleSplit) {
-    // Each at half the distance of the one before: splitting the box in the middle would peel off one at a time.
+    // Each at half the distance of the one before: splitting the box in the middle would peel off
+    // one at a time.
     std::vector<Vec3> positions;
-    for (int i = 0; i < 1000; ++i) positions.emplace_back(std::pow(0.5, i % 500), i < 500 ? 0 : 1e-3, 0);
+    for (int i = 0; i < 1000; ++i)
+        positions.emplace_back(std::pow(0.5, i % 500), i < 500 ? 0 : 1e-3, 0);
     const Mesh mesh = triangles_at(positions);
     const Topology topology = build_topology(mesh);
     EXPECT_EQ(validate(topology, mesh), "");
@@ -113,7 +115,8 @@ TEST(BuildTopology, SplitsTheLongestSideOfTheBoxThroughItsMiddle) {
 }
 
 TEST(BuildTopology, SortsBelowEight) {
-    const Topology topology = build_topology(triangles_at({{5, 0, 0}, {1, 0, 0}, {4, 0, 0}, {2, 0, 0}, {3, 0, 0}}));
+    const Topology topology =
+        build_topology(triangles_at({{5, 0, 0}, {1, 0, 0}, {4, 0, 0}, {2, 0, 0}, {3, 0, 0}}));
     EXPECT_EQ(topology.rules[0], SplitRule::sorted);
     EXPECT_EQ(topology.order, (std::vector<std::uint32_t>{1, 3, 4, 2, 0}));
 }

@@ -19,23 +19,28 @@ Scb random_scb(Random& random, bool keeps_center) {
     return s;
 }
 
-// The share of a volume's bounding cube that is inside, times the cube: an estimate that shares nothing with the formula.
+// The share of a volume's bounding cube that is inside, times the cube: an estimate that shares
+// nothing with the formula.
 template <class V>
 double monte_carlo_volume(const V& v, const Vec3& center, double reach, Random& random) {
     constexpr int samples = 400000;
     int inside = 0;
-    for (int i = 0; i < samples; ++i) inside += contains(v, Vec3(center + reach * random_point(random)));
+    for (int i = 0; i < samples; ++i)
+        inside += contains(v, Vec3(center + reach * random_point(random)));
     return 8 * reach * reach * reach * inside / samples;
 }
 
-// Cauchy-Crofton: the area of a surface is proportional to the mean number of times that random lines cross it.
+// Cauchy-Crofton: the area of a surface is proportional to the mean number of times that random
+// lines cross it.
 double crofton_area(const Scb& s, Random& random) {
     constexpr int samples = 400000;
     long crossings = 0;
     for (int i = 0; i < samples; ++i) {
         // Lines through two uniform points of a sphere have the invariant measure.
-        const Vec3 a = s.c + s.r * random_unit_vector(random), b = s.c + s.r * random_unit_vector(random);
-        // The SCB is convex: a line crosses its boundary twice or not at all. Clip the chord by the slab.
+        const Vec3 a = s.c + s.r * random_unit_vector(random),
+                   b = s.c + s.r * random_unit_vector(random);
+        // The SCB is convex: a line crosses its boundary twice or not at all. Clip the chord by the
+        // slab.
         const double ha = dot(s.n, Vec3(a - s.c)), hb = dot(s.n, Vec3(b - s.c));
         if (std::max(ha, hb) >= s.f && std::min(ha, hb) <= s.e) crossings += 2;
     }
@@ -76,7 +81,8 @@ TEST(BallVolume, MatchesMonteCarlo) {
 TEST(ObbVolume, MatchesMonteCarlo) {
     Random random(4);
     const Obb box = fit_obb(random_points(random, 200, 0.4));
-    EXPECT_NEAR(volume(box), monte_carlo_volume(box, box.center, box.half.norm(), random), 0.02 * volume(box));
+    EXPECT_NEAR(volume(box), monte_carlo_volume(box, box.center, box.half.norm(), random),
+                0.02 * volume(box));
 }
 
 // The extent against the farthest of many points of the volume.

@@ -42,7 +42,8 @@ struct Everything {
         FigureStyle style;
         style.unit = 13;
         overlay.text(5, 5, "τ = e − f ≤ 2r · Δ", {15, FontWeight::bold, {20, 20, 20}, Align::left});
-        draw_stacked_bar(overlay, {5, 150, 60, 8}, std::vector<BarPart>{{body_a_colour, 1}, {body_b_colour, 2}}, 4);
+        draw_stacked_bar(overlay, {5, 150, 60, 8},
+                         std::vector<BarPart>{{body_a_colour, 1}, {body_b_colour, 2}}, 4);
         draw_colour_bar(overlay, {100, 170, 80, 8}, viridis, "",
                         std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
     }

@@ -11,7 +11,9 @@ namespace {
 double area_of(const Mesh& mesh) {
     double area = 0;
     for (const Triangle& t : mesh.triangles)
-        area += std::sqrt(squared_norm(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]))) / 2;
+        area += std::sqrt(squared_norm(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]],
+                                             mesh.vertices[t[2]] - mesh.vertices[t[0]]))) /
+                2;
     return area;
 }
 
@@ -36,13 +38,15 @@ bool closed(const Mesh& mesh) {
 
 TEST(VolumeMesh, ApproachesAreaAndVolumeFromInside) {
     const Vec3 n = Vec3(1, 2, -2) / 3;
-    for (const Scb& s : {Scb{{1, 2, 3}, 2, n, 1.5, -0.5}, Scb{{1, 2, 3}, 2, n, 2, -2}, Scb{{0, 0, 0}, 1, n, 0.9, 0.6}}) {
+    for (const Scb& s : {Scb{{1, 2, 3}, 2, n, 1.5, -0.5}, Scb{{1, 2, 3}, 2, n, 2, -2},
+                         Scb{{0, 0, 0}, 1, n, 0.9, 0.6}}) {
         const Mesh mesh = volume_mesh(s, 128);
         EXPECT_TRUE(closed(mesh));
         EXPECT_NEAR(area_of(mesh), surface_area(s), 0.01 * surface_area(s));
         EXPECT_NEAR(volume_of(mesh), volume(s), 0.01 * volume(s));
         EXPECT_LT(volume_of(mesh), volume(s));
-        for (const Vec3& v : mesh.vertices) EXPECT_LE(squared_norm(v - s.c), s.r * s.r * (1 + 1e-12));
+        for (const Vec3& v : mesh.vertices)
+            EXPECT_LE(squared_norm(v - s.c), s.r * s.r * (1 + 1e-12));
     }
 }
 
