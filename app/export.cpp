@@ -60,8 +60,8 @@ int run(const Options& options, const Console& console) {
         const Body& body = scene.bodies[b];
         const AnyHierarchy& hierarchy = hierarchies[body.mesh];
         const Pose pose = pose_at(body.motion, frame);
-        const Rgba8 colour = category_colour(b);
-        ExportPart part{body.name, {}, {colour.r / 255.0f, colour.g / 255.0f, colour.b / 255.0f}};
+        const Rgba8 color = category_color(b);
+        ExportPart part{body.name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};
         for (const std::uint32_t node : level_cover(topology_of(hierarchy), levels[0])) {
             std::visit(
                 [&](const auto& h) {

@@ -30,7 +30,7 @@ int run(int argc, char** argv) {
     Action action;
     std::string color = "auto";
     program.add_flag("--quiet", console.quiet, "No notes and no progress");
-    program.add_option("--color", color, "Colour in messages")
+    program.add_option("--color", color, "Color in messages")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->capture_default_str();
     program.add_flag_callback(

@@ -39,7 +39,7 @@ struct Options {
         picture.check();
         if (!(opacity >= 0 && opacity <= 1))
             throw InputError("--opacity: give 0 (volumes hidden) to 1 (opaque).");
-        if (color_by != "auto" && !colour_by_of(color_by))
+        if (color_by != "auto" && !color_by_of(color_by))
             throw InputError("--color-by " + color_by +
                              ": give body, depth, radius, thickness or auto.");
     }
@@ -98,13 +98,13 @@ LevelStyle style_of(const Run& run) {
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
     const bool several = run.scene.bodies.size() > 1;
-    style.colours.by =
-        colour_by_of(options.color_by).value_or(several ? ColourBy::body : ColourBy::thickness);
-    style.colours.deepest = deepest(run.topologies);
-    style.colours.root_diameter = 0;
+    style.colors.by =
+        color_by_of(options.color_by).value_or(several ? ColorBy::body : ColorBy::thickness);
+    style.colors.deepest = deepest(run.topologies);
+    style.colors.root_diameter = 0;
     for (const AnyHierarchy& hierarchy : run.hierarchies[0])
-        style.colours.root_diameter =
-            std::max(style.colours.root_diameter,
+        style.colors.root_diameter =
+            std::max(style.colors.root_diameter,
                      std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
     return style;
 }

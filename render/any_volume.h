@@ -18,7 +18,7 @@ Ball placed(const Ball& volume, const Pose& pose);
 Obb placed(const Obb& volume, const Pose& pose);
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
-/// The centre of the ball or the box (not of the slab).
+/// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);
 
 /// The largest `direction.x` over the points x of the volume, for a unit direction.

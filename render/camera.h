@@ -42,7 +42,7 @@ double tan_half_fov(const Camera& camera);
 Vec3 to_eye(const Camera& camera, const Vec3& point);
 
 /// Where a world point lies in a view of `width` x `height` pixels: x from the left, y from the top
-/// (both in pixels, pixel centres at .5), z the distance along the view axis (world units). x and y
+/// (both in pixels, pixel centers at .5), z the distance along the view axis (world units). x and y
 /// mean nothing where a perspective camera has the point at or behind the eye (z <= 0).
 Vec3 project(const Camera& camera, const Vec3& point, int width, int height);
 

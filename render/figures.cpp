@@ -43,8 +43,8 @@ PixelRect write(Overlay& overlay, int x, int y, std::string_view text, const Tex
 
 }  // namespace
 
-PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
-                          const std::function<Rgba8(double)>& colour, std::string_view title,
+PixelRect draw_color_bar(Overlay& overlay, const PixelRect& bar,
+                          const std::function<Rgba8(double)>& color, std::string_view title,
                           std::span<const Tick> ticks, const FigureStyle& style) {
     const bool vertical = bar.height > bar.width;
     const int length = vertical ? bar.height : bar.width;
@@ -52,7 +52,7 @@ PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
     for (int i = 0; i < length; ++i)
         overlay.rectangle(vertical ? PixelRect{bar.x, bar.y + bar.height - 1 - i, bar.width, 1}
                                    : PixelRect{bar.x + i, bar.y, 1, bar.height},
-                          colour(at(i)));
+                          color(at(i)));
     overlay.frame(bar, style.theme.border);
 
     PixelRect covered = bar;
@@ -97,7 +97,7 @@ PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<co
         overlay.rectangle(
             vertical ? PixelRect{rect.x, rect.y + rect.height - end, rect.width, end - begin}
                      : PixelRect{rect.x + begin, rect.y, end - begin, rect.height},
-            part.colour);
+            part.color);
         begin = end;
     }
     return rect;

@@ -23,16 +23,16 @@ struct Tick {
     std::string label;
 };
 
-/// A scale of colours, `colour(0)` at the left or bottom end to `colour(1)`: the bar fills `bar`;
+/// A scale of colors, `color(0)` at the left or bottom end to `color(1)`: the bar fills `bar`;
 /// tick labels stand below a horizontal bar and right of a vertical one (taller than wide). `title`
 /// stands above. Labels of a horizontal bar stay within its ends, and one that would touch the one
 /// before it is left out.
-PixelRect draw_colour_bar(Overlay& overlay, const PixelRect& bar,
-                          const std::function<Rgba8(double)>& colour, std::string_view title,
+PixelRect draw_color_bar(Overlay& overlay, const PixelRect& bar,
+                          const std::function<Rgba8(double)>& color, std::string_view title,
                           std::span<const Tick> ticks, const FigureStyle& style);
 
 struct BarPart {
-    Rgba8 colour;
+    Rgba8 color;
     double amount = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace scb {
 
-/// A colour, 8 bits a channel, not premultiplied; `a` is 255 for opaque.
+/// A color, 8 bits a channel, not premultiplied; `a` is 255 for opaque.
 struct Rgba8 {
     std::uint8_t r = 0;
     std::uint8_t g = 0;

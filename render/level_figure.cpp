@@ -27,7 +27,7 @@ std::string ratio_text(const CoverStatistics& s) {
 }
 
 std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers& numbers) {
-    const bool by_body = figure.style.colours.by == ColourBy::body;
+    const bool by_body = figure.style.colors.by == ColorBy::body;
     std::vector<PanelItem> items;
     // One column per body where they fit, else the sums.
     std::vector<const CoverStatistics*> columns;
@@ -36,7 +36,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         for (std::size_t b = 0; b < figure.bodies.size(); ++b) {
             columns.push_back(&numbers.bodies[b]);
             names.values.push_back(figure.bodies[b].name);
-            names.swatches.push_back(by_body ? std::optional(category_colour(b)) : std::nullopt);
+            names.swatches.push_back(by_body ? std::optional(category_color(b)) : std::nullopt);
             triangles.values.push_back(count_text(figure.bodies[b].triangles));
         }
     } else {
@@ -64,8 +64,8 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     row("Σ volume", [](const CoverStatistics& s) { return number_text(s.volume); });
     if (figure.bodies.size() > 2 && by_body)
         for (std::size_t b = 0; b < figure.bodies.size(); ++b)
-            items.emplace_back(PanelKey{category_colour(b), figure.bodies[b].name});
-    if (const std::optional<PanelScale> scale = legend_of(figure.style.colours)) {
+            items.emplace_back(PanelKey{category_color(b), figure.bodies[b].name});
+    if (const std::optional<PanelScale> scale = legend_of(figure.style.colors)) {
         items.emplace_back(PanelHeading{""});
         items.emplace_back(*scale);
     }
@@ -124,7 +124,7 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             MeshDraw mesh;
             mesh.mesh = body.mesh;
             mesh.pose = body.pose;
-            mesh.colour = style.theme->mesh;
+            mesh.color = style.theme->mesh;
             mesh.edges = style.mesh_edges;
             pane.meshes.push_back(std::move(mesh));
         }
@@ -134,10 +134,10 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             [&](const auto& h) {
                 for (const std::uint32_t node : level_cover(*h.topology, level)) {
                     const auto& volume = h.volumes[node];
-                    const Rgba8 colour =
-                        volume_colour(style.colours, volume, depths[node], b, node);
+                    const Rgba8 color =
+                        volume_color(style.colors, volume, depths[node], b, node);
                     pane.volumes.push_back({placed(volume, body.pose),
-                                            with_opacity(colour, style.opacity),
+                                            with_opacity(color, style.opacity),
                                             body.first_id + node});
                 }
             },

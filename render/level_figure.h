@@ -10,7 +10,7 @@
 #include "render/figure_layout.h"
 #include "render/fit_camera.h"
 #include "render/picture.h"
-#include "render/volume_colours.h"
+#include "render/volume_colors.h"
 
 namespace scb {
 
@@ -26,7 +26,7 @@ struct LevelBody {
 
 /// How volumes and meshes look.
 struct LevelStyle {
-    ColourScale colours;
+    ColorScale colors;
     double opacity = 1;       ///< of the volumes; translucent below 1, none at 0
     bool mesh = false;        ///< draw the bodies' meshes too
     bool mesh_edges = false;  ///< with their edges

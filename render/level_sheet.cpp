@@ -44,9 +44,9 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     frame.heading = {margin, margin, layout.width - 2 * margin, title_size(unit)};
     draw_heading(overlay, frame, theme, sheet.title, sheet.subtitle);
 
-    // Keys in one line under the heading: bodies by colour, or the scale.
+    // Keys in one line under the heading: bodies by color, or the scale.
     const int key_y = margin + title_size(unit) + unit / 2;
-    if (const std::optional<PanelScale> scale = legend_of(sheet.style.colours)) {
+    if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
         draw_side_panel(overlay, {margin, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
     } else {
         int x = margin;
@@ -57,7 +57,7 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
             const TextStyle style{unit, FontWeight::regular, theme.text};
             const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
             draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit,
-                            {PanelKey{category_colour(b), text}});
+                            {PanelKey{category_color(b), text}});
             x += width;
         }
     }

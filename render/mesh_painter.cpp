@@ -109,26 +109,26 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
     set_eye_uniforms(program_, view);
     program_.set_mat4("to_eye", to_eye.data());
     program_.set_mat3("normal_to_eye", normal_to_eye.data());
-    program_.set("colour", channel(draw.colour.r), channel(draw.colour.g), channel(draw.colour.b),
+    program_.set("color", channel(draw.color.r), channel(draw.color.g), channel(draw.color.b),
                  1);
     program_.set("fade", channel(background.r), channel(background.g), channel(background.b),
                  f(draw.dim));
     program_.set("edges", draw.edges ? 1 : 0);
     program_.set("first_id", draw.first_id);
-    program_.set("coloured", draw.triangle_colours.empty() ? 0 : 1);
+    program_.set("colored", draw.triangle_colors.empty() ? 0 : 1);
 
     gl_.BindVertexArray(gpu.attributes.name());
-    if (draw.triangle_colours.empty()) {
+    if (draw.triangle_colors.empty()) {
         gl_.DisableVertexAttribArray(2);
     } else {
-        assert(draw.triangle_colours.size() == gpu.triangle_count &&
-               "one colour for each triangle");
-        std::vector<Rgba8> colours;
-        colours.reserve(3 * gpu.triangle_count);
-        for (const Rgba8 colour : draw.triangle_colours) colours.insert(colours.end(), 3, colour);
-        gl_.BindBuffer(GL_ARRAY_BUFFER, gpu.colours.name());
-        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof(Rgba8)),
-                       colours.data(), GL_STREAM_DRAW);
+        assert(draw.triangle_colors.size() == gpu.triangle_count &&
+               "one color for each triangle");
+        std::vector<Rgba8> colors;
+        colors.reserve(3 * gpu.triangle_count);
+        for (const Rgba8 color : draw.triangle_colors) colors.insert(colors.end(), 3, color);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, gpu.colors.name());
+        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colors.size() * sizeof(Rgba8)),
+                       colors.data(), GL_STREAM_DRAW);
         gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgba8), nullptr);
         gl_.EnableVertexAttribArray(2);
     }

@@ -27,7 +27,7 @@ class MeshPainter {
         double scale;
         std::size_t triangle_count;
         GlBuffer corners;
-        GlBuffer colours;
+        GlBuffer colors;
         GlVertexArray attributes;
     };
 

@@ -14,7 +14,7 @@ namespace scb {
 
 namespace {
 
-ImU32 packed(Rgba8 colour) { return IM_COL32(colour.r, colour.g, colour.b, colour.a); }
+ImU32 packed(Rgba8 color) { return IM_COL32(color.r, color.g, color.b, color.a); }
 
 ImVec2 corner(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
@@ -75,7 +75,7 @@ void Overlay::text(int x, int y, std::string_view text, const TextStyle& style) 
     }
     ImDrawList& list = parts_->list;
     list.PushTextureID(face.atlas->TexID);
-    list.AddText(face.font, face.font->FontSize, corner(x, y), packed(style.colour), text.data(),
+    list.AddText(face.font, face.font->FontSize, corner(x, y), packed(style.color), text.data(),
                  text.data() + text.size());
     list.PopTextureID();
 }
@@ -89,30 +89,30 @@ TextSize Overlay::measure(std::string_view text, const TextStyle& style) {
     return {static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y)) + 1};
 }
 
-void Overlay::rectangle(const PixelRect& r, Rgba8 colour) {
+void Overlay::rectangle(const PixelRect& r, Rgba8 color) {
     if (r.width <= 0 || r.height <= 0) return;
     parts_->list.AddRectFilled(corner(r.x, r.y), corner(r.x + r.width, r.y + r.height),
-                               packed(colour));
+                               packed(color));
 }
 
-void Overlay::frame(const PixelRect& r, Rgba8 colour, int thickness) {
-    rectangle({r.x, r.y, r.width, thickness}, colour);
-    rectangle({r.x, r.y + r.height - thickness, r.width, thickness}, colour);
-    rectangle({r.x, r.y + thickness, thickness, r.height - 2 * thickness}, colour);
+void Overlay::frame(const PixelRect& r, Rgba8 color, int thickness) {
+    rectangle({r.x, r.y, r.width, thickness}, color);
+    rectangle({r.x, r.y + r.height - thickness, r.width, thickness}, color);
+    rectangle({r.x, r.y + thickness, thickness, r.height - 2 * thickness}, color);
     rectangle({r.x + r.width - thickness, r.y + thickness, thickness, r.height - 2 * thickness},
-              colour);
+              color);
 }
 
-void Overlay::polyline(std::span<const ScreenPosition> points, Rgba8 colour, double thickness) {
+void Overlay::polyline(std::span<const ScreenPosition> points, Rgba8 color, double thickness) {
     const std::vector<ImVec2> line = converted(points);
-    parts_->list.AddPolyline(line.data(), static_cast<int>(line.size()), packed(colour),
+    parts_->list.AddPolyline(line.data(), static_cast<int>(line.size()), packed(color),
                              ImDrawFlags_None, static_cast<float>(thickness));
 }
 
-void Overlay::polygon(std::span<const ScreenPosition> corners, Rgba8 colour) {
+void Overlay::polygon(std::span<const ScreenPosition> corners, Rgba8 color) {
     const std::vector<ImVec2> outline = converted(corners);
     parts_->list.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
-                                     packed(colour));
+                                     packed(color));
 }
 
 const ImDrawList& Overlay::draw_list() const { return parts_->list; }

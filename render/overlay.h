@@ -20,7 +20,7 @@ enum class Align { left, center, right };
 struct TextStyle {
     int size = 20;  ///< pixels from ascender to descender
     FontWeight weight{};
-    Rgba8 colour{28, 32, 38};
+    Rgba8 color{28, 32, 38};
     Align align = Align::left;
 };
 
@@ -61,16 +61,16 @@ class Overlay {
     /// The box that text() fills at most.
     TextSize measure(std::string_view text, const TextStyle& style);
 
-    void rectangle(const PixelRect& rect, Rgba8 colour);
+    void rectangle(const PixelRect& rect, Rgba8 color);
 
     /// The border of a rectangle, inside it.
-    void frame(const PixelRect& rect, Rgba8 colour, int thickness = 1);
+    void frame(const PixelRect& rect, Rgba8 color, int thickness = 1);
 
     /// A line through the points; ends and joints are square.
-    void polyline(std::span<const ScreenPosition> points, Rgba8 colour, double thickness);
+    void polyline(std::span<const ScreenPosition> points, Rgba8 color, double thickness);
 
     /// A filled convex polygon.
-    void polygon(std::span<const ScreenPosition> corners, Rgba8 colour);
+    void polygon(std::span<const ScreenPosition> corners, Rgba8 color);
 
     /// What was drawn, for the painter.
     const ImDrawList& draw_list() const;

@@ -77,7 +77,7 @@ Rectangle around_slab(const Vec3& c, const Vec3& n, double r, double e, double f
                       view);
 }
 
-/// The radius of the circle in which a plane at signed distance k from the centre cuts the sphere;
+/// The radius of the circle in which a plane at signed distance k from the center cuts the sphere;
 /// 0 where it is no more than a point.
 double rim_radius(double r, double k) {
     const double rim = std::sqrt(std::max(0.0, r * r - k * k));
@@ -149,10 +149,10 @@ std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& 
     // A hundredth of a pixel, so that rounding to float loses nothing.
     const double x = 0.02 / view.target.width, y = 0.02 / view.target.height;
     visitor.words.set(0, r.left - x, r.bottom - y, r.right + x, r.top + y);
-    const Rgba8 colour = instance.colour;
-    packed.words[16] = colour.r | static_cast<std::uint32_t>(colour.g) << 8 |
-                       static_cast<std::uint32_t>(colour.b) << 16 |
-                       static_cast<std::uint32_t>(colour.a) << 24;
+    const Rgba8 color = instance.color;
+    packed.words[16] = color.r | static_cast<std::uint32_t>(color.g) << 8 |
+                       static_cast<std::uint32_t>(color.b) << 16 |
+                       static_cast<std::uint32_t>(color.a) << 24;
     packed.words[17] = instance.id;
     return packed;
 }

@@ -11,7 +11,7 @@ namespace scb {
 
 /// A volume as shaders/volume.vert reads it: five texels of four words. 0: its rectangle on the
 /// screen (left, bottom, right, top in normalised device coordinates); 1 to 3: its shape in eye
-/// space; 4: colour and id.
+/// space; 4: color and id.
 struct PackedVolume {
     bool is_box;
     std::array<std::uint32_t, 20> words;

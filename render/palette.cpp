@@ -8,8 +8,8 @@ namespace scb {
 
 namespace {
 
-constexpr std::array<Rgba8, 8> categories = {{body_a_colour,
-                                              body_b_colour,
+constexpr std::array<Rgba8, 8> categories = {{body_a_color,
+                                              body_b_color,
                                               {0x00, 0x9E, 0x73},
                                               {0xD5, 0x5E, 0x00},
                                               {0xCC, 0x79, 0xA7},
@@ -37,7 +37,7 @@ constexpr std::array<Rgba8, 16> viridis_stops = {{{0x44, 0x01, 0x54},
 
 }  // namespace
 
-Rgba8 category_colour(std::size_t category) { return categories[category % categories.size()]; }
+Rgba8 category_color(std::size_t category) { return categories[category % categories.size()]; }
 
 Rgba8 viridis(double magnitude) {
     const double t = magnitude > 0 ? std::min(magnitude, 1.0) * (viridis_stops.size() - 1) : 0;
@@ -52,9 +52,9 @@ Rgba8 mix(Rgba8 a, Rgba8 b, double t) {
     return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }
 
-Rgba8 with_opacity(Rgba8 colour, double opacity) {
-    colour.a = static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
-    return colour;
+Rgba8 with_opacity(Rgba8 color, double opacity) {
+    color.a = static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
+    return color;
 }
 
 const Theme light_theme = {.background = {255, 255, 255},

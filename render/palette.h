@@ -6,13 +6,13 @@
 
 namespace scb {
 
-/// The palette of Okabe and Ito ("Color Universal Design", 2008), which colour-blind readers can
+/// The palette of Okabe and Ito ("Color Universal Design", 2008), which color-blind readers can
 /// tell apart, in the order used here: blue (body A), orange (body B), bluish green, vermillion,
 /// reddish purple, sky blue, yellow, grey. Categories beyond the eighth repeat it.
-Rgba8 category_colour(std::size_t category);
+Rgba8 category_color(std::size_t category);
 
-inline constexpr Rgba8 body_a_colour{0x00, 0x72, 0xB2};
-inline constexpr Rgba8 body_b_colour{0xE6, 0x9F, 0x00};
+inline constexpr Rgba8 body_a_color{0x00, 0x72, 0xB2};
+inline constexpr Rgba8 body_b_color{0xE6, 0x9F, 0x00};
 
 /// Smith and van der Walt's viridis: a magnitude from 0 (dark violet) to 1 (yellow), clamped; NaN
 /// counts as 0.
@@ -21,10 +21,10 @@ Rgba8 viridis(double magnitude);
 /// Between a (t = 0) and b (t = 1), channel by channel.
 Rgba8 mix(Rgba8 a, Rgba8 b, double t);
 
-/// The same colour with another opacity, 0 to 1.
-Rgba8 with_opacity(Rgba8 colour, double opacity);
+/// The same color with another opacity, 0 to 1.
+Rgba8 with_opacity(Rgba8 color, double opacity);
 
-/// The colours of everything around the subject.
+/// The colors of everything around the subject.
 struct Theme {
     Rgba8 background;  ///< of the picture
     Rgba8 panel;       ///< behind text and figures

@@ -16,12 +16,12 @@ struct MeshHandle {
     std::uint32_t index = 0;
 };
 
-/// A volume in the world frame. It is opaque where the colour's alpha is 255 and translucent below
+/// A volume in the world frame. It is opaque where the color's alpha is 255 and translucent below
 /// that; with alpha 0 it is not drawn. A volume with the eye inside shows its inner side. A ball or
 /// SCB of radius 0 draws nothing; a disc (e == f) or a flat box is drawn as the flat thing it is.
 struct VolumeInstance {
     AnyVolume volume;
-    Rgba8 colour;
+    Rgba8 color;
     std::uint32_t id =
         0;  ///< goes into the id buffer; also decides which of two coplanar surfaces wins
 };
@@ -31,11 +31,11 @@ struct VolumeInstance {
 struct MeshDraw {
     MeshHandle mesh;
     Pose pose;
-    Rgba8 colour{176, 180, 186};
-    std::vector<Rgba8> triangle_colours;  ///< one for each triangle; empty: `colour` for all
+    Rgba8 color{176, 180, 186};
+    std::vector<Rgba8> triangle_colors;  ///< one for each triangle; empty: `color` for all
     bool edges = false;                   ///< draw the triangles' edges, about one pixel wide
     std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
-    double dim = 0;              ///< 0 to 1: how far the colours fade into the background
+    double dim = 0;              ///< 0 to 1: how far the colors fade into the background
 };
 
 /// A straight line in the world, of constant width in the picture, always wholly in front of
@@ -43,7 +43,7 @@ struct MeshDraw {
 struct Segment {
     Vec3 from;
     Vec3 to;
-    Rgba8 colour;
+    Rgba8 color;
     std::uint32_t id = 0;
     double width = 2;     ///< pixels
     bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
@@ -59,7 +59,7 @@ struct PixelRect {
 
 /// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
 /// order: opaque meshes, volumes and segments by depth; then translucent volumes from far to near
-/// (by the distance of their centres along the view axis, ties by id, then by position in the
+/// (by the distance of their centers along the view axis, ties by id, then by position in the
 /// list), their back sides before their fronts; then the segments that are on top.
 struct Pane {
     PixelRect viewport;
@@ -73,8 +73,8 @@ struct Pane {
 /// What to draw. Panes are drawn in order; where two overlap, the later one covers the earlier one
 /// wholly.
 ///
-/// The id of a pixel is that of the nearest surface at the pixel's centre (with 4 samples: at the
-/// centre of its top left quarter), no matter how translucent.
+/// The id of a pixel is that of the nearest surface at the pixel's center (with 4 samples: at the
+/// center of its top left quarter), no matter how translucent.
 struct Picture {
     int width = 1280;
     int height = 720;

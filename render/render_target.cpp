@@ -21,9 +21,9 @@ void attach(const Gl& gl, GLuint texture, GLenum attachment, GLint internal, GLe
 }  // namespace
 
 RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
-    : width_(width), height_(height), colours_(gl), ids_(gl), depth_(gl), framebuffer_(gl) {
+    : width_(width), height_(height), colors_(gl), ids_(gl), depth_(gl), framebuffer_(gl) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    attach(gl, colours_.name(), GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width,
+    attach(gl, colors_.name(), GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width,
            height);
     attach(gl, ids_.name(), GL_COLOR_ATTACHMENT1, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, width,
            height);
@@ -33,7 +33,7 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
     const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     gl.DrawBuffers(2, attachments);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError("The OpenGL library cannot draw colours and ids into a framebuffer of " +
+        throw GlError("The OpenGL library cannot draw colors and ids into a framebuffer of " +
                       std::to_string(width) + " x " + std::to_string(height) +
                       " pixels; choose a smaller --size.");
 }

@@ -4,7 +4,7 @@
 
 namespace scb {
 
-/// A framebuffer of its own: colours (RGBA8), ids (R32UI), and depth (32 bits, float) where it is
+/// A framebuffer of its own: colors (RGBA8), ids (R32UI), and depth (32 bits, float) where it is
 /// drawn into.
 class RenderTarget {
   public:
@@ -14,13 +14,13 @@ class RenderTarget {
     int width() const { return width_; }
     int height() const { return height_; }
     GLuint framebuffer() const { return framebuffer_.name(); }
-    GLuint colours() const { return colours_.name(); }
+    GLuint colors() const { return colors_.name(); }
     GLuint ids() const { return ids_.name(); }
 
   private:
     int width_;
     int height_;
-    GlTexture colours_;
+    GlTexture colors_;
     GlTexture ids_;
     GlTexture depth_;
     GlFramebuffer framebuffer_;

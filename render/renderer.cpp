@@ -56,11 +56,11 @@ void check(const Picture& picture, int limit) {
 
 void clear(const Gl& gl, Rgba8 background) {
     const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255; };
-    const std::array<float, 4> colour{channel(background.r), channel(background.g),
+    const std::array<float, 4> color{channel(background.r), channel(background.g),
                                       channel(background.b), 1};
     const std::array<GLuint, 4> no_id{};
     const float far_depth = 1;
-    gl.ClearBufferfv(GL_COLOR, 0, colour.data());
+    gl.ClearBufferfv(GL_COLOR, 0, color.data());
     gl.ClearBufferuiv(GL_COLOR, 1, no_id.data());
     gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
@@ -112,14 +112,14 @@ struct Renderer::Parts {
         gl.BindFramebuffer(GL_FRAMEBUFFER, resolved->framebuffer());
         gl.Viewport(0, 0, resolved->width(), resolved->height());
         resolve_program.use();
-        resolve_program.set("colours", 0);
+        resolve_program.set("colors", 0);
         resolve_program.set("ids", 1);
         resolve_program.set("scale", scale);
         resolve_program.set("last_row", drawn->height() - 1);
         gl.ActiveTexture(GL_TEXTURE1);
         gl.BindTexture(GL_TEXTURE_2D, drawn->ids());
         gl.ActiveTexture(GL_TEXTURE0);
-        gl.BindTexture(GL_TEXTURE_2D, drawn->colours());
+        gl.BindTexture(GL_TEXTURE_2D, drawn->colors());
         gl.BindVertexArray(no_attributes.name());
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }

@@ -16,7 +16,7 @@ namespace {
 
 struct Corner {
     std::array<float, 3> position;
-    Rgba8 colour;
+    Rgba8 color;
     std::uint32_t id;
 };
 
@@ -52,7 +52,7 @@ void append(std::vector<Corner>& corners, const Segment& segment, const EyeView&
         corners.push_back(
             {{static_cast<float>(2 * x / view.target.width),
               static_cast<float>(2 * y / view.target.height), static_cast<float>(at.depth)},
-             segment.colour,
+             segment.color,
              segment.id});
     };
     corner(p, -1, -1), corner(q, 1, -1), corner(q, 1, 1);
@@ -74,7 +74,7 @@ SegmentPainter::SegmentPainter(const Gl& gl)
     gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
                             offset(offsetof(Corner, position)));
     gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner),
-                            offset(offsetof(Corner, colour)));
+                            offset(offsetof(Corner, color)));
     gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, id)));
     for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
 }

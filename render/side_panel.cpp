@@ -17,8 +17,8 @@ struct PanelPainter {
 
     int line_height() const { return unit * 5 / 4; }
     bool fits(int height) const { return y + height <= box.y + box.height; }
-    TextStyle style(FontWeight weight, Rgba8 colour, Align align = Align::left) const {
-        return {unit, weight, colour, align};
+    TextStyle style(FontWeight weight, Rgba8 color, Align align = Align::left) const {
+        return {unit, weight, color, align};
     }
 
     void draw(const PanelHeading& heading) {
@@ -58,7 +58,7 @@ struct PanelPainter {
 
     void draw(const PanelKey& key) {
         if (!fits(line_height())) return;
-        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, key.colour);
+        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, key.color);
         const TextStyle text = style(FontWeight::regular, theme.text);
         const int indent = unit * 5 / 4;
         overlay.text(box.x + indent, y, fitted_text(overlay, key.text, text, box.width - indent),
@@ -72,7 +72,7 @@ struct PanelPainter {
         std::vector<Tick> ticks;
         for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
         const PixelRect covered =
-            draw_colour_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
+            draw_color_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
                             scale.title, ticks, {theme, unit});
         y = covered.y + covered.height + unit / 4;
     }

@@ -22,9 +22,9 @@ struct PanelRow {
     bool strong = false;
 };
 
-/// A colour and what it means.
+/// A color and what it means.
 struct PanelKey {
-    Rgba8 colour;
+    Rgba8 color;
     std::string text;
 };
 

@@ -44,7 +44,7 @@ VolumePainter::VolumePainter(const Gl& gl)
 void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view) {
     std::vector<const VolumeInstance*> opaque;
     for (const VolumeInstance& volume : volumes)
-        if (volume.colour.a == 255) opaque.push_back(&volume);
+        if (volume.color.a == 255) opaque.push_back(&volume);
     // Batches by program; the depth test makes the order of no account.
     std::stable_partition(opaque.begin(), opaque.end(), [](const VolumeInstance* volume) {
         return !std::holds_alternative<Obb>(volume->volume);
@@ -55,12 +55,12 @@ void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, cons
 void VolumePainter::draw_translucent(const std::vector<VolumeInstance>& volumes,
                                      const EyeView& view) {
     struct Entry {
-        double backward;  // coordinate of the centre: the farthest is the lowest
+        double backward;  // coordinate of the center: the farthest is the lowest
         const VolumeInstance* volume;
     };
     std::vector<Entry> entries;
     for (const VolumeInstance& volume : volumes)
-        if (volume.colour.a > 0 && volume.colour.a < 255)
+        if (volume.color.a > 0 && volume.color.a < 255)
             entries.push_back({to_eye_units(view, center(volume.volume))[2], &volume});
     if (entries.empty()) return;
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

@@ -18,7 +18,7 @@ class VolumePainter {
     /// Those with alpha 255, by depth.
     void draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view);
 
-    /// Those with alpha below 255: colours from far to near, then depth and ids of the nearest
+    /// Those with alpha below 255: colors from far to near, then depth and ids of the nearest
     /// surfaces.
     void draw_translucent(const std::vector<VolumeInstance>& volumes, const EyeView& view);
 

@@ -15,7 +15,7 @@ struct Format {
     const char* extension;
     const char* assimp_id;
 };
-// PLY as text: the binary writer of assimp 5.2 breaks files with colours.
+// PLY as text: the binary writer of assimp 5.2 breaks files with colors.
 constexpr Format formats[] = {
     {".ply", "ply"}, {".obj", "objnomtl"}, {".glb", "glb2"}, {".stl", "stlb"}};
 
@@ -41,7 +41,7 @@ aiMesh* mesh_of(const ExportPart& part, unsigned material) {
     mesh->mColors[0] = new aiColor4D[mesh->mNumVertices];
     for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
         mesh->mVertices[i] = vector_of(part.mesh.vertices[i]);
-        mesh->mColors[0][i] = {part.colour[0], part.colour[1], part.colour[2], 1};
+        mesh->mColors[0][i] = {part.color[0], part.color[1], part.color[2], 1};
     }
     mesh->mNumFaces = static_cast<unsigned>(part.mesh.triangles.size());
     mesh->mFaces = new aiFace[mesh->mNumFaces];
@@ -56,9 +56,9 @@ aiMesh* mesh_of(const ExportPart& part, unsigned material) {
 aiMaterial* material_of(const ExportPart& part) {
     auto* material = new aiMaterial;
     const aiString name(part.name);
-    const aiColor3D colour(part.colour[0], part.colour[1], part.colour[2]);
+    const aiColor3D color(part.color[0], part.color[1], part.color[2]);
     material->AddProperty(&name, AI_MATKEY_NAME);
-    material->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
+    material->AddProperty(&color, 1, AI_MATKEY_COLOR_DIFFUSE);
     return material;
 }
 

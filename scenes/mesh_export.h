@@ -10,11 +10,11 @@
 
 namespace scb {
 
-/// A mesh of one colour in a file that other viewers read.
+/// A mesh of one color in a file that other viewers read.
 struct ExportPart {
     std::string name;
     Mesh mesh;                    ///< in the world
-    std::array<float, 3> colour;  ///< red, green, blue, 0 to 1
+    std::array<float, 3> color;  ///< red, green, blue, 0 to 1
 };
 
 /// The bytes of a mesh file with these parts; the format is that of the path's extension: .ply

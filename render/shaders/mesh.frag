@@ -1,19 +1,19 @@
 uniform int edges;
 uniform uint first_id;
-uniform vec4 fade;  // a colour, and how far to fade into it
+uniform vec4 fade;  // a color, and how far to fade into it
 
 flat in vec3 v_normal;
-flat in vec4 v_colour;
+flat in vec4 v_color;
 in vec3 v_corner;
 in vec3 v_eye;
 
-layout(location = 0) out vec4 out_colour;
+layout(location = 0) out vec4 out_color;
 layout(location = 1) out uint out_id;
 
 void main() {
     vec3 ray = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : v_eye;
     vec3 facing = dot(v_normal, ray) > 0.0 ? -v_normal : v_normal;
-    vec3 base = to_linear(v_colour.rgb);
+    vec3 base = to_linear(v_color.rgb);
     vec3 lit = matte(base, facing, 1.0);
     if (edges != 0) {
         vec3 per_pixel = max(fwidth(v_corner), vec3(1e-9));
@@ -24,6 +24,6 @@ void main() {
         float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
-    out_colour = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
+    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
     out_id = first_id == 0u ? 0u : first_id + uint(gl_PrimitiveID);
 }

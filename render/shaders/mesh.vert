@@ -1,14 +1,14 @@
 uniform mat4 to_eye;         // mesh units to eye units
 uniform mat3 normal_to_eye;
-uniform int coloured;        // whether triangles have colours of their own
-uniform vec4 colour;
+uniform int colored;        // whether triangles have colors of their own
+uniform vec4 color;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 triangle_colour;
+layout(location = 2) in vec4 triangle_color;
 
 flat out vec3 v_normal;
-flat out vec4 v_colour;
+flat out vec4 v_color;
 out vec3 v_corner;  // barycentric coordinates
 out vec3 v_eye;
 
@@ -20,7 +20,7 @@ void main() {
     float depth = -eye.z;
     v_eye = eye;
     v_normal = normal_to_eye * normal;
-    v_colour = coloured != 0 ? triangle_colour : colour;
+    v_color = colored != 0 ? triangle_color : color;
     int corner = gl_VertexID - 3 * (gl_VertexID / 3);
     v_corner = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
     if (orthographic != 0) {

@@ -1,16 +1,16 @@
 // A segment as a rectangle that faces the viewer; the corners are computed in double precision by the caller.
 layout(location = 0) in vec3 position;  // x, y: of clip space after division; z: distance from the eye
-layout(location = 1) in vec4 colour;
+layout(location = 1) in vec4 color;
 layout(location = 2) in uint id;
 
-flat out vec4 v_colour;
+flat out vec4 v_color;
 flat out uint v_id;
 
 // In front of coplanar volumes and meshes.
 const float bias = 6e-5;
 
 void main() {
-    v_colour = colour;
+    v_color = color;
     v_id = id;
     float depth = max(position.z, near_plane);
     float window = window_depth(depth) - bias;

@@ -5,7 +5,7 @@ flat in vec4 v_c;
 flat in uvec2 v_tag;
 flat in int v_side;
 
-layout(location = 0) out vec4 out_colour;
+layout(location = 0) out vec4 out_color;
 layout(location = 1) out uint out_id;
 
 // The ray of this fragment: through `origin`, in the unit direction `direction`.
@@ -50,11 +50,11 @@ float pick_surface(float entry, float exit, float closest, float direction_z) {
 // `tone` scales the light, `line` is how much of the pixel a dark line covers.
 void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
     vec3 facing = dot(normal, ray) > 0.0 ? -normal : normal;
-    vec4 colour = unpack_colour(v_tag.x);
-    vec3 base = to_linear(colour.rgb);
+    vec4 color = unpack_color(v_tag.x);
+    vec3 base = to_linear(color.rgb);
     vec3 lit = matte(base, facing, tone);
     vec3 ink = base * 0.16;
-    out_colour = vec4(to_stored(mix(lit, ink, line)), mix(colour.a, min(1.0, colour.a + 0.35), line));
+    out_color = vec4(to_stored(mix(lit, ink, line)), mix(color.a, min(1.0, color.a + 0.35), line));
     out_id = v_tag.y;
     gl_FragDepth = clamp(window_depth(depth) - id_bias(v_tag.y), 0.0, 1.0);
 }

@@ -5,7 +5,7 @@ uniform int sides;  // 1: the nearest surface; 2: the back side, then the front,
 flat out vec4 v_a;
 flat out vec4 v_b;
 flat out vec4 v_c;
-flat out uvec2 v_tag;  // colour, id
+flat out uvec2 v_tag;  // color, id
 flat out int v_side;   // 0: the nearest surface; 1: the back side; 2: the front side
 
 vec4 texel(int index) { return uintBitsToFloat(texelFetch(volumes, index)); }

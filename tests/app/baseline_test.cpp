@@ -51,7 +51,7 @@ std::string difference(const Image& a, const Image& b) {
 
 class Baseline : public testing::TestWithParam<BaselineCase> {};
 
-TEST_P(Baseline, CountsIdsAndColoursAreUnchanged) {
+TEST_P(Baseline, CountsIdsAndColorsAreUnchanged) {
     const BaselineCase& baseline = GetParam();
     const TemporaryFolder folder;
     const ProgramRun run =
@@ -82,10 +82,10 @@ TEST_P(Baseline, CountsIdsAndColoursAreUnchanged) {
     const json stored_versions = json::parse(file_text(stored(".meta.json")))["versions"];
     const json versions = index["versions"];
     if (versions["mesa"] == stored_versions["mesa"] && versions["llvm"] == stored_versions["llvm"])
-        EXPECT_EQ(difference(read_png(image), read_png(stored(".png"))), "") << "colours";
+        EXPECT_EQ(difference(read_png(image), read_png(stored(".png"))), "") << "colors";
     else
         std::fprintf(
-            stderr, "%s: colours NOT compared: drawn with Mesa %s, LLVM %s, stored with %s, %s\n",
+            stderr, "%s: colors NOT compared: drawn with Mesa %s, LLVM %s, stored with %s, %s\n",
             baseline.name, versions["mesa"].dump().c_str(), versions["llvm"].dump().c_str(),
             stored_versions["mesa"].dump().c_str(), stored_versions["llvm"].dump().c_str());
 }

@@ -19,7 +19,7 @@ Picture level_of_a_sphere(int level, int samples) {
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         if (depths[i] != level) continue;
         volumes.push_back(hierarchy.volumes[i]);
-        pane.volumes.push_back({hierarchy.volumes[i], body_a_colour, i + 1});
+        pane.volumes.push_back({hierarchy.volumes[i], body_a_color, i + 1});
     }
     Picture picture;
     picture.samples = samples;

@@ -61,7 +61,7 @@ TEST(FitCamera, EverythingIsInsideAndTouchesTheMargins) {
             EXPECT_GE(b.top, y - 1);
             EXPECT_LE(b.right, width - x);
             EXPECT_LE(b.bottom, height - y);
-            const int sharp = 3;  // pixels in which the corner of a box covers no pixel's centre
+            const int sharp = 3;  // pixels in which the corner of a box covers no pixel's center
             const bool touches_sides = b.left <= x + sharp && b.right >= width - x - 1 - sharp;
             const bool touches_ends = b.top <= y + sharp && b.bottom >= height - y - 1 - sharp;
             EXPECT_TRUE(touches_sides || touches_ends)

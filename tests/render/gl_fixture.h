@@ -20,7 +20,7 @@ struct Drawing {
     Renderer renderer{context};
 };
 
-/// A picture of one pane that shows the volumes, with ids 1, 2, ... and the colours of categories.
+/// A picture of one pane that shows the volumes, with ids 1, 2, ... and the colors of categories.
 inline Picture picture_of(const std::vector<AnyVolume>& volumes, int width, int height,
                           int samples) {
     Picture picture;
@@ -40,7 +40,7 @@ inline Picture picture_of(const std::vector<AnyVolume>& volumes, int width, int 
     return picture;
 }
 
-/// Slabs at many tilts, one that leaves the centre out, discs (e == f), a ball and boxes, some of
+/// Slabs at many tilts, one that leaves the center out, discs (e == f), a ball and boxes, some of
 /// them overlapping.
 inline std::vector<AnyVolume> assorted_volumes() {
     std::vector<AnyVolume> volumes;

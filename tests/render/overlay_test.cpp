@@ -109,7 +109,7 @@ TEST(Figures, StayInThePixelsThatTheyReport) {
     FigureStyle style;
     const Picture picture = empty_picture(600, 400);
     const std::vector<Tick> ticks = {{0, "0"}, {0.5, "0.5"}, {1, "1"}};
-    const std::vector<BarPart> parts = {{body_a_colour, 1}, {body_b_colour, 2}};
+    const std::vector<BarPart> parts = {{body_a_color, 1}, {body_b_color, 2}};
     const auto check = [&](const auto& draw) {
         overlay.begin();
         const PixelRect covered = draw();
@@ -119,10 +119,10 @@ TEST(Figures, StayInThePixelsThatTheyReport) {
         EXPECT_EQ(outside, 0);
     };
     check([&] {
-        return draw_colour_bar(overlay, {100, 100, 300, 14}, viridis, "τ / 2r", ticks, style);
+        return draw_color_bar(overlay, {100, 100, 300, 14}, viridis, "τ / 2r", ticks, style);
     });
     check([&] {
-        return draw_colour_bar(overlay, {100, 100, 14, 200}, viridis, "τ / 2r", ticks, style);
+        return draw_color_bar(overlay, {100, 100, 14, 200}, viridis, "τ / 2r", ticks, style);
     });
     check([&] { return draw_stacked_bar(overlay, {100, 100, 300, 14}, parts, 3); });
     check([&] { return draw_scale_bar(overlay, 100, 100, 200, 123.4, style); });
@@ -146,8 +146,8 @@ TEST(Palette, ViridisGrowsLighter) {
     EXPECT_EQ(viridis(2), viridis(1));
     int last = 0;
     for (int i = 0; i <= 100; ++i) {
-        const Rgba8 colour = viridis(i / 100.0);
-        const int luma = 299 * colour.r + 587 * colour.g + 114 * colour.b;
+        const Rgba8 color = viridis(i / 100.0);
+        const int luma = 299 * color.r + 587 * color.g + 114 * color.b;
         EXPECT_GE(luma, last);
         last = luma;
     }

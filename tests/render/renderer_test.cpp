@@ -27,7 +27,7 @@ struct Everything {
         std::vector<AnyVolume> volumes = assorted_volumes();
         picture = picture_of(volumes, 300, 200, samples);
         Pane& pane = picture.panes[0];
-        for (std::size_t i = 0; i < pane.volumes.size(); i += 3) pane.volumes[i].colour.a = 120;
+        for (std::size_t i = 0; i < pane.volumes.size(); i += 3) pane.volumes[i].color.a = 120;
         MeshDraw mesh;
         mesh.mesh = renderer.upload(quad());
         mesh.edges = true;
@@ -43,8 +43,8 @@ struct Everything {
         style.unit = 13;
         overlay.text(5, 5, "τ = e − f ≤ 2r · Δ", {15, FontWeight::bold, {20, 20, 20}, Align::left});
         draw_stacked_bar(overlay, {5, 150, 60, 8},
-                         std::vector<BarPart>{{body_a_colour, 1}, {body_b_colour, 2}}, 4);
-        draw_colour_bar(overlay, {100, 170, 80, 8}, viridis, "",
+                         std::vector<BarPart>{{body_a_color, 1}, {body_b_color, 2}}, 4);
+        draw_color_bar(overlay, {100, 170, 80, 8}, viridis, "",
                         std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
     }
 };
@@ -118,7 +118,7 @@ TEST(Renderer, RefusesSizesThatItCannotDraw) {
     EXPECT_THROW(drawing.renderer.draw(picture), InputError);
 }
 
-TEST(Renderer, TrianglesHaveIdsAndColoursOfTheirOwn) {
+TEST(Renderer, TrianglesHaveIdsAndColorsOfTheirOwn) {
     Drawing drawing;
     const Mesh mesh = quad();
     Picture picture;
@@ -127,7 +127,7 @@ TEST(Renderer, TrianglesHaveIdsAndColoursOfTheirOwn) {
     pane.viewport = {0, 0, 100, 100};
     MeshDraw draw;
     draw.mesh = drawing.renderer.upload(mesh);
-    draw.triangle_colours = {{200, 0, 0}, {0, 0, 200}};
+    draw.triangle_colors = {{200, 0, 0}, {0, 0, 200}};
     draw.first_id = 7;
     pane.meshes.push_back(draw);
     pane.camera = fit_camera(orbit_axes(0, 0), support_of(mesh, draw.pose), {1, 0.04, true, 30});
@@ -176,15 +176,15 @@ TEST(Renderer, TranslucentVolumesShowWhatIsBehindThem) {
     Picture picture = picture_of(volumes, 101, 101, 1);
     Pane& pane = picture.panes[0];
     pane.camera = fit_camera(orbit_axes(0, 0), support_of(volumes), {1, 0.04, true, 30});
-    pane.volumes[0].colour = {0, 0, 255, 60};
-    pane.volumes[1].colour = {255, 0, 0};
+    pane.volumes[0].color = {0, 0, 255, 60};
+    pane.volumes[1].color = {255, 0, 0};
     const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
     EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);  // the nearest surface, though translucent
     const Rgba8 over_ball = pixel(rendering.image, 50, 50);
     EXPECT_GT(over_ball.r, over_ball.b);
     std::reverse(pane.volumes.begin(), pane.volumes.end());
     EXPECT_EQ(drawing.renderer.draw(picture).image, rendering.image);
-    pane.volumes[1].colour.a = 0;
+    pane.volumes[1].color.a = 0;
     EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50), 2u);
 }
 

@@ -10,8 +10,8 @@
 
 namespace scb {
 
-/// What the colour of a volume tells.
-enum class ColourBy {
+/// What the color of a volume tells.
+enum class ColorBy {
     body,    ///< which body it belongs to, in the categories of the palette, with slight variations
              ///< so that neighbours part
     depth,   ///< its level, viridis from the root to the deepest level
@@ -20,12 +20,12 @@ enum class ColourBy {
                 ///< ball), on a square-root scale
 };
 
-std::string_view colour_by_name(ColourBy by);
-std::optional<ColourBy> colour_by_of(std::string_view name);
+std::string_view color_by_name(ColorBy by);
+std::optional<ColorBy> color_by_of(std::string_view name);
 
 /// The scale that the pictures of a run share.
-struct ColourScale {
-    ColourBy by = ColourBy::body;
+struct ColorScale {
+    ColorBy by = ColorBy::body;
     int deepest = 0;           ///< for depth
     double root_diameter = 1;  ///< for radius
 };
@@ -34,13 +34,13 @@ struct ColourScale {
 inline constexpr int radius_halvings = 12;
 
 template <Volume V>
-double colour_magnitude(const ColourScale& scale, const V& volume, int depth);
+double color_magnitude(const ColorScale& scale, const V& volume, int depth);
 
 template <Volume V>
-Rgba8 volume_colour(const ColourScale& scale, const V& volume, int depth, std::size_t body,
+Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
                     std::uint32_t node);
 
-/// The scale as a legend, or nothing where the colours are categories.
-std::optional<PanelScale> legend_of(const ColourScale& scale);
+/// The scale as a legend, or nothing where the colors are categories.
+std::optional<PanelScale> legend_of(const ColorScale& scale);
 
 }  // namespace scb
