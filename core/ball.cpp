@@ -16,6 +16,10 @@ bool contains(const Ball& ball, const Vec3& point) {
     return squared_norm(point - ball.center) <= ball.radius * ball.radius;
 }
 
+bool is_well_formed(const Ball& ball) {
+    return ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0;
+}
+
 double extent(const Ball& ball, const Vec3&) { return ball.radius; }
 
 double radius_reaching(double squared_distance) {

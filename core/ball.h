@@ -19,6 +19,9 @@ double volume(const Ball& ball);
 /// Whether the point is inside or on the surface.
 bool contains(const Ball& ball, const Vec3& point);
 
+/// Whether center and radius are finite and the radius is not negative.
+bool is_well_formed(const Ball& ball);
+
 /// How far the ball reaches from its center in the unit direction `direction`.
 double extent(const Ball& ball, const Vec3& direction);
 

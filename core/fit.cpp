@@ -12,6 +12,8 @@ namespace {
 template <class Volume>
 Volume fit_points(std::span<const Vec3> points, const FitOptions& options) {
     if (points.empty()) throw InputError("no points to fit a volume to; give at least one.");
+    if (!(options.margin >= 0))
+        throw InputError("the margin is below 0 or not a number; give a share of the radius.");
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!(points[i].cwiseAbs().array() <= max_coordinate).all()) {
             std::ostringstream sentence;

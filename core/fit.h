@@ -28,7 +28,7 @@ enum class BallMethod {
 /// What fits did, summed over them; for showing that the work is linear.
 struct FitCounts {
     std::uint64_t point_visits =
-        0;  ///< points looked at: by the growth of the ball and by every slab tried
+        0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
 };
 

@@ -8,7 +8,7 @@
 namespace scb {
 namespace {
 
-// Twice the scatter of points about their mean: what stands in for a surface without area.
+// The scatter of points about their mean: what stands in for a surface without area.
 Mat3 point_scatter(const FitInput& input) {
     Vec3 mean = Vec3::Zero();
     for (const PointsView& part : input.parts)

@@ -47,7 +47,9 @@ bool normal_of_largest_triangle(const PointsView& points, const Vec3& h, const V
     std::size_t far = 0;
     for (std::size_t i = 1; i < points.size; ++i)
         if (squared_area[i] > squared_area[far]) far = i;
-    if (!(squared_area[far] > 0)) return false;
+    // Squares of tiny areas lose their digits to underflow, and then are no more than those of
+    // collinear points.
+    if (!(squared_area[far] > 1e-280)) return false;
     normal = cross(d, points[far] - h) / std::sqrt(squared_area[far]);
     return true;
 }
@@ -70,7 +72,7 @@ std::size_t keep_if_narrower(Slab& best, const Vec3& n, const Vec3& c, const Poi
 
 void fit(Scb& result, const FitInput& input, const FitOptions& options) {
     const ExtremalPoints extremal = extremal_points(*input.dop, input.x, input.y, input.z);
-    const Ball ball = enclosing_ball(input, extremal, options.growth);
+    const Ball ball = enclosing_ball(input, extremal, options);
 
     // Few points stand for themselves, as they do for the ball: the third corner of a slender
     // triangle need not be extremal, and a slab through the other two alone is not flat.
@@ -81,8 +83,7 @@ void fit(Scb& result, const FitInput& input, const FitOptions& options) {
     std::array<std::uint16_t, Dop26::directions>
         met;  // pairs of extremal points, smaller index first
     std::size_t met_count = 0;
-    std::uint64_t visits = (options.growth == BallGrowth::ritter ? 2 : 1) * input.size(),
-                  candidates = 0;
+    std::uint64_t visits = 0, candidates = 0;
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const std::uint8_t upper = extremal.upper[i], lower = extremal.lower[i];
         const auto pair =

@@ -4,6 +4,8 @@
 #include <span>
 #include <sstream>
 
+#include "core/error.h"
+
 namespace scb {
 namespace {
 
@@ -143,6 +145,9 @@ std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
 template <Volume V>
 Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::string_view name) {
     check_mesh(mesh, name);
+    if (!(options.margin >= 0))
+        throw InputError(std::string(name) +
+                         ": the margin is below 0 or not a number; give a share of the radius.");
     auto topology = std::make_shared<const Topology>(build_topology(mesh));
     std::vector<V> volumes = fit_volumes<V>(*topology, leaf_order(mesh, *topology), options);
     return {std::move(topology), std::move(volumes)};
@@ -163,7 +168,6 @@ std::string validate(const Topology& topology, const Mesh& mesh) {
     }
     if (topology.nodes[0].first != 0 || topology.nodes[0].count != count)
         return "node 0, the root, does not hold all triangles.";
-    std::size_t next = 1;  // every node but the root is the child of exactly one
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];
         if (node.is_leaf()) {
@@ -177,9 +181,7 @@ std::string validate(const Topology& topology, const Mesh& mesh) {
         if (l.count == 0 || r.count == 0 || l.first != node.first || r.first != l.first + l.count ||
             l.count + r.count != node.count)
             return sentence("the children of node ", i, " do not make up its range.");
-        next += 2;
     }
-    if (next != topology.nodes.size()) return "some node is the child of none.";
     return {};
 }
 
@@ -192,6 +194,8 @@ std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh) {
                         " nodes.");
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];
+        if (!is_well_formed(hierarchy.volumes[i]))
+            return sentence("the volume of node ", i, " is not well formed.");
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
             for (const std::uint32_t v : mesh.triangles[topology.order[k]])
                 if (!contains(hierarchy.volumes[i], mesh.vertices[v]))

@@ -24,6 +24,9 @@ void check_mesh(const Mesh& mesh, std::string_view name) {
     if (mesh.triangles.size() > max_triangles)
         refuse(name, "the mesh has ", mesh.triangles.size(), " triangles; at most ", max_triangles,
                " can be indexed.");
+    if (mesh.vertices.size() > max_vertices)
+        refuse(name, "the mesh has ", mesh.vertices.size(), " vertices; at most ", max_vertices,
+               " can be indexed.");
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const std::uint32_t v : mesh.triangles[t]) {
             if (v >= mesh.vertices.size())

@@ -39,12 +39,13 @@ struct Box {
 /// The largest |coordinate| that a mesh may have: fourth powers of lengths must stay finite.
 inline constexpr double max_coordinate = 1e70;
 
-/// The most triangles that a hierarchy can index.
+/// The most triangles and vertices that a hierarchy can index.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
+inline constexpr std::size_t max_vertices = std::size_t{1} << 31;
 
-/// Throws InputError, naming the first offender, where the mesh has no triangles, too many, an
-/// index out of range, or a used vertex that is not finite or beyond max_coordinate. `name` says
-/// which mesh it is.
+/// Throws InputError, naming the first offender, where the mesh has no triangles, too many of them
+/// or of vertices, an index out of range, or a used vertex that is not finite or beyond
+/// max_coordinate. `name` says which mesh it is.
 void check_mesh(const Mesh& mesh, std::string_view name);
 
 /// The box of the vertices that triangles use.

@@ -9,8 +9,8 @@
 namespace scb {
 namespace {
 
-// Radii within this share of each other are the same: cospherical points must not chase rounding
-// errors.
+// Squared radii within this share of each other are the same: cospherical points must not chase
+// rounding errors.
 constexpr double equal_squares = 1 + 1e-15;
 
 // At most four points on the surface of the ball, and the point that is to join them.
@@ -110,7 +110,7 @@ struct SupportSolver {
 
 }  // namespace
 
-Ball min_ball(const PointsView& points) {
+Ball min_ball(const PointsView& points, std::uint64_t* visits) {
     if (points.size == 0) return {};
     // A long diagonal to begin with: from any point to the farthest one.
     Support support;
@@ -122,18 +122,27 @@ Ball min_ball(const PointsView& points) {
 
     // Each pivot enlarges the smallest ball of the support, so no support returns; the bound is for
     // rounding alone.
-    for (int pivot = 0; pivot < 256; ++pivot) {
-        const Farthest far = farthest_point(points, center);
-        if (far.squared_distance <= squared_radius * equal_squares) break;
+    Farthest far = farthest_point(points, center);
+    std::uint64_t passes = 3;
+    for (int pivot = 0; pivot < 256 && far.squared_distance > squared_radius * equal_squares;
+         ++pivot) {
         support[static_cast<std::size_t>(count++)] = points[far.index];
         SupportSolver solver{support, count};
         solver.enumerate();
-        if (!(solver.squared_radius > squared_radius)) break;
+        const Farthest next = farthest_point(points, solver.center);
+        ++passes;
+        // Where the gain in radius is lost in rounding, the center may still have moved to
+        // advantage: the third corner of a nearly right-angled triangle.
+        if (solver.squared_radius <= squared_radius &&
+            next.squared_distance >= far.squared_distance)
+            break;
         solver.keep_chosen();
         center = solver.center;
         squared_radius = solver.squared_radius;
+        far = next;
     }
-    return {center, radius_reaching(max_squared_distance(points, center))};
+    if (visits != nullptr) *visits += passes * points.size;
+    return {center, radius_reaching(far.squared_distance)};
 }
 
 Ball min_ball(std::span<const Vec3> points) { return min_ball(PointArrays(points).view()); }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/pose.h"
+
 namespace scb {
 
 double surface_area(const Obb& box) {
@@ -16,6 +18,11 @@ bool contains(const Obb& box, const Vec3& point) {
     for (int i = 0; i < 3; ++i)
         if (!(std::abs(dot(Vec3(box.axes.col(i)), q)) <= box.half[i])) return false;
     return true;
+}
+
+bool is_well_formed(const Obb& box) {
+    return box.center.allFinite() && box.half.allFinite() && box.half.minCoeff() >= 0 &&
+           rigidity_defect({box.axes, box.center}) <= 1e-12;
 }
 
 double extent(const Obb& box, const Vec3& direction) {

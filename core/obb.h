@@ -17,6 +17,9 @@ double volume(const Obb& box);
 /// Whether the point is inside or on the surface.
 bool contains(const Obb& box, const Vec3& point);
 
+/// Whether all is finite, the axes are a rotation to 1e-12 and no side is negative.
+bool is_well_formed(const Obb& box);
+
 /// How far the box reaches from its center in the unit direction `direction`.
 double extent(const Obb& box, const Vec3& direction);
 

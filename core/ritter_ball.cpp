@@ -17,13 +17,16 @@ void shift_to_enclose(Ball& ball, const Vec3& point) {
     ball.radius = radius;
 }
 
-Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts) {
+Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts, std::uint64_t* visits) {
     constexpr std::size_t block = 64;
+    std::uint64_t looked_at = 0;
     for (const PointsView& part : parts)
         for (std::size_t first = 0; first < part.size; first += block) {
             const PointsView points = part.sub(first, std::min(block, part.size - first));
+            looked_at += points.size;
             // Mostly all are inside, which is quicker to tell of a block.
             if (max_squared_distance(points, ball.center) <= ball.radius * ball.radius) continue;
+            looked_at += points.size;
             for (std::size_t i = 0; i < points.size; ++i) shift_to_enclose(ball, points[i]);
         }
     // The center moved after the first points were met, so what they need is measured anew.
@@ -31,6 +34,7 @@ Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts) {
     for (const PointsView& part : parts)
         reach = std::max(reach, max_squared_distance(part, ball.center));
     ball.radius = radius_reaching(reach);
+    if (visits != nullptr) *visits += looked_at + parts[0].size + parts[1].size;
     return ball;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/ball.h"
 #include "core/points.h"
@@ -13,7 +14,8 @@ void shift_to_enclose(Ball& ball, const Vec3& point);
 
 /// `ball` grown by Ritter's update over the points, part after part in their order. Contains all of
 /// them; not always the old ball to the last bit.
-Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts);
+Ball grown_by_shifting(Ball ball, const std::array<PointsView, 2>& parts,
+                       std::uint64_t* visits = nullptr);
 
 /// Ritter's ball ("An efficient bounding sphere", Graphics Gems, 1990): starts from the most
 /// distant of the pairs of extremal points along the three axes, then grows over all points. Some 5

@@ -21,6 +21,11 @@ bool contains(const Scb& s, const Vec3& point) {
     return squared_norm(q) <= s.r * s.r && s.f <= h && h <= s.e;
 }
 
+bool is_well_formed(const Scb& s) {
+    return s.c.allFinite() && std::isfinite(s.r) && std::abs(squared_norm(s.n) - 1) <= 1e-12 &&
+           -s.r <= s.f && s.f <= s.e && s.e <= s.r;
+}
+
 double extent(const Scb& s, const Vec3& direction) {
     const double cosine = dot(s.n, direction);
     const double h = s.r * cosine;

@@ -25,6 +25,9 @@ double volume(const Scb& scb);
 /// Whether the point is inside or on the surface.
 bool contains(const Scb& scb, const Vec3& point);
 
+/// Whether all is finite, n is a unit vector to 1e-12, f <= e and both are within the radius.
+bool is_well_formed(const Scb& scb);
+
 /// How far the SCB reaches from c in the unit direction `direction`: max of direction.(x - c) over
 /// the SCB. Exact; may be negative for a slab that leaves the center out.
 double extent(const Scb& scb, const Vec3& direction);

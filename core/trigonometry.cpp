@@ -1,11 +1,13 @@
 #include "core/trigonometry.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
 namespace scb {
 
 SinCos sin_cos_turns(double turns) {
+    assert(std::isfinite(turns) && "an angle must be finite");
     // Both steps are exact: the nearest quarter, and what remains of it, at most pi/4 in radians.
     const double quarters = std::nearbyint(4 * turns);
     const double x = (turns - quarters / 4) * (2 * std::numbers::pi);

@@ -11,7 +11,8 @@
 namespace scb {
 
 /// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
-/// free functions.
+/// free functions. The templates of hierarchy.h are instantiated for the three types below; another
+/// one has to be added there.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
     requires(V& v, const V& c, const Vec3& p, const FitInput& in, const FitOptions& options) {

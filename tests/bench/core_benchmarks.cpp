@@ -16,7 +16,7 @@ std::vector<Vec3> shell(std::size_t count) {
     Random random(1);
     std::vector<Vec3> points;
     while (points.size() < count) {
-        const Vec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const Vec3 p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         const double squared = squared_norm(p);
         if (squared > 0.01 && squared <= 1)
             points.push_back((1 + 0.05 * random.uniform()) / std::sqrt(squared) *

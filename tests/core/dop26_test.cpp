@@ -41,8 +41,8 @@ TEST(Dop26, MergingPartsGivesTheWholeTiesIncluded) {
         // Coordinates in {-1, 0, 1}: ties in almost every direction.
         std::vector<Vec3> points;
         for (int i = 0; i < 20; ++i)
-            points.emplace_back(int(random.below(3)) - 1, int(random.below(3)) - 1,
-                                int(random.below(3)) - 1);
+            points.push_back(Vec3{int(random.below(3)) - 1.0, int(random.below(3)) - 1.0,
+                                  int(random.below(3)) - 1.0});
         const PointArrays arrays(points);
         const Dop26 whole = dop26_of(arrays.view());
         const Dop26 a = dop26_of(arrays.view().sub(0, 8)),

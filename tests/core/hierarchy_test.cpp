@@ -41,7 +41,7 @@ TYPED_TEST(HierarchyOf, EveryKindOfMeshIsValid) {
     for (const Mesh& mesh : all_kinds())
         EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh), mesh), "");
     for (const Mesh& mesh : all_kinds())
-        EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh, {.growth = BallGrowth::ritter,
+        EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh, {.growth = BallGrowth::radius,
                                                              .ball_method = BallMethod::ritter,
                                                              .margin = 0.01}),
                            mesh),

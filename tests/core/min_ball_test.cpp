@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "core/fit.h"
@@ -117,6 +118,21 @@ TEST(MinBall, MatchesBruteForceOnACircleAndOnANearlyFlatOne) {
             points.emplace_back(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6),
                                 k % 2 == 0 ? height : 0);
         expect_minimal(points);
+    }
+}
+
+TEST(MinBall, MatchesBruteForceOnNearlyRightAngledTriangles) {
+    // The third corner is off the ball of the other two by less than its square root can tell.
+    for (const double off : {1e-7, 1e-8, 1e-9, 1e-10, -1e-8}) {
+        std::vector<Vec3> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1 + off, 0}};
+        const double exact = off < 0 ? 1 : ((1 + off) * (1 + off) + 1) / (2 * (1 + off));
+        std::sort(points.begin(), points.end(),
+                  [](const Vec3& a, const Vec3& b) { return a[0] < b[0]; });
+        for (int order = 0; order < 6; ++order) {
+            EXPECT_NEAR(min_ball(points).radius, exact, 1e-12) << off;
+            std::next_permutation(points.begin(), points.end(),
+                                  [](const Vec3& a, const Vec3& b) { return a[0] < b[0]; });
+        }
     }
 }
 

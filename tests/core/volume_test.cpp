@@ -85,32 +85,59 @@ TEST(ObbVolume, MatchesMonteCarlo) {
                 0.02 * volume(box));
 }
 
-// The extent against the farthest of many points of the volume.
+// The extent against the farthest of many points of the volume: inside samples never exceed it, and
+// samples of the surface reach it.
 template <class V>
-void expect_extent_is_a_supremum(const V& v, const Vec3& center, double reach, Random& random) {
-    for (int k = 0; k < 20; ++k) {
+void expect_extent_is_a_supremum(const V& v, const Vec3& center, double reach,
+                                 const std::vector<Vec3>& surface, Random& random) {
+    for (int k = 0; k < 40; ++k) {
         const Vec3 d = random_unit_vector(random);
         const double bound = extent(v, d);
-        double farthest = -1e9;
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < 2000; ++i) {
             const Vec3 p = center + reach * random_point(random);
-            if (contains(v, p)) farthest = std::max(farthest, dot(d, Vec3(p - center)));
+            if (!contains(v, p)) continue;
+            EXPECT_LE(dot(d, Vec3(p - center)), bound + 1e-12);
         }
-        EXPECT_LE(farthest, bound + 1e-12);
-        EXPECT_GE(farthest, bound - 0.25 * reach);
+        double farthest = -1e9;
+        for (const Vec3& p : surface) farthest = std::max(farthest, dot(d, Vec3(p - center)));
+        EXPECT_NEAR(farthest, bound, 2e-3 * reach);
     }
+}
+
+// Points all over the zone and the rims.
+std::vector<Vec3> surface_of(const Scb& s) {
+    const Vec3 u = cross(s.n, Vec3(std::abs(s.n[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY()))
+                       .normalized(),
+               v = cross(s.n, u);
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 200; ++i) {
+        const double h = s.f + (s.e - s.f) * i / 200,
+                     radius = std::sqrt(std::max(0.0, s.r * s.r - h * h));
+        for (int k = 0; k < 200; ++k)
+            points.push_back(s.c + h * s.n +
+                             radius *
+                                 (std::cos(k * M_PI / 100) * u + std::sin(k * M_PI / 100) * v));
+    }
+    return points;
 }
 
 TEST(Extent, IsReachedAndNeverExceeded) {
     Random random(5);
-    for (int i = 0; i < 6; ++i) {
-        const Scb s = random_scb(random, true);
-        expect_extent_is_a_supremum(s, s.c, s.r, random);
+    for (int i = 0; i < 8; ++i) {
+        const Scb s = random_scb(random, i % 2 == 0);
+        expect_extent_is_a_supremum(s, s.c, s.r, surface_of(s), random);
     }
     const Obb box = fit_obb(random_points(random, 50));
-    expect_extent_is_a_supremum(box, box.center, box.half.norm(), random);
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(
+            box.center +
+            box.axes * box.half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    expect_extent_is_a_supremum(box, box.center, box.half.norm(), corners, random);
     const Ball ball = fit_ball(random_points(random, 50));
-    expect_extent_is_a_supremum(ball, ball.center, ball.radius, random);
+    expect_extent_is_a_supremum(
+        ball, ball.center, ball.radius,
+        surface_of({ball.center, ball.radius, Vec3::UnitZ(), ball.radius, -ball.radius}), random);
 }
 
 TEST(ScbExtent, IsExactAlongTheNormalAndOnTheRim) {
