@@ -48,7 +48,7 @@ int run(const Options& options, const Console& console) {
     const Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies = build_topologies(scene);
-    const std::vector<int> levels = parse_levels(options.level, deepest(topologies));
+    const std::vector<int> levels = parse_levels(options.level, deepest(topologies), "--level");
     if (levels.size() != 1)
         throw InputError("--level " + options.level + ": a file holds one level; give one.");
     const std::vector<AnyHierarchy> hierarchies =
@@ -76,7 +76,8 @@ int run(const Options& options, const Console& console) {
         throw InputError("--level " + options.level +
                          ": all volumes of this level are points; nothing to write.");
     write_file_whole(options.output, encode_mesh(parts, options.output));
-    console.note(options.output + ": " + std::to_string(nodes) + " volumes");
+    console.note(options.output + ": " + std::to_string(nodes) +
+                 (nodes == 1 ? " volume" : " volumes"));
     return exit_done;
 }
 

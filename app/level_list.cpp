@@ -6,8 +6,10 @@
 #include "core/error.h"
 
 namespace scb {
-std::vector<int> parse_levels(const std::string& text, int deepest) {
-    const std::string option = "--levels " + text;
+
+std::vector<int> parse_levels(const std::string& text, int deepest,
+                              const std::string& option_name) {
+    const std::string option = option_name + " " + text;
     std::vector<int> levels;
     const auto add = [&levels](int level) {
         if (std::find(levels.begin(), levels.end(), level) == levels.end()) levels.push_back(level);
@@ -19,6 +21,10 @@ std::vector<int> parse_levels(const std::string& text, int deepest) {
                              std::to_string(deepest) + ", and 'leaves'.");
     };
     for (const std::string& part : split_list(text, ',')) {
+        if (part == "auto") {
+            for (int level = 0; level <= deepest; ++level) add(level);
+            continue;
+        }
         if (part == "leaves") {
             add(leaf_level);
             continue;
@@ -27,20 +33,19 @@ std::vector<int> parse_levels(const std::string& text, int deepest) {
         if (bounds.size() > 3)
             throw InputError(option + ": '" + part +
                              "' is no range; give FIRST:LAST or FIRST:LAST:STEP.");
-        const int first = whole_number(bounds[0], option);
-        const int last = bounds.size() > 1 ? whole_number(bounds[1], option) : first;
-        const int step = bounds.size() > 2 ? whole_number(bounds[2], option) : 1;
+        const std::string hint = "; give levels such as 5,7,9 or 0:12 or leaves.";
+        const int first = whole_number(bounds[0], option, hint);
+        const int last = bounds.size() > 1 ? whole_number(bounds[1], option, hint) : first;
+        const int step = bounds.size() > 2 ? whole_number(bounds[2], option, hint) : 1;
         if (step < 1 || last < first)
             throw InputError(
                 option + ": '" + part +
                 "' names nothing; give FIRST:LAST[:STEP] with FIRST <= LAST and STEP >= 1.");
         check(first);
         check(last);
-        for (int level = first; level <= last; level += step) add(level);
+        for (long level = first; level <= last; level += step) add(static_cast<int>(level));
     }
     return levels;
 }
-
-std::string level_name(int level) { return level == leaf_level ? "leaves" : std::to_string(level); }
 
 }  // namespace scb

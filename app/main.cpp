@@ -14,6 +14,50 @@
 namespace scb {
 namespace {
 
+// The command that was named last, and what stands before it.
+struct Named {
+    const CLI::App* command;
+    std::string parents;
+};
+
+Named named_command(const CLI::App& program) {
+    Named named{&program, ""};
+    while (!named.command->get_subcommands().empty()) {
+        named.parents += (named.parents.empty() ? "" : " ") + named.command->get_name();
+        named.command = named.command->get_subcommands().front();
+    }
+    return named;
+}
+
+// One sentence; the parser's own does not say which word it could not place.
+std::string usage_sentence(const CLI::App& program, int argc, char** argv,
+                           const CLI::ParseError& error) {
+    const Named named = named_command(program);
+    const std::string command =
+        named.parents + (named.parents.empty() ? "" : " ") + named.command->get_name();
+    const bool wants_command =
+        !named.command->get_subcommands([](const CLI::App*) { return true; }).empty();
+    std::string sentence = error.what();
+    if (wants_command && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        std::string names;
+        for (const CLI::App* sub :
+             named.command->get_subcommands([](const CLI::App*) { return true; }))
+            names += (names.empty() ? "" : ", ") + sub->get_name();
+        // The word after the command's own name, if any.
+        std::string word;
+        for (int i = argc - 1; i >= 1; --i) {
+            if (argv[i] == named.command->get_name()) break;
+            if (argv[i][0] != '-') word = argv[i];
+        }
+        sentence = (word.empty() ? "`" + command + "` needs a command"
+                                 : "'" + word + "' is no command of `" + command + "`") +
+                   "; give one of " + names;
+    }
+    for (char& c : sentence)
+        if (c == '\n') c = ' ';
+    return sentence + "; see `" + command + " --help`.";
+}
+
 int run(int argc, char** argv) {
     CLI::App program{
         "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
@@ -21,9 +65,9 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.set_help_all_flag("--help-all", "Help of all commands");
     program.footer(
-        "Exit status: 0 done, 1 a comparison found differences, 2 bad usage or input, 3 the "
-        "environment failed\n"
-        "(disk full, cannot write), 77 no OpenGL context.\n\n"
+        "Exit status: 0 done, 2 bad usage or input, 3 the environment failed (disk full, cannot "
+        "write),\n"
+        "77 no OpenGL context; 1 is kept for comparisons that find differences.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     Console console;
@@ -55,9 +99,8 @@ int run(int argc, char** argv) {
             program.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {
             // Help of the command that was named last.
-            const CLI::App* named = &program;
-            while (!named->get_subcommands().empty()) named = named->get_subcommands().front();
-            print_result(named->help(named == &program ? "" : "scb"));
+            const Named named = named_command(program);
+            print_result(named.command->help(named.parents));
             return exit_done;
         } catch (const CLI::CallForAllHelp&) {
             print_result(program.help("", CLI::AppFormatMode::All));
@@ -65,7 +108,7 @@ int run(int argc, char** argv) {
         } catch (const CLI::Success&) {
             return exit_done;
         } catch (const CLI::ParseError& error) {
-            console.error(std::string(error.what()) + "; see `scb --help`.");
+            console.error(usage_sentence(program, argc, argv, error));
             return exit_bad_input;
         }
         console.color = color == "always"  ? ColorMode::always
@@ -87,6 +130,9 @@ int run(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         console.error("out of memory; use a smaller mesh, picture or number of levels.");
         return exit_environment;
+    } catch (const std::exception& error) {
+        console.error(std::string("unexpected: ") + error.what() + "; please report this.");
+        return exit_environment;
     }
 }
 
@@ -94,9 +140,8 @@ int run(int argc, char** argv) {
 }  // namespace scb
 
 int main(int argc, char** argv) {
-    // A closed pipe and a file that may not grow are reported as errors of the write, not by a
-    // silent end.
-    std::signal(SIGPIPE, SIG_IGN);
+    // A file that may not grow is reported as an error of the write. A closed pipe ends the program
+    // silently, as it does others.
     std::signal(SIGXFSZ, SIG_IGN);
     return scb::run(argc, argv);
 }

@@ -34,10 +34,12 @@ int SceneOptions::frame_of(const Scene& scene) const {
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame) {
     command
-        .add_option("SCENE", options.names,
-                    "A built-in scene (see `scb scenes`), a scene file, a mesh file or two")
+        .add_option(
+            "SCENE", options.names,
+            "A built-in scene (see `scb scenes`), a scene file, a mesh file, or two mesh files")
         ->required()
-        ->expected(1, 2);
+        ->expected(1, 2)
+        ->type_name("[SCENE]");
     command
         .add_option("--pose", options.pose,
                     "Pose of the second of two meshes: 12 numbers, [R|t] row by row")
@@ -58,7 +60,8 @@ FitOptions HierarchyOptions::fit() const {
     else if (growth != "ritter")
         throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
     if (!(margin >= 0 && margin <= 1))
-        throw InputError("--margin: give a share of the radius from 0 to 1.");
+        throw InputError("--margin " + std::to_string(margin) +
+                         ": give a share of the radius from 0 to 1.");
     options.margin = margin;
     return options;
 }
@@ -98,12 +101,12 @@ std::vector<std::string> split_list(const std::string& text, char separator) {
     return parts;
 }
 
-int whole_number(const std::string& text, const std::string& what) {
+int whole_number(const std::string& text, const std::string& what, const std::string& hint) {
     int value = 0;
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, value);
     if (text.empty() || parsed.ec != std::errc() || parsed.ptr != end)
-        throw InputError(what + ": '" + text + "' is no whole number.");
+        throw InputError(what + ": '" + text + "' is no whole number" + hint);
     return value;
 }
 

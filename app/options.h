@@ -40,7 +40,8 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options);
 /// "1,2,3" cut at the separators; empty parts stay.
 std::vector<std::string> split_list(const std::string& text, char separator = ',');
 
-/// An integer that is the whole text; throws InputError that starts with `what`.
-int whole_number(const std::string& text, const std::string& what);
+/// An integer that is the whole text; throws InputError that starts with `what` and ends with
+/// `hint`.
+int whole_number(const std::string& text, const std::string& what, const std::string& hint = ".");
 
 }  // namespace scb

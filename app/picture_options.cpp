@@ -10,7 +10,7 @@ namespace scb {
 namespace {
 
 // Smaller ones have no room for a heading and numbers; larger ones no OpenGL library draws.
-constexpr int smallest_width = 160, smallest_height = 120, largest = 16384;
+constexpr int smallest_width = 320, smallest_height = 240, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
     const std::vector<std::string> parts = split_list(size, 'x');
@@ -22,11 +22,12 @@ int side_of(const std::string& size, std::size_t side) {
 }  // namespace
 
 void PictureOptions::check() const {
-    if (width() < smallest_width || height() < smallest_height || width() > largest ||
-        height() > largest)
+    const int most = samples == 4 ? largest / 2 : largest;
+    if (width() < smallest_width || height() < smallest_height || width() > most || height() > most)
         throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
-                         std::to_string(smallest_height) + " to " + std::to_string(largest) + "x" +
-                         std::to_string(largest) + " pixels.");
+                         std::to_string(smallest_height) + " to " + std::to_string(most) + "x" +
+                         std::to_string(most) + " pixels (with " + std::to_string(samples) +
+                         " samples).");
     if (samples != 1 && samples != 4)
         throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
     if (job_count < 0 || job_count > 256)
@@ -85,7 +86,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
         ->type_name("NAME")
         ->capture_default_str();
-    command.add_option("--jobs", options.job_count, "Threads that encode; 0 is one per core")
+    command
+        .add_option("--jobs", options.job_count,
+                    "Threads that compress pictures; 0 is one per core")
         ->capture_default_str();
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");

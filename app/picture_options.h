@@ -15,7 +15,7 @@ struct PictureOptions {
     std::string size = "1280x720";
     int samples = 4;
     std::string background = "light";
-    std::string gl = "osmesa";
+    std::string gl = is_compiled_in(GlBackend::osmesa) ? "osmesa" : "egl";
     std::string output = "out";
     int job_count = 0;
     bool ids = false;

@@ -22,6 +22,11 @@ double azimuth_for(const Scene& scene, const Vec3& up) {
 
 }  // namespace
 
+void CameraOptions::check() const {
+    if (!camera.empty()) parse_camera(camera);
+    up_vector();
+}
+
 Vec3 CameraOptions::up_vector() const {
     if (up.empty() || up == "z") return Vec3::UnitZ();
     if (up == "x") return Vec3::UnitX();
@@ -73,9 +78,10 @@ Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& 
 CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center) {
     CameraSpec exact = spec;
     exact.orthographic = camera.orthographic;
+    if (camera.orthographic) exact.view_height = camera.view_height;
+    if (spec.target && spec.distance) return exact;
     exact.distance = dot(Vec3(camera.axes.col(2)), Vec3(camera.position - center));
     exact.target = camera.position - *exact.distance * camera.axes.col(2);
-    if (camera.orthographic) exact.view_height = camera.view_height;
     return exact;
 }
 

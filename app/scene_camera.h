@@ -15,6 +15,7 @@ struct CameraOptions {
     bool orthographic = false;
     std::string up;  ///< x, y or z; empty: the camera's own, or z
 
+    void check() const;      ///< throws InputError where one of them makes no sense
     Vec3 up_vector() const;  ///< throws InputError
 };
 

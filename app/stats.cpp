@@ -11,6 +11,7 @@ namespace scb {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -41,9 +42,9 @@ std::string format(const char* pattern, auto... values) {
 double ratio(double value, double above) { return above > 0 ? value / above : 0; }
 
 std::vector<Measured> measure(const Options& options) {
-    const Scene scene = options.scene.load();
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     const FitOptions fit_options = options.hierarchy.fit();
+    const Scene scene = options.scene.load();
     std::vector<Measured> result;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m].mesh;
@@ -86,25 +87,24 @@ std::string rules_text(const LevelStatistics& level) {
 std::string table(const Measured& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
-    std::string text =
-        format("%s (%s): %zu triangles, %zu distinct points, %s hierarchy\n\n", m.mesh.c_str(),
-               m.bodies.size() == 1 ? ("body " + bodies).c_str() : ("bodies " + bodies).c_str(),
-               m.triangles, m.points, std::string(volume_kind_name(m.kind)).c_str());
-    text +=
-        "level     nodes    leaves    mean d     max d  ratio  mean tau   max tau  ratio       "
-        "area     volume  split by\n";
+    std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
+                       format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
+                       std::string(volume_kind_name(m.kind)) + " hierarchy\n\n" +
+                       "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
+                       "max tau tau ratio  "
+                       "     area     volume  split by\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
         const auto ratio_text = [i](double value, double before) {
-            return i == 0 ? std::string("      ") : format(" %5.3f", ratio(value, before));
+            return i == 0 ? std::string("        ") : format(" %7.3f", ratio(value, before));
         };
-        text += format("%5zu %9u %9u %9.4g %9.4g", i, l.nodes, l.leaves, l.mean_diameter,
-                       l.max_diameter) +
-                ratio_text(l.mean_diameter, above.mean_diameter) +
-                format(" %9.4g %9.4g", l.mean_thickness, l.max_thickness) +
-                ratio_text(l.mean_thickness, above.mean_thickness) +
-                format(" %10.4g %10.4g  ", l.area, l.volume) + rules_text(l) + "\n";
+        text += format("%5zu %8u %8u %8u %9.4g %9.4g", i, l.volumes, l.leaves, l.cover,
+                       l.mean_diameter(), l.max_diameter) +
+                ratio_text(l.mean_diameter(), above.mean_diameter()) +
+                format(" %9.4g %9.4g", l.mean_thickness(), l.max_thickness) +
+                ratio_text(l.mean_thickness(), above.mean_thickness()) +
+                format("   %10.4g %10.4g  ", l.area, l.volume) + rules_text(l) + "\n";
     }
     LevelStatistics total;
     for (const LevelStatistics& l : m.levels)
@@ -119,22 +119,23 @@ std::string table(const Measured& m) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const Measured& m) {
-    nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+Json json_of(const Measured& m) {
+    Json levels = Json::array();
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
-        nlohmann::ordered_json level = {{"level", i},
-                                        {"nodes", l.nodes},
-                                        {"leaves", l.leaves},
-                                        {"mean_diameter", l.mean_diameter},
-                                        {"max_diameter", l.max_diameter},
-                                        {"mean_thickness", l.mean_thickness},
-                                        {"max_thickness", l.max_thickness},
-                                        {"area", l.area},
-                                        {"volume", l.volume}};
+        Json level = {{"level", i},
+                      {"nodes", l.volumes},
+                      {"leaves", l.leaves},
+                      {"cover", l.cover},
+                      {"mean_diameter", l.mean_diameter()},
+                      {"max_diameter", l.max_diameter},
+                      {"mean_thickness", l.mean_thickness()},
+                      {"max_thickness", l.max_thickness},
+                      {"area", l.area},
+                      {"volume", l.volume}};
         if (i > 0) {
-            level["diameter_ratio"] = ratio(l.mean_diameter, m.levels[i - 1].mean_diameter);
-            level["thickness_ratio"] = ratio(l.mean_thickness, m.levels[i - 1].mean_thickness);
+            level["diameter_ratio"] = ratio(l.mean_diameter(), m.levels[i - 1].mean_diameter());
+            level["thickness_ratio"] = ratio(l.mean_thickness(), m.levels[i - 1].mean_thickness());
         }
         for (std::size_t r = 0; r < split_rule_count; ++r)
             level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
@@ -156,9 +157,10 @@ int run(const Options& options) {
     const std::vector<Measured> all = measure(options);
     std::string text;
     if (options.json) {
-        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        Json list = Json::array();
         for (const Measured& m : all) list.push_back(json_of(m));
-        text = nlohmann::ordered_json{{"hierarchies", list}}.dump(2) + "\n";
+        text =
+            Json{{"hierarchies", list}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     } else {
         for (const Measured& m : all) text += (text.empty() ? "" : "\n") + table(m);
     }
@@ -175,6 +177,8 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
     add_hierarchy_options(*command, options->hierarchy);
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
+        "nodes: at that depth; leaves: of these; cover: nodes and the leaves above them, what a "
+        "picture of the level shows;\n"
         "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in "
         "the mesh's units;\n"
         "ratio: mean over the mean of the level above. On a smooth surface d halves every other "

@@ -11,20 +11,13 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
                                         std::size_t{1});
     for (std::size_t i = 0; i < depths.size(); ++i) {
         LevelStatistics& level = levels[depths[i]];
-        const V& v = hierarchy.volumes[i];
-        ++level.nodes;
-        level.leaves += hierarchy.topology->nodes[i].is_leaf();
-        level.mean_diameter += diameter(v);
-        level.mean_thickness += thickness(v);
-        level.max_diameter = std::max(level.max_diameter, diameter(v));
-        level.max_thickness = std::max(level.max_thickness, thickness(v));
-        level.area += surface_area(v);
-        level.volume += volume(v);
+        level.add(hierarchy.volumes[i], hierarchy.topology->nodes[i].is_leaf());
         ++level.rules[static_cast<std::size_t>(hierarchy.topology->rules[i])];
     }
+    std::uint32_t leaves_above = 0;
     for (LevelStatistics& level : levels) {
-        level.mean_diameter /= level.nodes;
-        level.mean_thickness /= level.nodes;
+        level.cover = level.volumes + leaves_above;
+        leaves_above += level.leaves;
     }
     return levels;
 }

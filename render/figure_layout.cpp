@@ -13,13 +13,37 @@ FigureLayout figure_layout(int width, int height) {
     const int unit = layout.unit = text_unit(width, height);
     const int margin = std::min({unit, width / 24, height / 24});
     const int heading = std::min(height / 4, title_size(unit) + unit / 2);
-    const int panel = std::min(width / 3, 15 * unit);
     const int top = margin + heading;
     layout.heading = {margin, margin, width - 2 * margin, heading};
-    layout.panel = {width - margin - panel, top, panel, height - top - margin};
-    layout.view = {margin, top, std::max(1, width - 3 * margin - panel),
-                   std::max(1, height - top - margin)};
+    layout.portrait = height > width;
+    if (layout.portrait) {
+        const int panel = std::min(height / 3, 14 * unit * 5 / 4);
+        const int rows = std::min(15 * unit, width - 2 * margin);
+        layout.panel = {margin, height - margin - panel, rows, panel};
+        layout.view = {margin, top, width - 2 * margin, std::max(1, layout.panel.y - margin - top)};
+    } else {
+        const int panel = std::min(width * 2 / 5, 15 * unit);
+        layout.panel = {width - margin - panel, top, panel, height - top - margin};
+        layout.view = {margin, top, std::max(1, width - 3 * margin - panel),
+                       std::max(1, height - top - margin)};
+    }
     return layout;
+}
+
+std::optional<PixelRect> detail_square(const FigureLayout& layout, int below) {
+    const PixelRect& panel = layout.panel;
+    const int caption = layout.unit * 9 / 4;
+    PixelRect square{panel.x, below + caption, 0, 0};
+    square.width = std::min(panel.width, panel.y + panel.height - square.y);
+    if (layout.portrait) {
+        const int right = layout.view.x + layout.view.width;
+        square = {panel.x + panel.width + 2 * layout.unit, panel.y + caption / 2, 0, 0};
+        square.width = std::min(right - square.x, panel.y + panel.height - square.y);
+        square.x = right - square.width;
+    }
+    square.height = square.width;
+    if (square.width < 4 * layout.unit) return std::nullopt;
+    return square;
 }
 
 void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,

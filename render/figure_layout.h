@@ -12,15 +12,21 @@
 namespace scb {
 
 /// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of
-/// numbers at its right. Nothing of the panel or the heading ever covers the view.
+/// numbers at its right, or below it where the picture is taller than wide. Nothing of the panel or
+/// the heading ever covers the view.
 struct FigureLayout {
     int unit = 20;  ///< size of body text, pixels
     PixelRect heading;
     PixelRect view;
     PixelRect panel;
+    bool portrait = false;  ///< the panel is below the view
 };
 
 FigureLayout figure_layout(int width, int height);
+
+/// Where a magnified detail can stand: below the panel's rows, which end at `below`, or beside
+/// them; nothing where there is no room.
+std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
 
 inline double aspect_of(const PixelRect& rect) {
     return static_cast<double>(rect.width) / rect.height;

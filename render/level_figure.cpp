@@ -8,29 +8,20 @@
 namespace scb {
 namespace {
 
-void add(CoverStatistics& sum, const CoverStatistics& s) {
-    const double volumes = static_cast<double>(sum.volumes) + s.volumes;
-    if (volumes > 0) {
-        sum.mean_diameter =
-            (sum.mean_diameter * sum.volumes + s.mean_diameter * s.volumes) / volumes;
-        sum.mean_thickness =
-            (sum.mean_thickness * sum.volumes + s.mean_thickness * s.volumes) / volumes;
-    }
-    sum.volumes += s.volumes;
-    sum.leaves += s.leaves;
-    sum.area += s.area;
-    sum.volume += s.volume;
-}
+// Whether the thickness is but rounding noise.
+bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
 
-std::string ratio_text(const CoverStatistics& s) {
-    return s.mean_diameter > 0 ? number_text(s.mean_thickness / s.mean_diameter) : "–";
+std::string ratio_text(const VolumeStatistics& s) {
+    return is_flat(s)           ? "0"
+           : s.diameter_sum > 0 ? number_text(s.mean_thickness() / s.mean_diameter())
+                                : "–";
 }
 
 std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers& numbers) {
     const bool by_body = figure.style.colors.by == ColorBy::body;
     std::vector<PanelItem> items;
     // One column per body where they fit, else the sums.
-    std::vector<const CoverStatistics*> columns;
+    std::vector<const VolumeStatistics*> columns;
     PanelRow names{"body", {}, {}, true}, triangles{"triangles", {}};
     if (figure.bodies.size() <= 2) {
         for (std::size_t b = 0; b < figure.bodies.size(); ++b) {
@@ -49,19 +40,20 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     }
     const auto row = [&](const char* label, auto value_of, bool strong = false) {
         PanelRow r{label, {}, {}, strong};
-        for (const CoverStatistics* s : columns) r.values.push_back(value_of(*s));
+        for (const VolumeStatistics* s : columns) r.values.push_back(value_of(*s));
         items.emplace_back(std::move(r));
     };
     items.emplace_back(std::move(names));
     items.emplace_back(std::move(triangles));
     row(
-        "volumes", [](const CoverStatistics& s) { return count_text(s.volumes); }, true);
-    row("leaves", [](const CoverStatistics& s) { return count_text(s.leaves); });
-    row("mean d", [](const CoverStatistics& s) { return number_text(s.mean_diameter); });
-    row("mean τ", [](const CoverStatistics& s) { return number_text(s.mean_thickness); });
+        "volumes", [](const VolumeStatistics& s) { return count_text(s.volumes); }, true);
+    row("leaves", [](const VolumeStatistics& s) { return count_text(s.leaves); });
+    row("mean d", [](const VolumeStatistics& s) { return number_text(s.mean_diameter()); });
+    row("mean τ", [](const VolumeStatistics& s) { return thickness_text(s); });
     row("τ / d", ratio_text);
-    row("Σ area", [](const CoverStatistics& s) { return number_text(s.area); });
-    row("Σ volume", [](const CoverStatistics& s) { return number_text(s.volume); });
+    row("Σ area", [](const VolumeStatistics& s) { return number_text(s.area); });
+    row("Σ volume", [](const VolumeStatistics& s) { return volume_text(s); });
+    if (figure.bodies.size() > 2 && by_body) items.emplace_back(PanelHeading{""});
     if (figure.bodies.size() > 2 && by_body)
         for (std::size_t b = 0; b < figure.bodies.size(); ++b)
             items.emplace_back(PanelKey{category_color(b), figure.bodies[b].name});
@@ -69,10 +61,21 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         items.emplace_back(PanelHeading{""});
         items.emplace_back(*scale);
     }
+    const bool boxes = std::holds_alternative<Hierarchy<Obb>>(*figure.bodies[0].hierarchy);
+    items.emplace_back(PanelNote{boxes ? "d: diagonal, τ: shortest side"
+                                       : "d = 2r, τ = e − f; lengths in units of the mesh"});
     return items;
 }
 
 }  // namespace
+
+std::string thickness_text(const VolumeStatistics& s) {
+    return is_flat(s) ? "0" : number_text(s.mean_thickness());
+}
+
+std::string volume_text(const VolumeStatistics& s) {
+    return is_flat(s) ? "0" : number_text(s.volume);
+}
 
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
     LevelNumbers numbers;
@@ -80,7 +83,7 @@ LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
         numbers.bodies.push_back(std::visit(
             [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); },
             *body.hierarchy));
-        add(numbers.all, numbers.bodies.back());
+        numbers.all.add(numbers.bodies.back());
     }
     return numbers;
 }
@@ -134,8 +137,7 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             [&](const auto& h) {
                 for (const std::uint32_t node : level_cover(*h.topology, level)) {
                     const auto& volume = h.volumes[node];
-                    const Rgba8 color =
-                        volume_color(style.colors, volume, depths[node], b, node);
+                    const Rgba8 color = volume_color(style.colors, volume, depths[node], b, node);
                     pane.volumes.push_back({placed(volume, body.pose),
                                             with_opacity(color, style.opacity),
                                             body.first_id + node});
@@ -160,21 +162,18 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
                         panel_items(figure, level_numbers(figure.bodies, figure.level)));
     draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
 
-    // The magnified detail takes what the panel leaves.
-    const int top = below + layout.unit * 9 / 4;
-    const int side = std::min(layout.panel.width, layout.panel.y + layout.panel.height - top);
-    if (figure.detail && side >= 4 * layout.unit) {
-        const PixelRect square{layout.panel.x, top, side, side};
-        picture.panes.push_back(
-            level_pane(square, figure.detail->camera, figure.bodies, figure.level, figure.style));
-        const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
-        overlay.text(square.x, top - small_size(layout.unit) * 5 / 4,
-                     "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
-        overlay.frame(square, theme.accent, std::max(1, layout.unit / 10));
-        if (const auto marker =
-                marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
-            overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
-    }
+    if (!figure.detail) return picture;
+    const std::optional<PixelRect> square = detail_square(layout, below);
+    if (!square) return picture;
+    picture.panes.push_back(
+        level_pane(*square, figure.detail->camera, figure.bodies, figure.level, figure.style));
+    const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
+    overlay.text(square->x, square->y - small_size(layout.unit) * 5 / 4,
+                 "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
+    overlay.frame(*square, theme.accent, std::max(1, layout.unit / 10));
+    if (const auto marker =
+            marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
+        overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
     return picture;
 }
 

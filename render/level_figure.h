@@ -42,10 +42,14 @@ struct Detail {
 
 /// A cover in numbers, per body and in all.
 struct LevelNumbers {
-    std::vector<CoverStatistics> bodies;
-    CoverStatistics all;
+    std::vector<VolumeStatistics> bodies;
+    VolumeStatistics all;
 };
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
+
+/// Mean thickness and summed volume for a reader: 0 where they are but rounding noise.
+std::string thickness_text(const VolumeStatistics& statistics);
+std::string volume_text(const VolumeStatistics& statistics);
 
 /// The support of all that pictures of these levels show: the volumes of their covers, which
 /// contain the meshes. The bodies must outlive the result.
@@ -69,34 +73,5 @@ struct LevelFigure {
 
 /// Composes the picture and its overlay: view, numbers, legend, magnified detail.
 Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay);
-
-/// One row or column of a sheet: what is compared.
-struct LevelSheetCell {
-    std::string caption;  ///< above the cell
-    std::vector<LevelBody> bodies;
-    int level = 0;
-};
-
-/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
-/// one camera and one scale.
-struct LevelSheet {
-    std::string title;
-    std::string subtitle;
-    std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
-    LevelStyle style;
-    Camera camera;  ///< for the aspect of LevelSheetLayout
-    Vec3 center = Vec3::Zero();
-    std::optional<Detail> detail;
-};
-
-/// The pixels of a sheet, from the size of one cell's view.
-struct LevelSheetLayout {
-    int width = 0, height = 0, unit = 0;
-    int columns = 0, bands = 0;  ///< cells in a row; blocks of rows below each other
-    int view_width = 0, view_height = 0, detail_size = 0;
-};
-LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail);
-
-Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
 
 }  // namespace scb

@@ -1,6 +1,7 @@
+#include "render/level_sheet.h"
+
 #include <algorithm>
 
-#include "render/level_figure.h"
 #include "render/side_panel.h"
 
 namespace scb {
@@ -12,21 +13,38 @@ constexpr int margin = 24;
 // Title and keys.
 constexpr int heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
 
+// What every renderer here can draw, even with four samples.
+constexpr int largest_side = 8000;
+
+int cell_height(const LevelSheetLayout& layout) {
+    return layout.view_height + layout.detail_size + 4 * layout.unit;
+}
+
 }  // namespace
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail) {
+    const int count = static_cast<int>(levels), rows = static_cast<int>(volumes);
     LevelSheetLayout layout;
-    layout.unit = 20;
-    const int count = static_cast<int>(levels);
-    layout.bands = (count + most_columns - 1) / most_columns;
-    layout.columns = (count + layout.bands - 1) / layout.bands;
-    layout.view_width = layout.columns <= 2 ? 620 : layout.columns <= 3 ? 520 : 440;
-    layout.view_height = layout.view_width * (with_detail ? 5 : 6) / 8;
-    layout.detail_size = with_detail ? layout.view_width * 9 / 20 : 0;
-    const int cell_height = layout.view_height + layout.detail_size + 4 * layout.unit;
-    layout.width = margin + layout.columns * (layout.view_width + margin);
-    layout.height =
-        heading_height(layout.unit) + layout.bands * static_cast<int>(volumes) * cell_height;
+    const auto lay_out = [&](int columns, int view_width) {
+        layout.bands = (count + columns - 1) / columns;
+        layout.columns = (count + layout.bands - 1) / layout.bands;
+        layout.view_width = view_width;
+        layout.unit = view_width < 300 ? 14 : 20;
+        layout.view_height = view_width * (with_detail ? 5 : 6) / 8;
+        layout.detail_size = with_detail ? view_width * 9 / 20 : 0;
+        layout.width = margin + layout.columns * (view_width + margin);
+        layout.height = heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
+        return layout.width <= largest_side && layout.height <= largest_side;
+    };
+    const int columns = std::min(count, most_columns);
+    const int roomy = columns <= 2 ? 620 : columns <= 3 ? 520 : 440;
+    // As tall as twice its width is tall enough.
+    for (int wider = most_columns; wider <= 2 * most_columns; ++wider)
+        if (lay_out(std::min(count, wider), roomy) && layout.height <= 2 * layout.width)
+            return layout;
+    for (int view_width = roomy; view_width >= 160; view_width -= 20)
+        for (int wider = most_columns; wider <= count + most_columns; wider += 2)
+            if (lay_out(std::min(count, wider), view_width)) return layout;
     return layout;
 }
 
@@ -51,11 +69,15 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     } else {
         int x = margin;
         const auto& bodies = sheet.rows.front().front().bodies;
-        for (std::size_t b = 0; b < bodies.size() && x < layout.width / 2; ++b) {
+        const TextStyle style{unit, FontWeight::regular, theme.text};
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
             const std::string text =
                 "body " + bodies[b].name + ", " + count_text(bodies[b].triangles) + " triangles";
-            const TextStyle style{unit, FontWeight::regular, theme.text};
             const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
+            if (x + width > layout.width - 6 * unit && b + 1 < bodies.size()) {
+                overlay.text(x, key_y, "and " + std::to_string(bodies.size() - b) + " more", style);
+                break;
+            }
             draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit,
                             {PanelKey{category_color(b), text}});
             x += width;
@@ -63,7 +85,6 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     }
 
     const int first_y = heading_height(unit);
-    const int cell_height = layout.view_height + layout.detail_size + 4 * unit;
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {
             const LevelSheetCell& cell = sheet.rows[r][c];
@@ -71,26 +92,30 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
                       column = static_cast<int>(c) % layout.columns;
             const int x = margin + column * (layout.view_width + margin);
             const int y =
-                first_y +
-                (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) * cell_height;
+                first_y + (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) *
+                              cell_height(layout);
             const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
 
             overlay.rectangle({x, y - unit / 4, layout.view_width, 1}, theme.border);
             const TextStyle bold{unit, FontWeight::bold, theme.text};
-            overlay.text(x, y, cell.caption, bold);
             std::string counts;
-            for (const CoverStatistics& s : numbers.bodies)
-                counts += (counts.empty() ? "" : " + ") + count_text(s.volumes);
+            for (const VolumeStatistics& v : numbers.bodies)
+                counts += (counts.empty() ? "" : " + ") + count_text(v.volumes);
             if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
+            counts += counts == "1" ? " volume" : " volumes";
             const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
-            overlay.text(x + layout.view_width, y,
-                         counts + (counts == "1" ? " volume" : " volumes"), right);
             const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
+            const int room = layout.view_width - overlay.measure(counts, right).width - unit;
+            std::string second = "mean d " + number_text(numbers.all.mean_diameter()) +
+                                 ", mean τ " + thickness_text(numbers.all) + ", Σ volume " +
+                                 volume_text(numbers.all);
+            if (overlay.measure(cell.caption, bold).width <= room)
+                overlay.text(x + layout.view_width, y, counts, right);
+            else
+                second = counts;  // a narrow cell: the counts matter most
+            overlay.text(x, y, fitted_text(overlay, cell.caption, bold, layout.view_width), bold);
             overlay.text(x, y + unit * 5 / 4,
-                         "mean d " + number_text(numbers.all.mean_diameter) + ", mean τ " +
-                             number_text(numbers.all.mean_thickness) + ", Σ volume " +
-                             number_text(numbers.all.volume),
-                         faint);
+                         fitted_text(overlay, second, faint, layout.view_width), faint);
 
             const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
             picture.panes.push_back(

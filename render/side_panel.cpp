@@ -45,9 +45,17 @@ struct PanelPainter {
             const int right = box.x + label_width + (box.width - label_width) * (c + 1) / columns;
             const int room = (box.width - label_width) / columns - unit / 4;
             const bool swatch = i < row.swatches.size() && row.swatches[i].has_value();
+            // Names may be cut, numbers never: they are set smaller.
+            const bool number =
+                !row.values[i].empty() && row.values[i][0] >= '0' && row.values[i][0] <= '9';
+            TextStyle style_of_value = value;
+            const int limit = swatch ? room - unit * 5 / 4 : room;
+            while (number && style_of_value.size > 8 &&
+                   overlay.measure(row.values[i], style_of_value).width > limit)
+                --style_of_value.size;
             const std::string text =
-                fitted_text(overlay, row.values[i], value, swatch ? room - unit * 5 / 4 : room);
-            overlay.text(right, y, text, value);
+                number ? row.values[i] : fitted_text(overlay, row.values[i], value, limit);
+            overlay.text(right, y + (unit - style_of_value.size) / 2, text, style_of_value);
             if (swatch) {
                 const int x = right - overlay.measure(text, value).width - unit * 5 / 4;
                 overlay.rectangle({x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, *row.swatches[i]);
@@ -73,7 +81,7 @@ struct PanelPainter {
         for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
         const PixelRect covered =
             draw_color_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
-                            scale.title, ticks, {theme, unit});
+                           scale.title, ticks, {theme, unit});
         y = covered.y + covered.height + unit / 4;
     }
 

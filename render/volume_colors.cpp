@@ -17,6 +17,22 @@ Rgba8 varied(Rgba8 color, std::uint32_t node) {
     return t > 0 ? mix(color, {255, 255, 255}, 0.16 * t) : mix(color, {0, 0, 0}, -0.12 * t);
 }
 
+// The binary logarithm of a positive number by operations that IEEE 754 fixes: the C library's
+// rounds differently from CPU to CPU.
+double log2_of(double x) {
+    int exponent = 0;
+    double m = std::frexp(x, &exponent);  // in [1/2, 1)
+    if (m < 0.70710678118654752440) {
+        m *= 2;
+        --exponent;
+    }
+    // log2(m) = 2 / ln 2 * artanh(t), |t| < 0.172.
+    const double t = (m - 1) / (m + 1), t2 = t * t;
+    double sum = 0;
+    for (int k = 21; k >= 1; k -= 2) sum = sum * t2 + 1.0 / k;
+    return exponent + 2 * 1.44269504088896340736 * t * sum;
+}
+
 }  // namespace
 
 std::string_view color_by_name(ColorBy by) { return names[static_cast<std::size_t>(by)]; }
@@ -34,7 +50,7 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
         case ColorBy::depth:
             return scale.deepest == 0 ? 0 : static_cast<double>(depth) / scale.deepest;
         case ColorBy::radius:
-            return d > 0 ? std::clamp(1 + std::log2(d / scale.root_diameter) / radius_halvings, 0.0,
+            return d > 0 ? std::clamp(1 + log2_of(d / scale.root_diameter) / radius_halvings, 0.0,
                                       1.0)
                          : 0;
         // Most volumes of a deep level are nearly flat: the square root parts them.
@@ -48,7 +64,7 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
 
 template <Volume V>
 Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
-                    std::uint32_t node) {
+                   std::uint32_t node) {
     if (scale.by == ColorBy::body) return varied(category_color(body), node);
     return viridis(color_magnitude(scale, volume, depth));
 }
@@ -56,7 +72,7 @@ Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::siz
 std::optional<PanelScale> legend_of(const ColorScale& scale) {
     switch (scale.by) {
         case ColorBy::depth: {
-            PanelScale legend{"color: level", {}};
+            PanelScale legend{"color: level of the node", {}};
             const int step = scale.deepest <= 6 ? 1 : (scale.deepest + 5) / 6;
             for (int level = 0; level <= scale.deepest; level += step)
                 legend.ticks.emplace_back(
@@ -65,7 +81,8 @@ std::optional<PanelScale> legend_of(const ColorScale& scale) {
             return legend;
         }
         case ColorBy::radius: {
-            PanelScale legend{"color: d (1 = " + number_text(scale.root_diameter) + ")", {}};
+            PanelScale legend{"color: d / " + number_text(scale.root_diameter) + " (the root's)",
+                              {}};
             for (int halvings = radius_halvings; halvings >= 0; halvings -= 3)
                 legend.ticks.emplace_back(
                     1 - static_cast<double>(halvings) / radius_halvings,
@@ -83,6 +100,14 @@ std::optional<PanelScale> legend_of(const ColorScale& scale) {
             break;
     }
     return std::nullopt;
+}
+
+double largest_root(const std::vector<AnyHierarchy>& hierarchies) {
+    double largest = 0;
+    for (const AnyHierarchy& hierarchy : hierarchies)
+        largest = std::max(
+            largest, std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
+    return largest;
 }
 
 template double color_magnitude(const ColorScale&, const Scb&, int);

@@ -38,7 +38,10 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth);
 
 template <Volume V>
 Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
-                    std::uint32_t node);
+                   std::uint32_t node);
+
+/// The largest diameter of the hierarchies' roots.
+double largest_root(const std::vector<AnyHierarchy>& hierarchies);
 
 /// The scale as a legend, or nothing where the colors are categories.
 std::optional<PanelScale> legend_of(const ColorScale& scale);

@@ -76,7 +76,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
     write_text(folder / "field.json",
                R"({"scb_scene": 1, "name": "x", "sphere": 3, "models": [], "bodies": []})");
     write_text(folder / "file", "not a folder");
-    const std::string out = folder / "out", small = " --size 200x150 -o " + out;
+    const std::string out = folder / "out", small = " --size 320x240 -o " + out;
     const std::vector<Refusal> refusals = {
         {"stats missing.ply", 2, "missing.ply"},
         {"stats sphers-l1", 2, "spheres-l1"},
@@ -108,8 +108,8 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"render levels spheres-l1 --levels 2 --color-by mood" + small, 2, "--color-by mood"},
         {"render levels spheres-l1 --levels 2 --opacity 2" + small, 2, "--opacity"},
         {"render levels spheres-l1 --levels 2 --camera orbit:1" + small, 2, "--camera orbit:1"},
-        {"render levels spheres-l1 --levels 2 --size 200x150 -o " + (folder / "file"), 3, "file"},
-        {"render levels spheres-l1 --levels 2 --size 200x150 -o /proc/none", 3, "/proc/none"},
+        {"render levels spheres-l1 --levels 2 --size 320x240 -o " + (folder / "file"), 3, "file"},
+        {"render levels spheres-l1 --levels 2 --size 320x240 -o /proc/none", 3, "/proc/none"},
         {"export spheres-l1 --level 3 -o " + (folder / "level.xyz"), 2, ".xyz"},
         {"export spheres-l1 --level 3 -o /proc/none/level.ply", 3, "/proc/none/level.ply"},
         {"export spheres-l1 --level 3,4 -o " + (folder / "level.ply"), 2, "one level"},

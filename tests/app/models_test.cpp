@@ -42,7 +42,7 @@ TEST(Models, EveryOneRenders) {
         const TemporaryFolder folder;
         const ProgramRun run =
             run_scb("render levels " + path.string() +
-                    " --levels 4,leaves --size 160x120 --samples 1 -o " + folder.path.string());
+                    " --levels 4,leaves --size 320x240 --samples 1 -o " + folder.path.string());
         EXPECT_EQ(run.status, 0) << path << run.err;
         const auto index = nlohmann::json::parse(file_text(folder / "index.json"));
         EXPECT_EQ(index["files"][1]["bodies"][0]["volumes"], load_mesh(path).triangles.size())

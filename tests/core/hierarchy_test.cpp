@@ -69,17 +69,17 @@ TYPED_TEST(HierarchyOf, LevelStatisticsAddUp) {
     const std::vector<LevelStatistics> levels = level_statistics(h);
     std::size_t nodes = 0, leaves = 0;
     for (const LevelStatistics& level : levels) {
-        nodes += level.nodes;
+        nodes += level.volumes;
         leaves += level.leaves;
-        EXPECT_LE(level.mean_diameter, level.max_diameter * (1 + 1e-15));
+        EXPECT_LE(level.mean_diameter(), level.max_diameter * (1 + 1e-15));
         EXPECT_EQ(level.leaves, level.rules[0]);
         std::size_t by_rule = 0;
         for (const std::uint32_t n : level.rules) by_rule += n;
-        EXPECT_EQ(by_rule, level.nodes);
+        EXPECT_EQ(by_rule, level.volumes);
     }
     EXPECT_EQ(nodes, 2 * mesh.triangles.size() - 1);
     EXPECT_EQ(leaves, mesh.triangles.size());
-    EXPECT_EQ(levels[0].nodes, 1u);
+    EXPECT_EQ(levels[0].volumes, 1u);
     EXPECT_DOUBLE_EQ(levels[0].area, surface_area(h.volumes[0]));
 }
 
@@ -156,8 +156,8 @@ TEST(ScbHierarchy, ThicknessShrinksFasterThanDiameterOnASmoothSurface) {
             mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
     const std::vector<LevelStatistics> levels = level_statistics(build_hierarchy<Scb>(mesh));
-    const double diameters = levels[10].mean_diameter / levels[4].mean_diameter;
-    const double thicknesses = levels[10].mean_thickness / levels[4].mean_thickness;
+    const double diameters = levels[10].mean_diameter() / levels[4].mean_diameter();
+    const double thicknesses = levels[10].mean_thickness() / levels[4].mean_thickness();
     EXPECT_NEAR(diameters, 1.0 / 8, 0.02);
     EXPECT_NEAR(thicknesses, 1.0 / 64, 0.01);
 }

@@ -29,12 +29,15 @@ TEST(LevelCover, HoldsEveryTriangleOnceAtEveryLevel) {
 TEST(LevelCover, StatisticsAreThoseOfTheLevelWhereItHasNoLeavesAbove) {
     const auto h = build_hierarchy<Scb>(height_field(16));
     const LevelStatistics level = level_statistics(h)[4];
-    const CoverStatistics cover = cover_statistics(h, level_cover(*h.topology, 4));
-    EXPECT_EQ(cover.volumes, level.nodes);
-    EXPECT_DOUBLE_EQ(cover.mean_diameter, level.mean_diameter);
-    EXPECT_DOUBLE_EQ(cover.mean_thickness, level.mean_thickness);
+    const VolumeStatistics cover = cover_statistics(h, level_cover(*h.topology, 4));
+    EXPECT_EQ(cover.volumes, level.volumes);
+    EXPECT_DOUBLE_EQ(cover.mean_diameter(), level.mean_diameter());
+    EXPECT_DOUBLE_EQ(cover.mean_thickness(), level.mean_thickness());
     EXPECT_DOUBLE_EQ(cover.area, level.area);
     EXPECT_DOUBLE_EQ(cover.volume, level.volume);
+    const std::vector<LevelStatistics> levels = level_statistics(h);
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        EXPECT_EQ(levels[k].cover, level_cover(*h.topology, static_cast<int>(k)).size());
 }
 
 TEST(AnyHierarchy, NamesAndFitsEveryKind) {
