@@ -9,10 +9,14 @@ namespace scb {
 namespace {
 
 void pin_environment(GlBackend backend) {
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 #if defined(__x86_64__) || defined(__i386__)
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 0);
 #endif
-    if (backend == GlBackend::egl) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    if (backend == GlBackend::egl) {
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+        setenv("EGL_LOG_LEVEL", "fatal", 0);
+    }
 }
 
 std::string gl_text(const Gl& gl, GLenum name) {

@@ -31,6 +31,12 @@ struct GlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The OpenGL library was there, but could not draw: out of memory, a shader it refuses, an error
+/// of its own. `what()` is one sentence. A program that meets it exits with status 3.
+struct DrawError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// What draws the pictures. Nothing here depends on the CPU.
 struct GlInfo {
     std::string backend;   ///< "osmesa" or "egl"
@@ -43,9 +49,14 @@ struct GlInfo {
 /// An OpenGL 3.3 core context (or later) that can draw into framebuffer objects only. It is current
 /// in the thread that made it; several may exist, each used by one thread at a time.
 ///
-/// Before the first one, the environment gets `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (where
-/// unset), so that pixels do not depend on whether the CPU has fused multiply-add, and
-/// `LIBGL_ALWAYS_SOFTWARE=1` for EGL.
+/// Before the first one, the environment gets
+/// - `GALLIUM_DRIVER=llvmpipe`, whatever it was: the other software renderers draw other pixels,
+///   and OSMesa crashes on a name it does not know;
+/// - `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (where unset), so that pixels do not depend on
+///   whether the CPU has fused multiply-add;
+/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each where unset): what goes
+/// wrong
+///   is said by the exception, not by warnings on the standard error stream.
 class Context {
   public:
     /// Throws GlError where the back end is not compiled in, or gives no such context.

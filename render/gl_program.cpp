@@ -26,7 +26,8 @@ void attach_shader(const Gl& gl, GLuint program, GLenum stage,
         gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
     gl.AttachShader(program, shader);
     gl.DeleteShader(shader);  // the program keeps it
-    if (!compiled) throw GlError("The OpenGL library refuses a shader: " + std::string(log.data()));
+    if (!compiled)
+        throw DrawError("The OpenGL library refuses a shader: " + std::string(log.data()));
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ GlProgram::GlProgram(const Gl& gl, std::initializer_list<std::string_view> verte
     if (linked) return;
     std::array<char, 1024> log{};
     gl.GetProgramInfoLog(object_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw GlError("The OpenGL library cannot link a shader program: " + std::string(log.data()));
+    throw DrawError("The OpenGL library cannot link a shader program: " + std::string(log.data()));
 }
 
 }  // namespace scb

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <random>
 #include <string>
 
 #include "core/error.h"
@@ -112,6 +113,20 @@ int write_all(int file, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
+/// A new file beside `path`, open for writing, under a name that no one else has; -1 (and errno)
+/// where there cannot be one. Not mkostemp, whose files only their owner may read: the mode that a
+/// plain create gives would then take the umask, which cannot be asked for without setting it.
+int create_beside(const std::filesystem::path& path, std::string& name) {
+    constexpr int attempts = 100;
+    std::random_device random;
+    for (int i = 0; i < attempts; ++i) {
+        name = path.string() + ".part-" + std::to_string(random());
+        const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0 || errno != EEXIST) return file;
+    }
+    return -1;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
@@ -167,9 +182,9 @@ void write_file_whole(const std::filesystem::path& path, std::span<const std::ui
     // A device is no file to replace: /dev/full and /dev/stdout are written in place.
     const bool in_place = ::stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode) &&
                           !S_ISDIR(existing.st_mode);
-    const std::string target =
-        in_place ? path.string() : path.string() + ".part-" + std::to_string(::getpid());
-    const int file = ::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    std::string target = path.string();
+    const int file =
+        in_place ? ::open(target.c_str(), O_WRONLY | O_CLOEXEC) : create_beside(path, target);
     if (file < 0) fail(path, errno);
     int error = write_all(file, bytes);
     if (::close(file) != 0 && error == 0) error = errno;

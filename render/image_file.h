@@ -31,8 +31,10 @@ Image read_png(const std::filesystem::path& path);
 /// The ids of a picture as encode_png(IdImage) packs them.
 IdImage unpack_ids(const Image& image);
 
-/// Writes the file whole or not at all: to a temporary name in the same folder, then renamed over
-/// `path`. Throws OutputError, and leaves neither a temporary file nor a changed `path` behind.
+/// Writes the file whole or not at all: to a new file in the same folder, whose name starts with
+/// that of `path` and is its own, then renamed over `path`; several threads and programs may write
+/// the same path, and one of them is the last. The file has the permissions that any new file gets.
+/// Throws OutputError, and leaves neither a temporary file nor a changed `path` behind.
 void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace scb

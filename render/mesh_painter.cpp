@@ -6,7 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <string>
 
+#include "core/error.h"
 #include "render/embedded.h"
 
 SCB_DECLARE_EMBEDDED(eye_glsl)
@@ -23,7 +26,7 @@ struct Corner {
     std::array<std::int16_t, 4> normal;
 };
 
-/// The unit normal in 16 bits; nothing for a degenerate triangle.
+/// The unit normal in 16 bits; +z for a degenerate triangle, which covers no pixel.
 std::array<std::int16_t, 4> quantised_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 cross = (b - a).cross(c - a);
     const double length = std::sqrt(squared_norm(cross));
@@ -39,23 +42,33 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 
 }  // namespace
 
+int corner_count(std::size_t triangle_count) {
+    constexpr std::size_t limit = std::numeric_limits<int>::max() / 3;
+    if (triangle_count > limit)
+        throw InputError("A mesh of " + std::to_string(triangle_count) +
+                         " triangles is too large to draw; the limit is " + std::to_string(limit) +
+                         ".");
+    return static_cast<int>(3 * triangle_count);
+}
+
 MeshPainter::MeshPainter(const Gl& gl)
     : gl_(gl),
       program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(mesh_vert)},
                {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(mesh_frag)}) {}
 
 MeshHandle MeshPainter::upload(const Mesh& mesh) {
+    const int count = corner_count(mesh.triangles.size());
     const Box box = bounding_box(mesh);
     GpuMesh gpu{(box.lower + box.upper) / 2,
                 (box.upper - box.lower).maxCoeff() / 2,
-                mesh.triangles.size(),
+                count,
                 GlBuffer(gl_),
                 GlBuffer(gl_),
                 GlVertexArray(gl_)};
     if (!(gpu.scale > 0)) gpu.scale = 1;
 
     std::vector<Corner> corners;
-    corners.reserve(3 * mesh.triangles.size());
+    corners.reserve(static_cast<std::size_t>(count));
     for (const Triangle& triangle : mesh.triangles) {
         std::array<Vec3, 3> local;
         for (std::size_t i = 0; i < 3; ++i)
@@ -109,8 +122,7 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
     set_eye_uniforms(program_, view);
     program_.set_mat4("to_eye", to_eye.data());
     program_.set_mat3("normal_to_eye", normal_to_eye.data());
-    program_.set("color", channel(draw.color.r), channel(draw.color.g), channel(draw.color.b),
-                 1);
+    program_.set("color", channel(draw.color.r), channel(draw.color.g), channel(draw.color.b), 1);
     program_.set("fade", channel(background.r), channel(background.g), channel(background.b),
                  f(draw.dim));
     program_.set("edges", draw.edges ? 1 : 0);
@@ -121,10 +133,10 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
     if (draw.triangle_colors.empty()) {
         gl_.DisableVertexAttribArray(2);
     } else {
-        assert(draw.triangle_colors.size() == gpu.triangle_count &&
+        assert(3 * draw.triangle_colors.size() == static_cast<std::size_t>(gpu.corner_count) &&
                "one color for each triangle");
         std::vector<Rgba8> colors;
-        colors.reserve(3 * gpu.triangle_count);
+        colors.reserve(static_cast<std::size_t>(gpu.corner_count));
         for (const Rgba8 color : draw.triangle_colors) colors.insert(colors.end(), 3, color);
         gl_.BindBuffer(GL_ARRAY_BUFFER, gpu.colors.name());
         gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colors.size() * sizeof(Rgba8)),
@@ -132,7 +144,7 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
         gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgba8), nullptr);
         gl_.EnableVertexAttribArray(2);
     }
-    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * gpu.triangle_count));
+    gl_.DrawArrays(GL_TRIANGLES, 0, gpu.corner_count);
 }
 
 }  // namespace scb

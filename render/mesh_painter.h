@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 
 #include "core/mesh.h"
@@ -8,11 +9,16 @@
 
 namespace scb {
 
+/// The corners of that many triangles, as OpenGL counts them. Throws InputError where an int does
+/// not hold them.
+int corner_count(std::size_t triangle_count);
+
 /// Keeps meshes on the GPU and draws them.
 class MeshPainter {
   public:
     explicit MeshPainter(const Gl& gl);
 
+    /// Throws InputError where corner_count does.
     MeshHandle upload(const Mesh& mesh);
     void release(MeshHandle handle);
 
@@ -25,7 +31,7 @@ class MeshPainter {
     struct GpuMesh {
         Vec3 origin;
         double scale;
-        std::size_t triangle_count;
+        int corner_count;
         GlBuffer corners;
         GlBuffer colors;
         GlVertexArray attributes;

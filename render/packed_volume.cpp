@@ -22,20 +22,20 @@ struct Rectangle {
     }
 };
 
-struct Interval {
+struct Extent {
     double lower, upper;
 };
 
 /// The slopes x / depth of the two lines from the eye that touch a disc, all of which is in front
 /// of the eye.
-Interval touching_slopes(double x, double depth, double r) {
+Extent touching_slopes(double x, double depth, double r) {
     const double root = r * std::sqrt(std::max(0.0, x * x + depth * depth - r * r));
     const double denominator = depth * depth - r * r;
     return {(x * depth - root) / denominator, (x * depth + root) / denominator};
 }
 
 Rectangle around_ball(const Vec3& c, double r, const EyeView& view) {
-    Interval x{c[0] - r, c[0] + r}, y{c[1] - r, c[1] + r};
+    Extent x{c[0] - r, c[0] + r}, y{c[1] - r, c[1] + r};
     if (!view.camera.orthographic) {
         // Around the eye plane a ball has no bounded image.
         if (-c[2] - r <= 1e-3 * r) return {};

@@ -33,9 +33,9 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
     const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     gl.DrawBuffers(2, attachments);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError("The OpenGL library cannot draw colors and ids into a framebuffer of " +
-                      std::to_string(width) + " x " + std::to_string(height) +
-                      " pixels; choose a smaller --size.");
+        throw DrawError("The OpenGL library cannot draw colors and ids into a framebuffer of " +
+                        std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels; choose a smaller --size.");
 }
 
 }  // namespace scb

@@ -8,7 +8,7 @@ namespace scb {
 /// drawn into.
 class RenderTarget {
   public:
-    /// Throws GlError where the OpenGL library cannot draw into such a framebuffer.
+    /// Throws DrawError where the OpenGL library cannot draw into such a framebuffer.
     RenderTarget(const Gl& gl, int width, int height, bool with_depth);
 
     int width() const { return width_; }

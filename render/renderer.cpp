@@ -20,13 +20,17 @@ namespace scb {
 
 namespace {
 
-int largest_size(const Gl& gl) {
+/// Of a render target's side.
+int largest_side(const Gl& gl) {
     std::array<GLint, 2> viewport{};
     GLint texture = 0;
     gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
     return std::min({viewport[0], viewport[1], texture});
 }
+
+/// Render target pixels per pixel of the picture, in x and y.
+int scale_of(int samples) { return samples == 4 ? 2 : 1; }
 
 std::string size_text(int width, int height) {
     return std::to_string(width) + "x" + std::to_string(height);
@@ -41,8 +45,9 @@ void check(const Picture& picture, int limit) {
         throw InputError("A picture of " + size_text(w, h) + " pixels is empty; give it a size.");
     if (w > limit || h > limit)
         throw InputError("A picture of " + size_text(w, h) + " pixels is too large; with " +
-                         std::to_string(picture.samples) + " samples the limit is " +
-                         size_text(limit, limit) + ".");
+                         std::to_string(picture.samples) +
+                         " samples a pixel no side may be longer than " + std::to_string(limit) +
+                         " pixels.");
     for (const Pane& pane : picture.panes) {
         const PixelRect& v = pane.viewport;
         // Subtracted, not added: the sum of two large numbers would overflow.
@@ -57,7 +62,7 @@ void check(const Picture& picture, int limit) {
 void clear(const Gl& gl, Rgba8 background) {
     const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255; };
     const std::array<float, 4> color{channel(background.r), channel(background.g),
-                                      channel(background.b), 1};
+                                     channel(background.b), 1};
     const std::array<GLuint, 4> no_id{};
     const float far_depth = 1;
     gl.ClearBufferfv(GL_COLOR, 0, color.data());
@@ -81,7 +86,7 @@ struct Renderer::Parts {
 
     explicit Parts(const Gl& functions)
         : gl(functions),
-          limit(largest_size(gl)),
+          limit(largest_side(gl)),
           meshes(gl),
           volumes(gl),
           segments(gl),
@@ -148,10 +153,12 @@ MeshHandle Renderer::upload(const Mesh& mesh) { return parts_->meshes.upload(mes
 
 void Renderer::release(MeshHandle handle) { parts_->meshes.release(handle); }
 
+int Renderer::largest_size(int samples) const { return parts_->limit / scale_of(samples); }
+
 Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool with_ids) {
     const Gl& gl = parts_->gl;
-    const int scale = picture.samples == 4 ? 2 : 1;
-    check(picture, parts_->limit / scale);
+    const int scale = scale_of(picture.samples);
+    check(picture, largest_size(picture.samples));
     parts_->fit_target(parts_->drawn, scale * picture.width, scale * picture.height, true);
     parts_->fit_target(parts_->resolved, picture.width, picture.height, false);
 
@@ -169,9 +176,9 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
     if (overlay) parts_->overlay.paint(*overlay, picture.width, picture.height);
     Rendering result = parts_->read_back(with_ids);
     if (gl.GetError() != GL_NO_ERROR)
-        throw GlError("The OpenGL library could not draw a picture of " +
-                      size_text(picture.width, picture.height) +
-                      " pixels; it may be out of memory.");
+        throw DrawError("The OpenGL library could not draw a picture of " +
+                        size_text(picture.width, picture.height) +
+                        " pixels; it may be out of memory.");
     return result;
 }
 

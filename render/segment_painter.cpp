@@ -66,7 +66,7 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 SegmentPainter::SegmentPainter(const Gl& gl)
     : gl_(gl),
       program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(segment_vert)},
-               {SCB_EMBEDDED(segment_frag)}),
+               {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(segment_frag)}),
       attributes_(gl),
       buffer_(gl) {
     gl_.BindVertexArray(attributes_.name());

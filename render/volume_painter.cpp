@@ -18,6 +18,7 @@ namespace scb {
 namespace {
 
 constexpr std::size_t texels_per_volume = 5;
+constexpr std::size_t words_per_volume = 4 * texels_per_volume;
 
 std::size_t largest_batch(const Gl& gl) {
     GLint texels = 0;
@@ -49,7 +50,8 @@ void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, cons
     std::stable_partition(opaque.begin(), opaque.end(), [](const VolumeInstance* volume) {
         return !std::holds_alternative<Obb>(volume->volume);
     });
-    draw(opaque, view, Sides::nearest);
+    pack_all(opaque, view);
+    draw(view, Sides::nearest);
 }
 
 void VolumePainter::draw_translucent(const std::vector<VolumeInstance>& volumes,
@@ -68,61 +70,66 @@ void VolumePainter::draw_translucent(const std::vector<VolumeInstance>& volumes,
     });
     std::vector<const VolumeInstance*> sorted;
     for (const Entry& entry : entries) sorted.push_back(entry.volume);
+    pack_all(sorted, view);
 
     gl_.DepthMask(GL_FALSE);
     gl_.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.Enable(GL_BLEND);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw(sorted, view, Sides::back_then_front);
+    draw(view, Sides::back_then_front);
     gl_.Disable(GL_BLEND);
     gl_.DepthMask(GL_TRUE);
     gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
     gl_.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw(sorted, view, Sides::nearest);
+    draw(view, Sides::nearest);
     gl_.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void VolumePainter::draw(const std::vector<const VolumeInstance*>& volumes, const EyeView& view,
-                         Sides sides) {
+void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
+                             const EyeView& view) {
     texels_.clear();
-    Shape shape = Shape::scb;
+    runs_.clear();
+    uploaded_batch_.reset();
     std::size_t count = 0;
-    const auto flush = [&] {
-        draw_batch(shape, count, view, sides);
-        texels_.clear();
-        count = 0;
-    };
     for (const VolumeInstance* volume : volumes) {
         const std::optional<PackedVolume> packed = pack(*volume, view);
         if (!packed) continue;
-        const Shape its_shape = packed->is_box ? Shape::obb : Shape::scb;
-        if (its_shape != shape || count == batch_limit_) flush();
-        shape = its_shape;
+        const Shape shape = packed->is_box ? Shape::obb : Shape::scb;
+        if (runs_.empty() || runs_.back().shape != shape || count % batch_limit_ == 0)
+            runs_.push_back({shape, count, 0});
         texels_.insert(texels_.end(), packed->words.begin(), packed->words.end());
+        ++runs_.back().count;
         ++count;
     }
-    flush();
 }
 
-void VolumePainter::draw_batch(Shape shape, std::size_t count, const EyeView& view, Sides sides) {
-    if (count == 0) return;
-    gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-    gl_.BufferData(GL_TEXTURE_BUFFER,
-                   static_cast<GLsizeiptr>(texels_.size() * sizeof(std::uint32_t)), texels_.data(),
-                   GL_STREAM_DRAW);
+void VolumePainter::draw(const EyeView& view, Sides sides) {
+    gl_.BindVertexArray(no_attributes_.name());
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
-    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffer_.name());
+    for (const Run& run : runs_) {
+        upload(run.first / batch_limit_);
+        const GlProgram& program = run.shape == Shape::scb ? scb_program_ : obb_program_;
+        program.use();
+        set_eye_uniforms(program, view);
+        program.set("volumes", 0);
+        program.set("sides", static_cast<int>(sides));
+        const std::size_t corners = 6 * static_cast<std::size_t>(sides);
+        gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
+                       static_cast<GLsizei>(corners * run.count));
+    }
+}
 
-    const GlProgram& program = shape == Shape::scb ? scb_program_ : obb_program_;
-    program.use();
-    set_eye_uniforms(program, view);
-    program.set("volumes", 0);
-    program.set("sides", static_cast<int>(sides));
-    gl_.BindVertexArray(no_attributes_.name());
-    gl_.DrawArrays(GL_TRIANGLES, 0,
-                   static_cast<GLsizei>(6 * static_cast<std::size_t>(sides) * count));
+void VolumePainter::upload(std::size_t batch) {
+    if (uploaded_batch_ == batch) return;
+    const std::size_t first = batch * batch_limit_ * words_per_volume;
+    const std::size_t count = std::min(texels_.size() - first, batch_limit_ * words_per_volume);
+    gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)),
+                   texels_.data() + first, GL_STREAM_DRAW);
+    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffer_.name());
+    uploaded_batch_ = batch;
 }
 
 }  // namespace scb

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/eye_view.h"
@@ -26,8 +27,17 @@ class VolumePainter {
     enum class Shape { scb, obb };
     enum class Sides { nearest = 1, back_then_front = 2 };
 
-    void draw(const std::vector<const VolumeInstance*>& volumes, const EyeView& view, Sides sides);
-    void draw_batch(Shape shape, std::size_t count, const EyeView& view, Sides sides);
+    /// Volumes of one shape that follow each other in texels_.
+    struct Run {
+        Shape shape;
+        std::size_t first;
+        std::size_t count;
+    };
+
+    void pack_all(const std::vector<const VolumeInstance*>& volumes, const EyeView& view);
+    /// What was packed last, in its order.
+    void draw(const EyeView& view, Sides sides);
+    void upload(std::size_t batch);
 
     const Gl& gl_;
     GlProgram scb_program_;
@@ -35,8 +45,10 @@ class VolumePainter {
     GlVertexArray no_attributes_;
     GlBuffer buffer_;
     GlTexture texture_;
-    std::size_t batch_limit_;
-    std::vector<std::uint32_t> texels_;  // of all volumes of one draw, kept for its memory
+    std::size_t batch_limit_;  // volumes that the buffer may hold at a time; no run crosses a batch
+    std::optional<std::size_t> uploaded_batch_;
+    std::vector<std::uint32_t> texels_;  // these two are kept for their memory
+    std::vector<Run> runs_;
 };
 
 }  // namespace scb

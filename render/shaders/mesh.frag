@@ -25,5 +25,6 @@ void main() {
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
     out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
+    gl_FragDepth = buffer_depth(-v_eye.z, 0.0);
     out_id = first_id == 0u ? 0u : first_id + uint(gl_PrimitiveID);
 }

@@ -12,9 +12,6 @@ flat out vec4 v_color;
 out vec3 v_corner;  // barycentric coordinates
 out vec3 v_eye;
 
-// Behind coplanar volumes, whose bias is the other way.
-const float bias = 1e-5;
-
 void main() {
     vec3 eye = (to_eye * vec4(position, 1.0)).xyz;
     float depth = -eye.z;
@@ -23,10 +20,7 @@ void main() {
     v_color = colored != 0 ? triangle_color : color;
     int corner = gl_VertexID - 3 * (gl_VertexID / 3);
     v_corner = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
-    if (orthographic != 0) {
-        gl_Position = vec4(eye.xy / half_view, 2.0 * ((depth - near_plane) / (1.0 - near_plane) + bias) - 1.0, 1.0);
-    } else {
-        float window = (depth - near_plane) / (1.0 - near_plane) + bias * depth;
-        gl_Position = vec4(eye.xy / half_view, 2.0 * window - depth, depth);
-    }
+    // z only clips; the fragment shader writes the depth.
+    float w = orthographic != 0 ? 1.0 : depth;
+    gl_Position = vec4(eye.xy / half_view, 2.0 * (depth - near_plane) / (1.0 - near_plane) - w, w);
 }

@@ -5,14 +5,14 @@ layout(location = 2) in uint id;
 
 flat out vec4 v_color;
 flat out uint v_id;
-
-// In front of coplanar volumes and meshes.
-const float bias = 6e-5;
+out float v_depth;  // its inverse in perspective: what is linear on the screen
 
 void main() {
     v_color = color;
     v_id = id;
     float depth = max(position.z, near_plane);
-    float window = window_depth(depth) - bias;
+    v_depth = orthographic != 0 ? depth : 1.0 / depth;
+    // z only clips; the fragment shader writes the depth.
+    float window = (orthographic != 0 ? depth - near_plane : 1.0 - near_plane / depth) / (1.0 - near_plane);
     gl_Position = vec4(position.xy, 2.0 * window - 1.0, 1.0);
 }

@@ -22,7 +22,7 @@ void eye_ray(out vec3 origin, out vec3 direction) {
 }
 
 // Which of two coplanar surfaces is in front must not be left to rounding: the ids decide, for all of a surface.
-float id_bias(uint id) { return 1e-6 * (1.0 + float(id & 31u)); }
+float nearer_by_id(uint id) { return 1.1e-5 + 1e-6 * float(id & 31u); }
 
 // How many pixels a distance on a surface spans on the screen. `along` is the unit direction in the surface in
 // which the distance grows, `normal` the unit normal, `ray` the unit direction of sight. A step of one pixel
@@ -49,6 +49,7 @@ float pick_surface(float entry, float exit, float closest, float direction_z) {
 
 // `tone` scales the light, `line` is how much of the pixel a dark line covers.
 void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
+    if (depth > 1.0) discard;  // behind the far plane
     vec3 facing = dot(normal, ray) > 0.0 ? -normal : normal;
     vec4 color = unpack_color(v_tag.x);
     vec3 base = to_linear(color.rgb);
@@ -56,5 +57,5 @@ void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
     vec3 ink = base * 0.16;
     out_color = vec4(to_stored(mix(lit, ink, line)), mix(color.a, min(1.0, color.a + 0.35), line));
     out_id = v_tag.y;
-    gl_FragDepth = clamp(window_depth(depth) - id_bias(v_tag.y), 0.0, 1.0);
+    gl_FragDepth = buffer_depth(depth, nearer_by_id(v_tag.y));
 }

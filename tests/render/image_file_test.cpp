@@ -1,10 +1,19 @@
 #include "render/image_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
 
 #include "core/error.h"
 #include "render/encode_queue.h"
@@ -100,6 +109,36 @@ TEST_F(ImageFile, AFullDiskIsReported) {
     EXPECT_TRUE(fs::exists("/dev/full"));
 }
 
+TEST_F(ImageFile, AFileHasThePermissionsOfAnyNewFile) {
+    const mode_t before = ::umask(027);
+    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
+    ::umask(before);
+    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0640});
+}
+
+TEST_F(ImageFile, NoOtherFileIsTouched) {
+    const fs::path other = folder / ("file.part-" + std::to_string(::getpid()));
+    std::ofstream(other) << "kept";
+    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
+    EXPECT_EQ(file_count(), 2);
+    EXPECT_EQ(fs::file_size(other), 4u);
+}
+
+TEST_F(ImageFile, ThreadsMayWriteOnePath) {
+    const auto write = [&](std::uint8_t value) {
+        const std::vector<std::uint8_t> bytes(100000, value);
+        for (int i = 0; i < 100; ++i) EXPECT_NO_THROW(write_file_whole(folder / "file", bytes));
+    };
+    std::thread other(write, 1);
+    write(2);
+    other.join();
+    std::ifstream file(folder / "file", std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    ASSERT_EQ(bytes.size(), 100000u);
+    EXPECT_EQ(bytes.find_first_not_of(bytes[0]), std::string::npos);
+    EXPECT_EQ(file_count(), 1);
+}
+
 TEST_F(ImageFile, TheQueueWritesEverything) {
     EncodeQueue queue(2, 2);
     for (int i = 0; i < 20; ++i) queue.push(folder / (std::to_string(i) + ".png"), gradient(true));
@@ -119,6 +158,70 @@ TEST_F(ImageFile, TheQueueReportsTheFirstErrorAndDoesNotHang) {
         },
         OutputError);
 }
+
+TEST_F(ImageFile, TheQueueThrowsTheErrorUntilItIsFinished) {
+    EncodeQueue queue(4, 2);
+    queue.push(folder / "missing" / "picture.png", gradient(true));
+    const auto push_until_error = [&] {
+        for (int i = 0; i < 100000; ++i) queue.push(folder / "good.png", gradient(true));
+    };
+    EXPECT_THROW(push_until_error(), OutputError);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_THROW(queue.push(folder / "late.png", gradient(true)), OutputError);
+    EXPECT_THROW(queue.finish(), OutputError);
+    EXPECT_FALSE(fs::exists(folder / "late.png"));
+    queue.push(folder / "next.png", gradient(true));
+    EXPECT_NO_THROW(queue.finish());
+    EXPECT_EQ(read_png(folder / "next.png"), gradient(true));
+}
+
+TEST_F(ImageFile, TheQueueIsBoundedInBytes) {
+    const Image image = gradient(true);
+    EncodeQueue queue(100, 1, image.rgba.size() * 3 / 2);
+    // A pipe that no one reads keeps the only thread busy.
+    const fs::path pipe = folder / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    queue.push(pipe, image);
+    std::atomic<int> pushed = 0;
+    std::thread pusher([&] {
+        for (int i = 0; i < 3; ++i) {
+            queue.push(folder / (std::to_string(i) + ".png"), image);
+            ++pushed;
+        }
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(pushed, 1);
+    std::ifstream reader(pipe, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(reader), {});
+    pusher.join();
+    queue.finish();
+    EXPECT_EQ(bytes.size(), encode_png(image).size());
+    EXPECT_EQ(file_count(), 4);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+/// Leaves room for the stacks of a few threads.
+void limit_memory() {
+    std::ifstream status("/proc/self/statm");
+    rlim_t pages = 0;
+    status >> pages;
+    const rlim_t bytes = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + (40u << 20);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &limit);
+}
+
+TEST_F(ImageFile, TheQueueMakesDoWithFewerThreads) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto use_queue = [&] {
+        limit_memory();
+        EncodeQueue queue(4, 1000);
+        queue.push(folder / "picture.png", gradient(true));
+        queue.finish();
+        std::_Exit(fs::exists(folder / "picture.png") ? 0 : 1);
+    };
+    EXPECT_EXIT(use_queue(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 }  // namespace
 }  // namespace scb

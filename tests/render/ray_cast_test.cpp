@@ -104,23 +104,82 @@ TEST(RayCastOrder, TheNearerVolumeHidesTheFartherWhateverTheOrder) {
     }
 }
 
-TEST(RayCastOrder, CoplanarDiscsDoNotMixPixelByPixel) {
+/// The picture with that volume alone.
+Picture only(const Picture& picture, std::size_t volume) {
+    Picture result = picture;
+    result.panes[0].volumes = {picture.panes[0].volumes[volume]};
+    return result;
+}
+
+TEST(RayCastOrder, OfCoplanarDiscsTheHigherIdIsDrawnWhole) {
     Drawing drawing;
-    const Vec3 n = orbit_axes(20, 35).col(2);
-    const std::vector<AnyVolume> volumes = {Scb{Vec3(0, 0, 0), 1, n, 0, 0},
-                                            Scb{Vec3(0.2, 0.1, 0), 1, n, 0, 0}};
-    std::vector<AnyVolume> coplanar = volumes;
-    auto& second = std::get<Scb>(coplanar[1]);
-    second.c -= dot(second.c, n) * n;
-    const Rendering rendering =
-        drawing.renderer.draw(picture_of(coplanar, 400, 300, 1), nullptr, true);
-    // The one in front is drawn whole: its pixels in every row are contiguous.
-    int runs = 0;
-    for (int y = 0; y < 300; ++y)
-        for (int x = 1; x < 400; ++x)
-            runs += pixel(*rendering.ids, x, y) == 2 && pixel(*rendering.ids, x - 1, y) != 2;
-    EXPECT_GT(runs, 0);
-    EXPECT_LE(runs, 300);
+    for (const bool orthographic : {false, true})
+        for (const double tilt : {0.0, 45.0, 70.0, 85.0}) {
+            // The view is along y at elevation 0, so that the normal is tilted away from it.
+            const Vec3 n = orbit_axes(20, tilt).col(2), u = orbit_axes(20, tilt).col(0);
+            const std::vector<AnyVolume> volumes = {Scb{Vec3(0, 0, 0), 1, n, 0, 0},
+                                                    Scb{0.2 * u, 1, n, 0, 0}};
+            Picture picture = picture_of(volumes, 400, 300, 1);
+            picture.panes[0].camera = fit_camera(orbit_axes(20, 0), support_of(volumes),
+                                                 {4.0 / 3, 0.04, orthographic, 30});
+            const IdImage both = *drawing.renderer.draw(picture, nullptr, true).ids;
+            const IdImage second = *drawing.renderer.draw(only(picture, 1), nullptr, true).ids;
+            int covered = 0, wrong = 0;
+            for (std::size_t i = 0; i < both.ids.size(); ++i) {
+                covered += second.ids[i] == 2;
+                wrong += (both.ids[i] == 2) != (second.ids[i] == 2);
+            }
+            EXPECT_GT(covered, 1000);
+            EXPECT_EQ(wrong, 0) << "tilt " << tilt << ", orthographic " << orthographic;
+        }
+}
+
+TEST(RayCastOrder, ASmallGapOrdersDiscsAtAnyDepthRange) {
+    // The ids speak for the rear one by 31 millionths of the distance; a little more outweighs
+    // them.
+    Drawing drawing;
+    for (const bool orthographic : {false, true})
+        for (const double near_distance : {1e-1, 1e-2, 1e-3})
+            for (const double depth : {0.2, 1.0, 6.0, 9.9}) {
+                const double gap = order_tolerance * depth;
+                Picture picture = picture_of({Ball{}}, 100, 100, 1);
+                Pane& pane = picture.panes[0];
+                pane.camera = Camera{};  // looks along -z
+                pane.camera.orthographic = orthographic;
+                pane.camera.near_distance = near_distance;
+                pane.camera.far_distance = 10;
+                pane.camera.view_height = 2 * depth * tan_half_fov(pane.camera);
+                const double r = 0.2 * depth;
+                const Scb rear{Vec3(0, 0, -depth - gap), r, Vec3::UnitZ(), 0, 0};
+                const Scb front{Vec3(0, 0, -depth), r, Vec3::UnitZ(), 0, 0};
+                pane.volumes = {{rear, {1, 2, 3}, 31}, {front, {1, 2, 3}, 32}};
+                const IdImage both = *drawing.renderer.draw(picture, nullptr, true).ids;
+                const IdImage alone = *drawing.renderer.draw(only(picture, 1), nullptr, true).ids;
+                EXPECT_EQ(pixel(alone, 50, 50), 32u);
+                EXPECT_EQ(both, alone) << near_distance << ' ' << depth << ' ' << orthographic;
+            }
+}
+
+TEST(RayCastOrder, NothingBeyondTheDepthRangeIsDrawn) {
+    Drawing drawing;
+    for (const bool orthographic : {false, true}) {
+        Picture picture = picture_of({Ball{}}, 60, 60, 1);
+        Pane& pane = picture.panes[0];
+        pane.camera = Camera{};
+        pane.camera.orthographic = orthographic;
+        pane.camera.near_distance = 1;
+        pane.camera.far_distance = 10;
+        const auto ids_at = [&](double z) {
+            pane.volumes = {{Scb{Vec3(0, 0, z), 0.5, Vec3::UnitZ(), 0, 0}, {1, 2, 3}, 1}};
+            return pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 30, 30);
+        };
+        EXPECT_EQ(ids_at(-10.0001), 0u);
+        EXPECT_EQ(ids_at(-9.9999), 1u);
+        EXPECT_EQ(ids_at(-1.0001), 1u);
+        EXPECT_EQ(ids_at(-0.9999), 0u);
+        EXPECT_EQ(ids_at(0), 0u);
+        EXPECT_EQ(ids_at(5), 0u);
+    }
 }
 
 TEST(RayCastOrder, VolumesWithoutSizeDrawNothing) {

@@ -1,10 +1,15 @@
 #include "render/renderer.h"
 
+#include <cstdlib>
 #include <optional>
+#include <string>
 
 #include "core/error.h"
 #include "render/figures.h"
 #include "render/font_face.h"
+#include "render/gl_program.h"
+#include "render/mesh_painter.h"
+#include "render/render_target.h"
 #include "tests/render/gl_fixture.h"
 
 namespace scb {
@@ -45,7 +50,7 @@ struct Everything {
         draw_stacked_bar(overlay, {5, 150, 60, 8},
                          std::vector<BarPart>{{body_a_color, 1}, {body_b_color, 2}}, 4);
         draw_color_bar(overlay, {100, 170, 80, 8}, viridis, "",
-                        std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
+                       std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
     }
 };
 
@@ -93,6 +98,52 @@ TEST(Renderer, BothBackEndsDrawTheSame) {
     }
 }
 
+/// Makes a context in a new process, whose environment is as `prepare` leaves it; the exit status
+/// says whether llvmpipe draws.
+template <typename Prepare>
+[[noreturn]] void make_context(GlBackend backend, Prepare prepare) {
+    prepare();
+    try {
+        const Context context(backend);
+        std::_Exit(context.info().renderer == "llvmpipe" ? 0 : 1);
+    } catch (const GlError&) {
+        std::_Exit(2);
+    }
+}
+
+TEST(ContextDeathTest, DrawsWithLlvmpipeWhateverTheEnvironmentAsksFor) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    for (const char* driver : {"zz", "softpipe"})
+        EXPECT_EXIT(make_context(any_backend(), [&] { setenv("GALLIUM_DRIVER", driver, 1); }),
+                    testing::ExitedWithCode(0), "^$");
+}
+
+TEST(ContextDeathTest, AFailingEglIsSilent) {
+    if (!is_compiled_in(GlBackend::egl)) GTEST_SKIP() << "no EGL";
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        make_context(GlBackend::egl, [] { setenv("LIBGL_DRIVERS_PATH", "/nonexistent", 1); }),
+        testing::ExitedWithCode(2), "^$");
+}
+
+TEST(Renderer, SaysWhatFailedOnceThereIsAContext) {
+    Drawing drawing;
+    const Gl& gl = drawing.context.gl();
+    EXPECT_THROW(GlProgram(gl, {"no shader"}, {"void main() {}"}), DrawError);
+    EXPECT_THROW(RenderTarget(gl, 1 << 20, 8, true), DrawError);
+    while (gl.GetError() != GL_NO_ERROR) {
+    }
+    gl.Enable(
+        GL_TEXTURE_2D);  // no such thing in a core context: an error, as if drawing had failed
+    EXPECT_THROW(drawing.renderer.draw(picture_of({Ball{}}, 20, 20, 1)), DrawError);
+    EXPECT_NO_THROW(drawing.renderer.draw(picture_of({Ball{}}, 20, 20, 1)));
+}
+
+TEST(Renderer, AMeshHasAsManyCornersAsAnIntHolds) {
+    EXPECT_EQ(corner_count(715'827'882), 2'147'483'646);
+    EXPECT_THROW(corner_count(715'827'883), InputError);
+}
+
 TEST(Renderer, SaysWhatItIsWithoutMachineFacts) {
     Drawing drawing;
     const GlInfo& info = drawing.context.info();
@@ -108,6 +159,23 @@ TEST(Renderer, RefusesSizesThatItCannotDraw) {
         picture.width = width;
         picture.height = height;
         EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+    }
+    for (const int samples : {1, 4}) {
+        const int largest = drawing.renderer.largest_size(samples);
+        Picture strip;
+        strip.samples = samples;
+        strip.height = 2;
+        strip.width = largest;
+        EXPECT_EQ(drawing.renderer.draw(strip).image.width, largest);
+        strip.width = largest + 1;
+        try {
+            drawing.renderer.draw(strip);
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(std::to_string(largest) + " pixels"),
+                      std::string::npos)
+                << error.what();
+        }
     }
     Picture picture;
     picture.samples = 3;
@@ -156,18 +224,101 @@ TEST(Renderer, AFlatVolumeWinsOverTheMeshItLiesOn) {
     draw.mesh = drawing.renderer.upload(mesh);
     draw.first_id = 100;
     picture.panes[0].meshes.push_back(draw);
-    for (const double azimuth : {0.0, 50.0, 80.0}) {
-        picture.panes[0].camera =
-            fit_camera(orbit_axes(azimuth, 20), support_of(mesh, draw.pose), {1, 0.04, false, 30});
-        const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
-        const Vec3 middle = project(picture.panes[0].camera, Vec3(0, 0, 0), 200, 200);
-        int run_starts = 0;
-        for (int x = 1; x < 200; ++x) {
-            const int y = static_cast<int>(middle[1]);
-            run_starts += pixel(*rendering.ids, x, y) == 1 && pixel(*rendering.ids, x - 1, y) != 1;
+    for (const bool orthographic : {false, true})
+        for (const double azimuth : {0.0, 50.0, 80.0, 85.0}) {
+            Pane& pane = picture.panes[0];
+            pane.meshes = {draw};
+            pane.camera = fit_camera(orbit_axes(azimuth, 20), support_of(mesh, draw.pose),
+                                     {1, 0.04, orthographic, 30});
+            const IdImage both = *drawing.renderer.draw(picture, nullptr, true).ids;
+            pane.meshes.clear();
+            const IdImage alone = *drawing.renderer.draw(picture, nullptr, true).ids;
+            EXPECT_GT(std::count(alone.ids.begin(), alone.ids.end(), 1u), 200);
+            for (std::size_t i = 0; i < alone.ids.size(); ++i)
+                ASSERT_EQ(both.ids[i] == 1, alone.ids[i] == 1) << azimuth << ", pixel " << i;
         }
-        EXPECT_EQ(run_starts, 1);
-    }
+}
+
+TEST(Renderer, AMeshAndASegmentAreOrderedByASmallGapAtAnyDepthRange) {
+    Drawing drawing;
+    Mesh plane = quad();
+    for (Vec3& v : plane.vertices)
+        v = 4 * Vec3(v[0], v[2], 0);  // faces the camera, far beyond the view
+    Picture picture = picture_of({Ball{}}, 100, 100, 1);
+    Pane& pane = picture.panes[0];
+    MeshDraw draw;
+    draw.mesh = drawing.renderer.upload(plane);
+    draw.first_id = 100;
+    pane.meshes = {draw};
+    for (const bool orthographic : {false, true})
+        for (const double near_distance : {1e-1, 1e-2, 1e-3})
+            for (const double depth : {1.0, 6.0}) {
+                pane.camera = Camera{};  // looks along -z
+                pane.camera.orthographic = orthographic;
+                pane.camera.near_distance = near_distance;
+                pane.camera.far_distance = 10;
+                const auto id_with_mesh_at = [&](double nearer) {
+                    pane.meshes[0].pose.translation = Vec3(0, 0, -depth + nearer * depth);
+                    return pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50);
+                };
+                pane.segments.clear();
+                pane.volumes = {{Scb{Vec3(0, 0, -depth), 0.2, Vec3::UnitZ(), 0, 0}, {}, 31}};
+                EXPECT_EQ(id_with_mesh_at(4e-5), 31u) << near_distance << ' ' << depth;
+                EXPECT_GE(id_with_mesh_at(4.5e-5), 100u) << near_distance << ' ' << depth;
+                pane.volumes.clear();
+                pane.segments = {{Vec3(-0.1, 0, -depth), Vec3(0.1, 0, -depth), {}, 9, 4, false}};
+                EXPECT_EQ(id_with_mesh_at(6.7e-5), 9u) << near_distance << ' ' << depth;
+                EXPECT_GE(id_with_mesh_at(7.3e-5), 100u) << near_distance << ' ' << depth;
+            }
+}
+
+TEST(Renderer, MeshesAndSegmentsEndAtTheDepthRange) {
+    // The floor z = -1 and a line along it, which reach from behind the eye to beyond the far
+    // plane.
+    Drawing drawing;
+    Mesh floor = quad();
+    for (Vec3& v : floor.vertices) v = Vec3(100 * v[0], 100 * v[2], -1);
+    Picture picture = picture_of({Ball{}}, 200, 200, 1);
+    Pane& pane = picture.panes[0];
+    pane.volumes.clear();
+    MeshDraw draw;
+    draw.mesh = drawing.renderer.upload(floor);
+    draw.first_id = 100;
+    for (const bool line : {false, true})
+        for (const bool orthographic : {false, true}) {
+            pane.meshes.clear();
+            pane.segments.clear();
+            if (line)
+                pane.segments = {{Vec3(0, -100, -1), Vec3(0, 100, -1), {}, 9, 3, false}};
+            else
+                pane.meshes = {draw};
+            // Orthographic from above at an angle, so that the floor is no line.
+            pane.camera =
+                orbit_camera(0, orthographic ? 45 : 0, Vec3(0, 0, 0), 1, orthographic, 90);
+            pane.camera.position = Vec3(0, 0, 0);
+            pane.camera.view_height = 20;
+            pane.camera.near_distance = 2;
+            pane.camera.far_distance = 8;
+            const IdImage ids = *drawing.renderer.draw(picture, nullptr, true).ids;
+            // Where points of the floor's middle line at the two depths are in the picture.
+            const double s = std::sqrt(0.5);
+            const auto row = [&](double depth) {
+                // Orthographic: depth = (y - z) s with z = -1.
+                const double y = orthographic ? depth / s - 1 : depth;
+                return project(pane.camera, Vec3(0, y, -1), 200, 200)[1];
+            };
+            const double low = std::max(row(2), row(8)), high = std::min(row(2), row(8));
+            const double slack = line ? 3 : 1;  // pixels: a line's ends reach out by half its width
+            for (int y = 0; y < 200; ++y) {
+                const double at = y + 0.5;
+                if (at > high + slack && at < low - slack) {
+                    ASSERT_NE(pixel(ids, 100, y), 0u) << y << ' ' << line << ' ' << orthographic;
+                }
+                if (at < high - slack || at > low + slack) {
+                    ASSERT_EQ(pixel(ids, 100, y), 0u) << y << ' ' << line << ' ' << orthographic;
+                }
+            }
+        }
 }
 
 TEST(Renderer, TranslucentVolumesShowWhatIsBehindThem) {
