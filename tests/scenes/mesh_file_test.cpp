@@ -147,7 +147,7 @@ void expect_same_triangles(const Mesh& mesh, const Vec3& offset = Vec3::Zero(), 
                 << "triangle " << t << " corner " << k;
 }
 
-TEST(MeshFile, keeps_order_degenerate_and_duplicate_triangles_in_every_format) {
+TEST(MeshFile, KeepsOrderDegenerateAndDuplicateTrianglesInEveryFormat) {
     const TempFolder folder;
     const std::vector<std::pair<std::string, std::string>> files = {
         {"a.ply", text_ply()},
@@ -165,7 +165,7 @@ TEST(MeshFile, keeps_order_degenerate_and_duplicate_triangles_in_every_format) {
     }
 }
 
-TEST(MeshFile, shares_vertices_where_the_file_does) {
+TEST(MeshFile, SharesVerticesWhereTheFileDoes) {
     const TempFolder folder;
     EXPECT_EQ(load_mesh(folder.write("a.ply", text_ply())).vertices.size(), 4u);
     EXPECT_EQ(load_mesh(folder.write("a.off", off())).vertices.size(), 4u);
@@ -173,14 +173,14 @@ TEST(MeshFile, shares_vertices_where_the_file_does) {
     EXPECT_EQ(load_mesh(folder.write("a.stl", text_stl())).vertices.size(), 18u);
 }
 
-TEST(MeshFile, applies_the_transforms_of_a_node_and_of_those_above_it) {
+TEST(MeshFile, AppliesTheTransformsOfANodeAndOfThoseAboveIt) {
     const TempFolder folder;
     const std::string nodes =
         R"([{"children": [1], "scale": [2, 2, 2]}, {"children": [2], "translation": [1, 2, 3]}, {"mesh": 0}])";
     expect_same_triangles(load_mesh(folder.write("a.gltf", gltf(nodes))), Vec3(2, 4, 6), 2);
 }
 
-TEST(MeshFile, joins_instances_in_the_order_of_the_nodes_and_turns_mirrored_ones_over) {
+TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
     const TempFolder folder;
     const std::string nodes =
         R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [10, 0, 0]}])";
@@ -193,7 +193,7 @@ TEST(MeshFile, joins_instances_in_the_order_of_the_nodes_and_turns_mirrored_ones
     EXPECT_NEAR(signed_volume6(first), signed_volume6(second), 1e-12);
 }
 
-TEST(MeshFile, joins_the_objects_of_one_file) {
+TEST(MeshFile, JoinsTheObjectsOfOneFile) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write(
         "two.obj",
@@ -203,7 +203,7 @@ TEST(MeshFile, joins_the_objects_of_one_file) {
     EXPECT_EQ(mesh.vertices[mesh.triangles[1][0]], Vec3(5, 0, 0));
 }
 
-TEST(MeshFile, cuts_polygons_in_place_and_drops_points_and_lines) {
+TEST(MeshFile, CutsPolygonsInPlaceAndDropsPointsAndLines) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write("p.obj",
                                              "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\n"
@@ -219,7 +219,7 @@ TEST(MeshFile, cuts_polygons_in_place_and_drops_points_and_lines) {
     EXPECT_EQ(area2, 8 + 2 + 4);
 }
 
-TEST(MeshFile, reads_collada_with_a_node_transform_and_leaves_its_axes_alone) {
+TEST(MeshFile, ReadsColladaWithANodeTransformAndLeavesItsAxesAlone) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write("n.dae", R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -242,7 +242,7 @@ TEST(MeshFile, reads_collada_with_a_node_transform_and_leaves_its_axes_alone) {
     EXPECT_EQ(mesh.vertices[t[2]], Vec3(10, 22, 30));
 }
 
-TEST(MeshFile, reads_what_assimp_exports) {
+TEST(MeshFile, ReadsWhatAssimpExports) {
     const TempFolder folder;
     const std::string source = folder.write("source.ply", text_ply());
     Assimp::Importer importer;
@@ -266,7 +266,7 @@ TEST(MeshFile, reads_what_assimp_exports) {
     }
 }
 
-TEST(MeshFile, keeps_unused_vertices_out_of_the_box) {
+TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
     const TempFolder folder;
     const Mesh mesh =
         load_mesh(folder.write("u.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n99 99 99\n3 0 1 2\n"));
