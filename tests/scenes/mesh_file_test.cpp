@@ -137,6 +137,35 @@ std::string gltf(const std::string& nodes, std::uint16_t last_index = 2) {
               "max": [1, 2, 3]}, {"bufferView": 1, "componentType": 5123, "count": 18, "type": "SCALAR"}]})";
 }
 
+/// The four corners as floats, then two lists of indices: 0, 1, 2 and 0, 1, 2, 1, 2, 3.
+std::string buffer_of_two() {
+    std::string buffer;
+    for (const Vec3& v : corners)
+        for (int axis = 0; axis < 3; ++axis) buffer += raw(static_cast<float>(v[axis]));
+    return buffer + std::string("\0\1\2\0\1\2\1\2\3", 9);
+}
+
+/// Two meshes, of one triangle on the first three corners and of two on the first `vertices`;
+/// `extra` goes into the second one's primitive. The nodes name the second mesh first.
+std::string gltf_of_two(int vertices, const std::string& extra = "") {
+    const std::string box = R"(, "type": "VEC3", "min": [0, 0, 0], "max": [1, 2, 3]})";
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"mesh": 1}, {"mesh": 0}], "meshes": [
+{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]},
+{"primitives": [{"attributes": {"POSITION": 1}, "indices": 3)" +
+           extra +
+           R"(}]}],
+"buffers": [{"byteLength": 57, "uri": "data:application/octet-stream;base64,)" +
+           base64(buffer_of_two()) +
+           R"("}], "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+{"buffer": 0, "byteOffset": 48, "byteLength": 9}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 3)" +
+           box + R"(, {"bufferView": 0, "componentType": 5126, "count": )" +
+           std::to_string(vertices) + box + R"(,
+{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"},
+{"bufferView": 1, "byteOffset": 3, "componentType": 5121, "count": 6, "type": "SCALAR"}]})";
+}
+
 /// Triangles in file order, corner by corner, whatever vertices the reader repeated.
 void expect_same_triangles(const Mesh& mesh, const Vec3& offset = Vec3::Zero(), double scale = 1) {
     ASSERT_EQ(mesh.triangles.size(), triangles.size());
@@ -191,6 +220,52 @@ TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
     Mesh first{mesh.vertices, {mesh.triangles.begin(), mesh.triangles.begin() + 4}};
     Mesh second{mesh.vertices, {mesh.triangles.begin() + 6, mesh.triangles.begin() + 10}};
     EXPECT_NEAR(signed_volume6(first), signed_volume6(second), 1e-12);
+}
+
+TEST(MeshFile, TakesGltfMeshesInTheOrderOfTheNodes) {
+    const TempFolder folder;
+    const Mesh mesh = load_mesh(folder.write("a.gltf", gltf_of_two(4)));
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.vertices[mesh.triangles[1][2]], Vec3(0, 0, 3));
+}
+
+TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
+    const TempFolder folder;
+    const std::string sentence = "mesh 1, primitive 0: index 5 names vertex 3, but there are 3 ";
+    const std::string text = gltf_of_two(3);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+    for (const char* mode : {", \"mode\": 5", ", \"mode\": 6"})
+        expect_in(sentence,
+                  refusal([&] { load_mesh(folder.write("b.gltf", gltf_of_two(3, mode))); }));
+
+    const std::string start = "data:application/octet-stream;base64,";
+    const std::size_t from = text.find(start), to = text.find('"', from);
+    std::string bytes = buffer_of_two();
+    folder.write("c.bin", bytes);
+    const std::string beside = text.substr(0, from) + "c.bin" + text.substr(to);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("c.gltf", beside)); }));
+
+    std::string json = text.substr(0, text.rfind(", \"uri\"", from)) + text.substr(to + 1);
+    json += std::string(3 - (json.size() + 3) % 4, ' ');
+    bytes += std::string(3, '\0');
+    const auto chunk = [](std::uint32_t type, const std::string& data) {
+        return raw(static_cast<std::uint32_t>(data.size())) + raw(type) + data;
+    };
+    const std::string chunks = chunk(0x4e4f534a, json) + chunk(0x004e4942, bytes);
+    const std::string glb = "glTF" + raw(std::uint32_t{2}) +
+                            raw(static_cast<std::uint32_t>(chunks.size() + 12)) + chunks;
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("d.glb", glb)); }));
+}
+
+TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
+    const TempFolder folder;
+    // Lines are dropped, so their indices harm nobody.
+    EXPECT_EQ(load_mesh(folder.write("a.gltf", gltf_of_two(3, ", \"mode\": 1"))).triangles.size(),
+              1u);
+    std::string text = gltf_of_two(3);
+    const std::string indices = ", \"indices\": 3";
+    text.replace(text.find(indices), indices.size(), "");
+    EXPECT_EQ(load_mesh(folder.write("b.gltf", text)).triangles.size(), 2u);
 }
 
 TEST(MeshFile, JoinsTheObjectsOfOneFile) {
