@@ -54,6 +54,14 @@ struct Placed {
     Affine to_world;
 };
 
+/// Every mesh without a transform, for RAW files: of the nodes of their groups, which have none,
+/// assimp 5.2 keeps one, and null pointers for the others.
+std::vector<Placed> meshes_as_they_are(const aiScene& scene) {
+    std::vector<Placed> placed(scene.mNumMeshes);
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) placed[i].mesh = i;
+    return placed;
+}
+
 /// The meshes of the scene's nodes in the order of a walk from the root; a loop, since files may
 /// nest nodes deeply.
 std::vector<Placed> placed_meshes(const aiScene& scene, const std::string& name) {
@@ -75,8 +83,10 @@ std::vector<Placed> placed_meshes(const aiScene& scene, const std::string& name)
                                  "\" names a mesh that does not exist; repair the file.");
             placed.push_back({mesh, to_world});
         }
-        for (unsigned i = visit.node->mNumChildren; i > 0; --i)
+        for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
+            if (!visit.node->mChildren[i - 1]) return meshes_as_they_are(scene);
             stack.push_back({visit.node->mChildren[i - 1], to_world});
+        }
     }
     return placed;
 }

@@ -341,6 +341,28 @@ TEST(MeshFile, ReadsWhatAssimpExports) {
     }
 }
 
+TEST(MeshFile, ReadsEveryGroupOfARawFile) {
+    const TempFolder folder;
+    const Mesh mesh = load_mesh(folder.write("a.raw",
+                                             "first\n0 0 0 1 0 0 0 1 0\n0 0 0 1 0 0 0 0 1\n"
+                                             "second\n0 0 0 1 0 0 0 1 0\n"));
+    EXPECT_EQ(mesh.triangles.size(), 3u);
+}
+
+TEST(MeshFile, TakesRemarksInAPlyHeader) {
+    const TempFolder folder;
+    std::string text = text_ply();
+    const std::string remark = "Created by Blender3D 247, source file: \n\nhello\n";
+    text.insert(text.find("element"), remark);
+    EXPECT_EQ(load_mesh(folder.write("a.ply", text)).triangles.size(), 6u);
+    for (const char* line : {"elemnt edge 7\n", "prop float q\n", "propertie list uchar int q\n"}) {
+        std::string wrong = text_ply();
+        wrong.insert(wrong.find("element"), line);
+        expect_in("is not a PLY keyword",
+                  refusal([&] { load_mesh(folder.write("b.ply", wrong)); }));
+    }
+}
+
 TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
     const TempFolder folder;
     const Mesh mesh =
