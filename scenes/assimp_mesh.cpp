@@ -4,14 +4,11 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <vector>
 
 #include "core/error.h"
 #include "core/pose.h"
-#include "scenes/file_bytes.h"
-#include "scenes/gltf_check.h"
 #include "scenes/polygon.h"
 #include "scenes/words.h"
 
@@ -57,6 +54,14 @@ struct Placed {
     Affine to_world;
 };
 
+/// Every mesh without a transform, for RAW files: of the nodes of their groups, which have none,
+/// assimp 5.2 keeps one, and null pointers for the others.
+std::vector<Placed> meshes_as_they_are(const aiScene& scene) {
+    std::vector<Placed> placed(scene.mNumMeshes);
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) placed[i].mesh = i;
+    return placed;
+}
+
 /// The meshes of the scene's nodes in the order of a walk from the root; a loop, since files may
 /// nest nodes deeply.
 std::vector<Placed> placed_meshes(const aiScene& scene, const std::string& name) {
@@ -78,8 +83,10 @@ std::vector<Placed> placed_meshes(const aiScene& scene, const std::string& name)
                                  "\" names a mesh that does not exist; repair the file.");
             placed.push_back({mesh, to_world});
         }
-        for (unsigned i = visit.node->mNumChildren; i > 0; --i)
+        for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
+            if (!visit.node->mChildren[i - 1]) return meshes_as_they_are(scene);
             stack.push_back({visit.node->mChildren[i - 1], to_world});
+        }
     }
     return placed;
 }
@@ -120,27 +127,19 @@ void append(const aiMesh& source, const Affine& to_world, const std::string& nam
 /// before anything grows.
 void check_sums(const aiScene& scene, const std::vector<Placed>& placed, const std::string& name) {
     constexpr std::size_t most = std::size_t{1} << 28;
+    std::vector<std::size_t> corners_of(scene.mNumMeshes, 0);
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+            corners_of[m] += scene.mMeshes[m]->mFaces[f].mNumIndices;
     std::size_t vertices = 0, corners = 0;
     for (const Placed& p : placed) {
         vertices += scene.mMeshes[p.mesh]->mNumVertices;
-        corners += scene.mMeshes[p.mesh]->mNumFaces;
+        corners += corners_of[p.mesh];
         if (vertices > most || corners > most)
             throw InputError(name + ": the instances of its meshes add up to more than " +
                              std::to_string(most) +
-                             " vertices or faces; give a smaller part of it.");
+                             " vertices or corners of faces; give a smaller part of it.");
     }
-}
-
-/// Refuses a glTF scene whose primitives have lost triangles on the way.
-void check_gltf_counts(const aiScene& scene, const std::vector<std::size_t>& declared,
-                       const std::string& name) {
-    if (declared.size() != scene.mNumMeshes) return;
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
-        if (scene.mMeshes[i]->mNumFaces < declared[i])
-            throw InputError(name + ": of the " + std::to_string(declared[i]) +
-                             " triangles of primitive " + std::to_string(i) + " only " +
-                             std::to_string(scene.mMeshes[i]->mNumFaces) +
-                             " have indices in range; repair the indices.");
 }
 
 Mesh joined(const aiScene& scene, const std::string& name) {
@@ -170,11 +169,6 @@ Mesh assimp_mesh(const std::string& path) {
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    std::string extension = path.substr(std::min(path.size(), path.rfind('.')));
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (extension == ".gltf" || extension == ".glb")
-        check_gltf_counts(*scene, gltf_triangle_counts(file_bytes(path)), path);
     return joined(*scene, path);
 }
 

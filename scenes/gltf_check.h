@@ -1,17 +1,21 @@
 #pragma once
 
-#include <cstddef>
+#include <filesystem>
+#include <string>
 #include <string_view>
-#include <vector>
 
 namespace scb {
 
-/// How many triangles each mesh primitive of a glTF 2 file declares, in file order, from its JSON
-/// (`.gltf` or the first chunk of `.glb`); zero for primitives that are not triangle lists. Empty
-/// where this cannot be told.
+/// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
+/// index against the count of the primitive's POSITION accessor. assimp's reader quietly drops
+/// triangles that do not. `folder` is where buffers of their own lie.
 ///
-/// assimp's reader quietly drops triangles with an index out of range; comparing with this brings
-/// that to light.
-std::vector<std::size_t> gltf_triangle_counts(std::string_view bytes);
+/// Says nothing about what this cannot look into: glTF 1, broken files, sparse or compressed
+/// indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp to read or
+/// refuse.
+///
+/// Throws InputError that names the file, mesh, primitive and index at fault.
+void check_gltf(std::string_view bytes, const std::filesystem::path& folder,
+                const std::string& name);
 
 }  // namespace scb

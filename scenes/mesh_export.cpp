@@ -4,9 +4,11 @@
 #include <assimp/scene.h>
 
 #include <assimp/Exporter.hpp>
-#include <memory>
+#include <cmath>
+#include <limits>
 
 #include "core/error.h"
+#include "scenes/number_text.h"
 
 namespace scb {
 namespace {
@@ -24,6 +26,16 @@ const char* format_of(const std::filesystem::path& path) {
         if (path.extension() == format.extension) return format.assimp_id;
     throw InputError(path.string() + ": cannot write '" + path.extension().string() +
                      "' files; name the file .ply, .obj, .glb or .stl.");
+}
+
+void check_range(const ExportPart& part, const std::string& name) {
+    constexpr double most = std::numeric_limits<float>::max();
+    for (const Vec3& v : part.mesh.vertices)
+        for (const double coordinate : v)
+            if (!(std::abs(coordinate) <= most))
+                throw InputError(name + ": " + part.name + " has the coordinate " +
+                                 number_text(coordinate) +
+                                 ", but mesh files hold at most 3.4e38; scale the mesh down.");
 }
 
 aiVector3D vector_of(const Vec3& v) {
@@ -67,24 +79,28 @@ aiMaterial* material_of(const ExportPart& part) {
 std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
                                       const std::filesystem::path& path) {
     const char* format = format_of(path);
+    for (const ExportPart& part : parts) check_range(part, path.string());
     aiScene scene;
     const auto count = static_cast<unsigned>(parts.size());
     scene.mNumMeshes = scene.mNumMaterials = count;
     scene.mMeshes = new aiMesh*[count];
     scene.mMaterials = new aiMaterial*[count];
     scene.mRootNode = new aiNode("scb");
-    scene.mRootNode->mNumMeshes = count;
-    scene.mRootNode->mMeshes = new unsigned[count];
+    std::vector<aiNode*> nodes(count);
     for (unsigned i = 0; i < count; ++i) {
         scene.mMeshes[i] = mesh_of(parts[i], i);
         scene.mMaterials[i] = material_of(parts[i]);
-        scene.mRootNode->mMeshes[i] = i;
+        nodes[i] = new aiNode(parts[i].name);
+        nodes[i]->mNumMeshes = 1;
+        nodes[i]->mMeshes = new unsigned[1]{i};
     }
+    // The writer of GLB joins the meshes of one node, so every part gets its own.
+    scene.mRootNode->addChildren(count, nodes.data());
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
     if (blob == nullptr)
-        throw InputError(path.string() +
-                         ": cannot be written as a mesh: " + exporter.GetErrorString());
+        throw InputError(path.string() + ": cannot be written as a mesh (" +
+                         exporter.GetErrorString() + ").");
     const auto* bytes = static_cast<const std::uint8_t*>(blob->data);
     return {bytes, bytes + blob->size};
 }

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "scenes/assimp_mesh.h"
 #include "scenes/file_bytes.h"
+#include "scenes/gltf_check.h"
 #include "scenes/off_check.h"
 #include "scenes/ply_check.h"
 #include "scenes/trial.h"
@@ -33,13 +34,17 @@ void check_file(const fs::path& path) {
 /// as assimp does. True where the file passed one, so that its reader can be trusted with it.
 bool check_content(const fs::path& path) {
     const std::string name = path.string(), start = file_bytes(name, 16);
-    const std::string extension = path.extension().string();
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     if (extension == ".ply" || start.rfind("ply", 0) == 0) {
         check_ply(file_bytes(name), name);
         return extension == ".ply";
     }
     if (extension == ".off" || start.find("OFF") != std::string::npos)
         check_off(file_bytes(name), name);
+    if (extension == ".gltf" || extension == ".glb" || start.rfind("glTF", 0) == 0)
+        check_gltf(file_bytes(name), path.parent_path(), name);
     return false;
 }
 

@@ -18,15 +18,15 @@ namespace {
 
 enum class Encoding { text, little_endian, big_endian };
 
-struct Type {
+struct NumberType {
     std::size_t size = 0;
     bool is_float = false, is_signed = false;
 };
 
 struct Property {
     std::string name;
-    Type type;
-    std::optional<Type> list_length;  ///< set where the property is a list
+    NumberType type;
+    std::optional<NumberType> list_length;  ///< set where the property is a list
 };
 
 struct Element {
@@ -41,10 +41,10 @@ struct Header {
     std::size_t size = 0;  ///< bytes up to the first element
 };
 
-std::optional<Type> type_of(std::string_view word) {
+std::optional<NumberType> type_of(std::string_view word) {
     struct Row {
         std::string_view word, other;
-        Type type;
+        NumberType type;
     };
     static constexpr Row rows[] = {
         {"char", "int8", {1, false, true}},    {"uchar", "uint8", {1, false, false}},
@@ -55,6 +55,16 @@ std::optional<Type> type_of(std::string_view word) {
     for (const Row& row : rows)
         if (word == row.word || word == row.other) return row.type;
     return std::nullopt;
+}
+
+/// Whether the words after an unknown keyword read as those of an element or a property: without
+/// that line the rest of the file would be misread. Other lines are remarks, which writers are
+/// known to leave without the word comment.
+bool looks_like_declaration(Words words) {
+    const std::string_view second = words.next(), third = words.next();
+    const bool is_count = !third.empty() && words.next().empty() &&
+                          third.find_first_not_of("0123456789") == std::string_view::npos;
+    return second == "list" || type_of(second) || is_count;
 }
 
 Header read_header(std::string_view bytes, const std::string& name) {
@@ -113,7 +123,7 @@ Header read_header(std::string_view bytes, const std::string& name) {
             property.type = *type;
             property.name = words.next();
             header.elements.back().properties.push_back(std::move(property));
-        } else if (key != "comment" && key != "obj_info" && !key.empty()) {
+        } else if (key != "comment" && key != "obj_info" && looks_like_declaration(words)) {
             fail("\"" + printable(key) + "\" is not a PLY keyword");
         }
     }
@@ -122,15 +132,15 @@ Header read_header(std::string_view bytes, const std::string& name) {
     return header;
 }
 
-/// Reads the values of the body one by one, whatever the encoding. `ok` turns false at the end of
-/// the file or where a word is not a number.
-struct Body {
+/// Reads the values after the header one by one, whatever the encoding. `ok` turns false at the end
+/// of the file or where a word is not a number.
+struct Values {
     Encoding encoding;
     std::string_view bytes;
     Words words;
     bool ok = true;
 
-    double binary(const Type& type) {
+    double binary(const NumberType& type) {
         if (bytes.size() < type.size) {
             ok = false;
             return 0;
@@ -150,7 +160,7 @@ struct Body {
         return static_cast<double>(bits);
     }
 
-    double next(const Type& type) {
+    double next(const NumberType& type) {
         if (encoding != Encoding::text) return binary(type);
         const std::optional<double> number = number_in(words.next());
         if (!number) ok = false;
@@ -158,7 +168,7 @@ struct Body {
     }
 
     /// Steps over values that nobody looks at.
-    void skip(const Type& type, std::uint64_t count) {
+    void skip(const NumberType& type, std::uint64_t count) {
         if (encoding == Encoding::text) {
             for (std::uint64_t i = 0; i < count && ok; ++i) next(type);
         } else if (count > bytes.size() / type.size) {
@@ -174,7 +184,7 @@ bool names_vertices(const Element& element, const Property& property) {
            (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-void check_element(Body& body, const Element& element, std::uint64_t vertices,
+void check_element(Values& values, const Element& element, std::uint64_t vertices,
                    const std::string& name) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
         const auto place = [&] {
@@ -182,29 +192,29 @@ void check_element(Body& body, const Element& element, std::uint64_t vertices,
         };
         for (const Property& property : element.properties) {
             if (!property.list_length) {
-                body.skip(property.type, 1);
+                values.skip(property.type, 1);
             } else {
-                const double length = body.next(*property.list_length);
-                if (body.ok &&
+                const double length = values.next(*property.list_length);
+                if (values.ok &&
                     !(length >= 0 && length == std::floor(length) && length <= 4294967295.0))
                     throw InputError(
                         place() +
                         " has a list with a length that is not a whole number from 0; repair it.");
-                const auto count = body.ok ? static_cast<std::uint64_t>(length) : 0;
+                const auto count = values.ok ? static_cast<std::uint64_t>(length) : 0;
                 if (!names_vertices(element, property)) {
-                    body.skip(property.type, count);
+                    values.skip(property.type, count);
                 } else {
-                    for (std::uint64_t k = 0; k < count && body.ok; ++k) {
-                        const double index = body.next(property.type);
-                        if (body.ok && !(index >= 0 && index < static_cast<double>(vertices) &&
-                                         index == std::floor(index)))
+                    for (std::uint64_t k = 0; k < count && values.ok; ++k) {
+                        const double index = values.next(property.type);
+                        if (values.ok && !(index >= 0 && index < static_cast<double>(vertices) &&
+                                           index == std::floor(index)))
                             throw InputError(place() + " names vertex " + number_text(index) +
                                              ", but there are " + std::to_string(vertices) +
                                              " vertices, numbered from 0; repair the index.");
                     }
                 }
             }
-            if (!body.ok)
+            if (!values.ok)
                 throw InputError(place() + " of the " + std::to_string(element.count) +
                                  " that the header declares is missing or is not made of numbers; "
                                  "the file is cut off "
@@ -242,8 +252,8 @@ void check_ply(std::string_view bytes, const std::string& name) {
         throw InputError(name +
                          ": the mesh has no triangles; give a surface, not points or lines.");
     const std::string_view rest = bytes.substr(header.size);
-    Body body{header.encoding, rest, Words{rest}};
-    for (const Element& element : header.elements) check_element(body, element, vertices, name);
+    Values values{header.encoding, rest, Words{rest}};
+    for (const Element& element : header.elements) check_element(values, element, vertices, name);
 }
 
 }  // namespace scb

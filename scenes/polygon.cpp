@@ -37,8 +37,8 @@ bool fan_covers(std::span<const std::uint32_t> corners, const std::vector<Vec3>&
     const double tolerance = -1e-9 * squared_norm(normal);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Vec3 a = vertices[corners[i]] - origin, b = vertices[corners[i + 1]] - origin;
-        // The negation lets the fan pass where a coordinate is not finite; the mesh is refused for
-        // that later.
+        // A coordinate that is not finite makes this false, so the fan passes; check_mesh names the
+        // vertex later.
         if (dot(Vec3(a.cross(b)), normal) < tolerance) return false;
     }
     return true;

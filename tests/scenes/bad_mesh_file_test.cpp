@@ -30,7 +30,7 @@ std::string refused(const std::string& name, const std::string& bytes) {
     return sentence.size() > file.size() + 2 ? sentence.substr(file.size() + 2) : sentence;
 }
 
-TEST(BadMeshFile, that_is_missing_or_no_file_is_named) {
+TEST(BadMeshFile, ThatIsMissingOrNoFileIsNamed) {
     const TempFolder folder;
     EXPECT_EQ(refusal([] { load_mesh("gone/horse.ply"); }),
               "gone/horse.ply: there is no such file; check the path.");
@@ -39,13 +39,13 @@ TEST(BadMeshFile, that_is_missing_or_no_file_is_named) {
     expect_in("not a regular file", refusal([] { load_mesh("/dev/null"); }));
 }
 
-TEST(BadMeshFile, of_an_unknown_format_is_told_the_formats) {
+TEST(BadMeshFile, OfAnUnknownFormatIsToldTheFormats) {
     expect_in(
         "the format is not known; give a mesh as OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX",
         refused("notes.xyz", "this is not a mesh\n"));
 }
 
-TEST(BadMeshFile, that_is_empty_or_random_is_refused_in_every_format) {
+TEST(BadMeshFile, ThatIsEmptyOrRandomIsRefusedInEveryFormat) {
     for (const char* extension : {"obj", "ply", "stl", "off", "gltf", "glb", "dae", "3ds", "fbx",
                                   "x", "ase", "lwo", "ac", "md2"}) {
         SCOPED_TRACE(extension);
@@ -59,7 +59,7 @@ TEST(BadMeshFile, that_is_empty_or_random_is_refused_in_every_format) {
     }
 }
 
-TEST(BadMeshFile, with_no_triangle_is_refused) {
+TEST(BadMeshFile, WithNoTriangleIsRefused) {
     expect_in("no triangles", refused("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
     expect_in("no triangles", refused("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"));
     expect_in("no triangles", refused("none.ply", ply("0", "0", "")));
@@ -67,7 +67,7 @@ TEST(BadMeshFile, with_no_triangle_is_refused) {
     expect_in("no triangles", refused("none.off", "OFF\n3 0 0\n" + std::string(three)));
 }
 
-TEST(BadMeshFile, with_an_index_out_of_range_names_it) {
+TEST(BadMeshFile, WithAnIndexOutOfRangeNamesIt) {
     expect_in("face 0 names vertex 7, but there are 3 vertices",
               refused("a.ply", ply("3", "1", three + std::string("3 0 1 7\n"))));
     expect_in("face 1 names vertex -1",
@@ -81,7 +81,7 @@ TEST(BadMeshFile, with_an_index_out_of_range_names_it) {
                                                 std::string(face) + "\n"));
 }
 
-TEST(BadMeshFile, with_a_coordinate_that_is_not_finite_names_it) {
+TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
     const std::string nan_line = "0 0 0\nnan 0 0\n0 1 0\n";
     expect_in("vertex 1 of triangle 0 has the coordinate x = nan",
               refused("a.ply", ply("3", "1", nan_line + "3 0 1 2\n")));
@@ -101,7 +101,7 @@ TEST(BadMeshFile, with_a_coordinate_that_is_not_finite_names_it) {
               refused("b.ply", ply("3", "1", body, "binary_little_endian")));
 }
 
-TEST(BadMeshFile, whose_ply_header_lies_is_refused_before_memory_is_spent) {
+TEST(BadMeshFile, WhosePlyHeaderLiesIsRefusedBeforeMemoryIsSpent) {
     expect_in("vertex 3 of the 4000000000", refused("a.ply", ply("4000000000", "1", three)));
     expect_in("face 1 of the 4000000000",
               refused("b.ply", ply("3", "4000000000", three + std::string("3 0 1 2\n"))));
@@ -118,7 +118,7 @@ TEST(BadMeshFile, whose_ply_header_lies_is_refused_before_memory_is_spent) {
               refused("a.off", "OFF\n4000000000 1 0\n" + std::string(three)));
 }
 
-TEST(BadMeshFile, whose_ply_header_is_broken_names_the_line) {
+TEST(BadMeshFile, WhosePlyHeaderIsBrokenNamesTheLine) {
     expect_in("header line 2: the file ends before end_header", refused("a.ply", "ply\n"));
     expect_in("header line 1: a PLY file starts", refused("b.ply", "plx\nend_header\n"));
     expect_in("header line 2: the format must be",
@@ -137,7 +137,7 @@ TEST(BadMeshFile, whose_ply_header_is_broken_names_the_line) {
         refused("g.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n1\n"));
 }
 
-TEST(BadMeshFile, that_is_cut_off_anywhere_is_refused) {
+TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {
     const std::string text = ply("3", "2", three + std::string("3 0 1 2\n3 2 1 0\n"));
     for (std::size_t length = 1; length + 3 < text.size(); length += 3)
         refused("cut.ply", text.substr(0, length));
@@ -156,14 +156,14 @@ TEST(BadMeshFile, that_is_cut_off_anywhere_is_refused) {
         refused("cut.stl", stl.substr(0, length));
 }
 
-TEST(Trial, tells_whether_an_action_comes_to_its_end) {
+TEST(Trial, TellsWhetherAnActionComesToItsEnd) {
     EXPECT_TRUE(survives([] {}));
     EXPECT_TRUE(survives([] { throw InputError("refused."); }));
     EXPECT_FALSE(survives([] { std::abort(); }));
     EXPECT_FALSE(survives([] { std::raise(SIGSEGV); }));
 }
 
-TEST(BadMeshFile, of_flipped_bytes_never_crashes) {
+TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
     Random random(7);
     std::string good = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
     for (int face = 0; face < 2; ++face) good += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);

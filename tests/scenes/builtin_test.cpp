@@ -6,7 +6,7 @@
 namespace scb {
 namespace {
 
-TEST(BuiltinScenes, are_listed_in_a_fixed_order) {
+TEST(BuiltinScenes, AreListedInAFixedOrder) {
     std::vector<std::string> names;
     for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
     EXPECT_EQ(names, (std::vector<std::string>{"spheres-l1", "spheres-l2", "knots-l1", "knots-l2",
@@ -15,7 +15,7 @@ TEST(BuiltinScenes, are_listed_in_a_fixed_order) {
     EXPECT_EQ(find_builtin("nothing"), nullptr);
 }
 
-TEST(BuiltinScenes, all_load_and_move_rigidly_in_every_frame) {
+TEST(BuiltinScenes, AllLoadAndMoveRigidlyInEveryFrame) {
     for (const BuiltinScene& builtin : builtin_scenes()) {
         const Scene scene = load_builtin(builtin);
         EXPECT_EQ(scene.name, builtin.name);
@@ -31,7 +31,7 @@ TEST(BuiltinScenes, all_load_and_move_rigidly_in_every_frame) {
     }
 }
 
-TEST(BuiltinScenes, have_the_triangle_counts_of_table_2) {
+TEST(BuiltinScenes, HaveTheTriangleCountsOfTable2) {
     const auto counts = [](const char* name) {
         std::vector<std::size_t> result;
         for (const NamedMesh& mesh : load_builtin(*find_builtin(name)).meshes)
@@ -45,7 +45,7 @@ TEST(BuiltinScenes, have_the_triangle_counts_of_table_2) {
     EXPECT_EQ(counts("knots-l3"), (std::vector<std::size_t>{10976, 11424}));
 }
 
-TEST(BuiltinScenes, start_the_spheres_with_the_gap_in_the_inset) {
+TEST(BuiltinScenes, StartTheSpheresWithTheGapInTheInset) {
     const Scene scene = load_builtin(*find_builtin("spheres-l1"));
     EXPECT_EQ(scene.frames, 500);
     const Pose a = pose_at(scene.bodies[0].motion, 0), b = pose_at(scene.bodies[1].motion, 0);
@@ -61,7 +61,7 @@ TEST(BuiltinScenes, start_the_spheres_with_the_gap_in_the_inset) {
     EXPECT_GT(inset.center[0] + inset.radius, left_of_b);
 }
 
-TEST(BuiltinScenes, keep_the_knots_still_to_each_other_but_not_at_the_identity) {
+TEST(BuiltinScenes, KeepTheKnotsStillToEachOtherButNotAtTheIdentity) {
     const Scene scene = load_builtin(*find_builtin("knots-l1"));
     const Mat3 stored = rotation_about(Vec3(1, -2, 0.5), 40);
     for (const int frame : {0, 100, 499}) {

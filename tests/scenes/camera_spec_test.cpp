@@ -5,7 +5,7 @@
 namespace scb {
 namespace {
 
-TEST(CameraOption, reads_fit_and_orbit) {
+TEST(CameraOption, ReadsFitAndOrbit) {
     EXPECT_EQ(parse_camera("fit").azimuth, 30);
     EXPECT_FALSE(parse_camera("fit").distance);
     const CameraSpec camera = parse_camera("orbit:-45.5,10");
@@ -15,7 +15,7 @@ TEST(CameraOption, reads_fit_and_orbit) {
     EXPECT_EQ(parse_camera("orbit:0,90,2.5").distance, 2.5);
 }
 
-TEST(CameraOption, refuses_what_is_not_a_camera) {
+TEST(CameraOption, RefusesWhatIsNotACamera) {
     expect_in("two or three numbers", refusal([] { parse_camera("orbit:1"); }));
     expect_in("two or three numbers", refusal([] { parse_camera("orbit:1,2,3,4"); }));
     expect_in("number 2 cannot be read", refusal([] { parse_camera("orbit:1,x"); }));
@@ -28,7 +28,7 @@ TEST(CameraOption, refuses_what_is_not_a_camera) {
     expect_in("there is no such file", refusal([] { parse_camera("gone/camera.json"); }));
 }
 
-TEST(CameraJson, comes_back_as_it_was_written) {
+TEST(CameraJson, ComesBackAsItWasWritten) {
     CameraSpec camera;
     camera.azimuth = 0.1;
     camera.distance = 1.0 / 3;
@@ -46,7 +46,7 @@ TEST(CameraJson, comes_back_as_it_was_written) {
     EXPECT_EQ(again.inset->radius, 0.12);
 }
 
-TEST(CameraJson, is_read_from_a_file_with_places_in_errors) {
+TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
     const TempFolder folder;
     const std::string good = folder.write("camera.json", R"({"azimuth": 10, "field_of_view": 50})");
     EXPECT_EQ(parse_camera(good).azimuth, 10);

@@ -7,20 +7,20 @@ namespace {
 
 const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-TEST(LoadScene, takes_a_built_in_name) {
+TEST(LoadScene, TakesABuiltInName) {
     const Scene scene = load_scene({"knots-l1"});
     EXPECT_EQ(scene.name, "knots-l1");
     EXPECT_EQ(scene.frames, 500);
 }
 
-TEST(LoadScene, takes_a_scene_file) {
+TEST(LoadScene, TakesASceneFile) {
     const TempFolder folder;
     const std::string file = folder.write("mine.json", R"({"scb_scene": 1, "name": "mine",
         "models": [{"name": "m", "box": {}}], "bodies": [{"name": "A", "model": "m"}]})");
     EXPECT_EQ(load_scene({file}).name, "mine");
 }
 
-TEST(LoadScene, makes_a_scene_of_one_frame_from_one_mesh) {
+TEST(LoadScene, MakesASceneOfOneFrameFromOneMesh) {
     const TempFolder folder;
     const Scene scene = load_scene({folder.write("my horse.v2.obj", triangle)});
     EXPECT_EQ(scene.name, "my-horse.v2");
@@ -30,7 +30,7 @@ TEST(LoadScene, makes_a_scene_of_one_frame_from_one_mesh) {
     EXPECT_EQ(scene.bodies.size(), 1u);
 }
 
-TEST(LoadScene, places_the_second_of_two_meshes) {
+TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
     const TempFolder folder;
     const std::string a = folder.write("a.obj", triangle), b = folder.write("b.obj", triangle);
     Pose pose;
@@ -46,7 +46,7 @@ TEST(LoadScene, places_the_second_of_two_meshes) {
     expect_in("--pose: the pose is not rigid", refusal([&] { load_scene({a, b}, {{}, pose}); }));
 }
 
-TEST(LoadScene, shares_the_mesh_of_a_file_named_twice) {
+TEST(LoadScene, SharesTheMeshOfAFileNamedTwice) {
     const TempFolder folder;
     const std::string a = folder.write("a.obj", triangle);
     const Scene scene = load_scene({a, (folder.path / "." / "a.obj").string()});
@@ -56,7 +56,7 @@ TEST(LoadScene, shares_the_mesh_of_a_file_named_twice) {
     EXPECT_EQ(scene.name, "a-a");
 }
 
-TEST(LoadScene, says_what_can_be_named) {
+TEST(LoadScene, SaysWhatCanBeNamed) {
     const std::string sentence = refusal([] { load_scene({"sphere-l1"}); });
     expect_in("sphere-l1: there is no such scene or file, did you mean spheres-l1?", sentence);
     expect_in("thin-cylinder", sentence);
@@ -73,7 +73,7 @@ TEST(LoadScene, says_what_can_be_named) {
     expect_in("this is a directory", refusal([&] { load_scene({folder.path.string()}); }));
 }
 
-TEST(LoadScene, makes_file_names_of_any_text) {
+TEST(LoadScene, MakesFileNamesOfAnyText) {
     EXPECT_EQ(file_name_of("a b//c"), "a-b-c");
     EXPECT_EQ(file_name_of("..hidden--"), "hidden");
     EXPECT_EQ(file_name_of("\xc3\xa9"), "scene");

@@ -6,7 +6,10 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
 #include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
 
+#include "scenes/mesh_export.h"
 #include "tests/scenes/support.h"
 
 namespace scb {
@@ -137,6 +140,35 @@ std::string gltf(const std::string& nodes, std::uint16_t last_index = 2) {
               "max": [1, 2, 3]}, {"bufferView": 1, "componentType": 5123, "count": 18, "type": "SCALAR"}]})";
 }
 
+/// The four corners as floats, then two lists of indices: 0, 1, 2 and 0, 1, 2, 1, 2, 3.
+std::string buffer_of_two() {
+    std::string buffer;
+    for (const Vec3& v : corners)
+        for (int axis = 0; axis < 3; ++axis) buffer += raw(static_cast<float>(v[axis]));
+    return buffer + std::string("\0\1\2\0\1\2\1\2\3", 9);
+}
+
+/// Two meshes, of one triangle on the first three corners and of two on the first `vertices`;
+/// `extra` goes into the second one's primitive. The nodes name the second mesh first.
+std::string gltf_of_two(int vertices, const std::string& extra = "") {
+    const std::string box = R"(, "type": "VEC3", "min": [0, 0, 0], "max": [1, 2, 3]})";
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"mesh": 1}, {"mesh": 0}], "meshes": [
+{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]},
+{"primitives": [{"attributes": {"POSITION": 1}, "indices": 3)" +
+           extra +
+           R"(}]}],
+"buffers": [{"byteLength": 57, "uri": "data:application/octet-stream;base64,)" +
+           base64(buffer_of_two()) +
+           R"("}], "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+{"buffer": 0, "byteOffset": 48, "byteLength": 9}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 3)" +
+           box + R"(, {"bufferView": 0, "componentType": 5126, "count": )" +
+           std::to_string(vertices) + box + R"(,
+{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"},
+{"bufferView": 1, "byteOffset": 3, "componentType": 5121, "count": 6, "type": "SCALAR"}]})";
+}
+
 /// Triangles in file order, corner by corner, whatever vertices the reader repeated.
 void expect_same_triangles(const Mesh& mesh, const Vec3& offset = Vec3::Zero(), double scale = 1) {
     ASSERT_EQ(mesh.triangles.size(), triangles.size());
@@ -147,7 +179,7 @@ void expect_same_triangles(const Mesh& mesh, const Vec3& offset = Vec3::Zero(), 
                 << "triangle " << t << " corner " << k;
 }
 
-TEST(MeshFile, keeps_order_degenerate_and_duplicate_triangles_in_every_format) {
+TEST(MeshFile, KeepsOrderDegenerateAndDuplicateTrianglesInEveryFormat) {
     const TempFolder folder;
     const std::vector<std::pair<std::string, std::string>> files = {
         {"a.ply", text_ply()},
@@ -165,7 +197,7 @@ TEST(MeshFile, keeps_order_degenerate_and_duplicate_triangles_in_every_format) {
     }
 }
 
-TEST(MeshFile, shares_vertices_where_the_file_does) {
+TEST(MeshFile, SharesVerticesWhereTheFileDoes) {
     const TempFolder folder;
     EXPECT_EQ(load_mesh(folder.write("a.ply", text_ply())).vertices.size(), 4u);
     EXPECT_EQ(load_mesh(folder.write("a.off", off())).vertices.size(), 4u);
@@ -173,14 +205,14 @@ TEST(MeshFile, shares_vertices_where_the_file_does) {
     EXPECT_EQ(load_mesh(folder.write("a.stl", text_stl())).vertices.size(), 18u);
 }
 
-TEST(MeshFile, applies_the_transforms_of_a_node_and_of_those_above_it) {
+TEST(MeshFile, AppliesTheTransformsOfANodeAndOfThoseAboveIt) {
     const TempFolder folder;
     const std::string nodes =
         R"([{"children": [1], "scale": [2, 2, 2]}, {"children": [2], "translation": [1, 2, 3]}, {"mesh": 0}])";
     expect_same_triangles(load_mesh(folder.write("a.gltf", gltf(nodes))), Vec3(2, 4, 6), 2);
 }
 
-TEST(MeshFile, joins_instances_in_the_order_of_the_nodes_and_turns_mirrored_ones_over) {
+TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
     const TempFolder folder;
     const std::string nodes =
         R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [10, 0, 0]}])";
@@ -193,7 +225,53 @@ TEST(MeshFile, joins_instances_in_the_order_of_the_nodes_and_turns_mirrored_ones
     EXPECT_NEAR(signed_volume6(first), signed_volume6(second), 1e-12);
 }
 
-TEST(MeshFile, joins_the_objects_of_one_file) {
+TEST(MeshFile, TakesGltfMeshesInTheOrderOfTheNodes) {
+    const TempFolder folder;
+    const Mesh mesh = load_mesh(folder.write("a.gltf", gltf_of_two(4)));
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.vertices[mesh.triangles[1][2]], Vec3(0, 0, 3));
+}
+
+TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
+    const TempFolder folder;
+    const std::string sentence = "mesh 1, primitive 0: index 5 names vertex 3, but there are 3 ";
+    const std::string text = gltf_of_two(3);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+    for (const char* mode : {", \"mode\": 5", ", \"mode\": 6"})
+        expect_in(sentence,
+                  refusal([&] { load_mesh(folder.write("b.gltf", gltf_of_two(3, mode))); }));
+
+    const std::string start = "data:application/octet-stream;base64,";
+    const std::size_t from = text.find(start), to = text.find('"', from);
+    std::string bytes = buffer_of_two();
+    folder.write("c.bin", bytes);
+    const std::string beside = text.substr(0, from) + "c.bin" + text.substr(to);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("c.gltf", beside)); }));
+
+    std::string json = text.substr(0, text.rfind(", \"uri\"", from)) + text.substr(to + 1);
+    json += std::string(3 - (json.size() + 3) % 4, ' ');
+    bytes += std::string(3, '\0');
+    const auto chunk = [](std::uint32_t type, const std::string& data) {
+        return raw(static_cast<std::uint32_t>(data.size())) + raw(type) + data;
+    };
+    const std::string chunks = chunk(0x4e4f534a, json) + chunk(0x004e4942, bytes);
+    const std::string glb = "glTF" + raw(std::uint32_t{2}) +
+                            raw(static_cast<std::uint32_t>(chunks.size() + 12)) + chunks;
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("d.glb", glb)); }));
+}
+
+TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
+    const TempFolder folder;
+    // Lines are dropped, so their indices harm nobody.
+    EXPECT_EQ(load_mesh(folder.write("a.gltf", gltf_of_two(3, ", \"mode\": 1"))).triangles.size(),
+              1u);
+    std::string text = gltf_of_two(3);
+    const std::string indices = ", \"indices\": 3";
+    text.replace(text.find(indices), indices.size(), "");
+    EXPECT_EQ(load_mesh(folder.write("b.gltf", text)).triangles.size(), 2u);
+}
+
+TEST(MeshFile, JoinsTheObjectsOfOneFile) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write(
         "two.obj",
@@ -203,7 +281,7 @@ TEST(MeshFile, joins_the_objects_of_one_file) {
     EXPECT_EQ(mesh.vertices[mesh.triangles[1][0]], Vec3(5, 0, 0));
 }
 
-TEST(MeshFile, cuts_polygons_in_place_and_drops_points_and_lines) {
+TEST(MeshFile, CutsPolygonsInPlaceAndDropsPointsAndLines) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write("p.obj",
                                              "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\n"
@@ -219,7 +297,7 @@ TEST(MeshFile, cuts_polygons_in_place_and_drops_points_and_lines) {
     EXPECT_EQ(area2, 8 + 2 + 4);
 }
 
-TEST(MeshFile, reads_collada_with_a_node_transform_and_leaves_its_axes_alone) {
+TEST(MeshFile, ReadsColladaWithANodeTransformAndLeavesItsAxesAlone) {
     const TempFolder folder;
     const Mesh mesh = load_mesh(folder.write("n.dae", R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -242,7 +320,7 @@ TEST(MeshFile, reads_collada_with_a_node_transform_and_leaves_its_axes_alone) {
     EXPECT_EQ(mesh.vertices[t[2]], Vec3(10, 22, 30));
 }
 
-TEST(MeshFile, reads_what_assimp_exports) {
+TEST(MeshFile, ReadsWhatAssimpExports) {
     const TempFolder folder;
     const std::string source = folder.write("source.ply", text_ply());
     Assimp::Importer importer;
@@ -266,12 +344,89 @@ TEST(MeshFile, reads_what_assimp_exports) {
     }
 }
 
-TEST(MeshFile, keeps_unused_vertices_out_of_the_box) {
+TEST(MeshFile, ReadsEveryGroupOfARawFile) {
+    const TempFolder folder;
+    const Mesh mesh = load_mesh(folder.write("a.raw",
+                                             "first\n0 0 0 1 0 0 0 1 0\n0 0 0 1 0 0 0 0 1\n"
+                                             "second\n0 0 0 1 0 0 0 1 0\n"));
+    EXPECT_EQ(mesh.triangles.size(), 3u);
+}
+
+TEST(MeshFile, TakesRemarksInAPlyHeader) {
+    const TempFolder folder;
+    std::string text = text_ply();
+    const std::string remark = "Created by Blender3D 247, source file: \n\nhello\n";
+    text.insert(text.find("element"), remark);
+    EXPECT_EQ(load_mesh(folder.write("a.ply", text)).triangles.size(), 6u);
+    for (const char* line : {"elemnt edge 7\n", "prop float q\n", "propertie list uchar int q\n"}) {
+        std::string wrong = text_ply();
+        wrong.insert(wrong.find("element"), line);
+        expect_in("is not a PLY keyword",
+                  refusal([&] { load_mesh(folder.write("b.ply", wrong)); }));
+    }
+}
+
+TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
     const TempFolder folder;
     const Mesh mesh =
         load_mesh(folder.write("u.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n99 99 99\n3 0 1 2\n"));
     EXPECT_EQ(mesh.vertices.size(), 4u);
     EXPECT_EQ(bounding_box(mesh).upper, Vec3(1, 1, 0));
+}
+
+ExportPart part(const std::string& name, double x) {
+    return {name, {{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}, {{0, 1, 2}}}, {1, 0.5f, 0}};
+}
+
+std::string encoded(const std::vector<ExportPart>& parts, const std::string& file) {
+    const std::vector<std::uint8_t> bytes = encode_mesh(parts, file);
+    return {bytes.begin(), bytes.end()};
+}
+
+TEST(MeshExport, IsReadBackInEveryFormat) {
+    const TempFolder folder;
+    for (const char* name : {"a.ply", "a.obj", "a.glb", "a.stl"}) {
+        SCOPED_TRACE(name);
+        const Mesh mesh =
+            load_mesh(folder.write(name, encoded({part("A", 0), part("B", 5)}, name)));
+        ASSERT_EQ(mesh.triangles.size(), 2u);
+        EXPECT_EQ(mesh.vertices[mesh.triangles[0][0]], Vec3(0, 0, 0));
+        EXPECT_EQ(mesh.vertices[mesh.triangles[1][0]], Vec3(5, 0, 0));
+    }
+    expect_in("x.xyz: cannot write '.xyz' files", refusal([] { encode_mesh({}, "x.xyz"); }));
+    expect_in("format ascii 1.0", encoded({part("A", 0)}, "a.ply"));
+}
+
+TEST(MeshExport, GivesEveryPartOfAGlbANodeAndAMeshOfItsName) {
+    const std::string bytes = encoded({part("left", 0), part("right", 5)}, "a.glb");
+    std::uint32_t length = 0;
+    ASSERT_GT(bytes.size(), 20u);
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    const nlohmann::json document = nlohmann::json::parse(bytes.substr(20, length));
+    ASSERT_EQ(document.at("meshes").size(), 2u);
+    std::map<std::string, std::string> mesh_of_node;
+    for (const auto& node : document.at("nodes"))
+        if (node.contains("mesh"))
+            mesh_of_node[node.at("name")] =
+                document.at("meshes").at(node.at("mesh").get<std::size_t>()).at("name");
+    EXPECT_EQ(mesh_of_node,
+              (std::map<std::string, std::string>{{"left", "left"}, {"right", "right"}}));
+}
+
+TEST(MeshExport, RefusesCoordinatesThatFloatCannotHold) {
+    const double most = std::numeric_limits<float>::max();
+    ExportPart large = part("A", 0);
+    for (const char* name : {"a.ply", "a.obj", "a.glb", "a.stl"}) {
+        large.mesh.vertices[1] = Vec3(most, 0, -most);
+        EXPECT_FALSE(encode_mesh({large}, name).empty());
+        large.mesh.vertices[1] = Vec3(0, -1e40, 0);
+        EXPECT_EQ(refusal([&] {
+                      encode_mesh({part("B", 0), large}, name);
+                  }),
+                  std::string(name) +
+                      ": A has the coordinate -1e+40, but mesh files hold at most 3.4e38; scale "
+                      "the mesh down.");
+    }
 }
 
 }  // namespace

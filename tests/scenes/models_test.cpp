@@ -29,7 +29,7 @@ std::vector<Row> table(const std::filesystem::path& readme) {
     return rows;
 }
 
-TEST(Models, have_the_counts_that_their_table_states) {
+TEST(Models, HaveTheCountsThatTheirTableStates) {
     const std::filesystem::path models =
         std::filesystem::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
     if (!std::filesystem::exists(models / "README.md")) {

@@ -12,7 +12,7 @@ void expect_near(const Mat3& a, const Mat3& b, double tolerance) {
     EXPECT_LT((a - b).cwiseAbs().maxCoeff(), tolerance) << a << "\n\n" << b;
 }
 
-TEST(Motion, without_anything_is_the_identity_at_every_frame) {
+TEST(Motion, WithoutAnythingIsTheIdentityAtEveryFrame) {
     for (const int frame : {0, 1, 499}) {
         const Pose pose = pose_at({}, frame);
         EXPECT_EQ(pose.rotation, Mat3(Mat3::Identity()));
@@ -20,7 +20,7 @@ TEST(Motion, without_anything_is_the_identity_at_every_frame) {
     }
 }
 
-TEST(Motion, turns_counterclockwise_seen_from_the_tip_of_the_axis) {
+TEST(Motion, TurnsCounterclockwiseSeenFromTheTipOfTheAxis) {
     Mat3 z90, x90;
     z90 << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     x90 << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -32,7 +32,7 @@ TEST(Motion, turns_counterclockwise_seen_from_the_tip_of_the_axis) {
     expect_near(rotation_about(Vec3(1, 1, 1), 120), third, 1e-15);
 }
 
-TEST(Motion, takes_axes_of_any_length) {
+TEST(Motion, TakesAxesOfAnyLength) {
     const Mat3 turn = rotation_about(Vec3(1, 2, 3), 33);
     expect_near(rotation_about(Vec3(1e-200, 2e-200, 3e-200), 33), turn, 1e-15);
     expect_near(rotation_about(Vec3(1e200, 2e200, 3e200), 33), turn, 1e-15);
@@ -41,7 +41,7 @@ TEST(Motion, takes_axes_of_any_length) {
                  InputError);
 }
 
-TEST(Motion, applies_turns_in_the_order_of_the_list) {
+TEST(Motion, AppliesTurnsInTheOrderOfTheList) {
     Motion motion;
     motion.turns = {{Vec3::UnitX(), 90, 0}, {Vec3::UnitZ(), 90, 0}};
     const Pose pose = pose_at(motion, 0);
@@ -50,13 +50,13 @@ TEST(Motion, applies_turns_in_the_order_of_the_list) {
     EXPECT_EQ(transform_direction(pose, Vec3::UnitZ()), Vec3(1, 0, 0));
 }
 
-TEST(Motion, adds_degrees_per_frame) {
+TEST(Motion, AddsDegreesPerFrame) {
     Motion motion;
     motion.turns = {{Vec3::UnitZ(), 30, 0.5}};
     expect_near(pose_at(motion, 120).rotation, rotation_about(Vec3::UnitZ(), 90), 1e-15);
 }
 
-TEST(Motion, moves_on_a_straight_line_beyond_its_end) {
+TEST(Motion, MovesOnAStraightLineBeyondItsEnd) {
     Motion motion;
     motion.path = {{0.05, 0.9, 0.03}, {0.05, -0.9, 0.03}, 499};
     EXPECT_EQ(pose_at(motion, 0).translation, Vec3(0.05, 0.9, 0.03));
@@ -64,7 +64,7 @@ TEST(Motion, moves_on_a_straight_line_beyond_its_end) {
     EXPECT_NEAR(pose_at(motion, 998).translation[1], -2.7, 1e-14);
 }
 
-TEST(Motion, brings_the_benchmark_spheres_together_at_frame_250) {
+TEST(Motion, BringsTheBenchmarkSpheresTogetherAtFrame250) {
     Motion a, b;
     a.path = {{-1, 0, 0}, {1, 0, 0}, 500};
     b.path = {{1, 0, 0}, {-1, 0, 0}, 500};
@@ -76,7 +76,7 @@ TEST(Motion, brings_the_benchmark_spheres_together_at_frame_250) {
     }
 }
 
-TEST(Motion, expresses_the_euler_increments_of_the_horses) {
+TEST(Motion, ExpressesTheEulerIncrementsOfTheHorses) {
     Motion motion;
     motion.turns = {{Vec3::UnitX(), 10, 0.9}, {Vec3::UnitY(), 0, 1.3}, {Vec3::UnitZ(), 0, 0.7}};
     const int i = 123;
@@ -86,13 +86,13 @@ TEST(Motion, expresses_the_euler_increments_of_the_horses) {
     expect_near(pose_at(motion, i).rotation, z * y * x, 1e-15);
 }
 
-TEST(Motion, stays_rigid_over_a_million_frames) {
+TEST(Motion, StaysRigidOverAMillionFrames) {
     Motion motion;
     motion.turns = {{Vec3(1, 2, 3), 10, 0.9}, {Vec3(3, -1, 2), 0, -1.3}, {Vec3(1, 1, 0.3), 0, 0.7}};
     for (int i = 0; i < 1000000; i += 9973) EXPECT_LT(rigidity_defect(pose_at(motion, i)), 1e-14);
 }
 
-TEST(Motion, refuses_a_pose_that_is_not_rigid) {
+TEST(Motion, RefusesAPoseThatIsNotRigid) {
     Motion motion;
     motion.base = 2 * Mat3::Identity();
     expect_in("not rigid", refusal([&] { pose_at(motion, 0); }));

@@ -26,12 +26,12 @@ double area2(const std::vector<Vec3>& points, const std::vector<Triangle>& trian
     return sum;
 }
 
-TEST(Polygon, that_is_convex_becomes_a_fan_from_its_first_corner) {
+TEST(Polygon, ThatIsConvexBecomesAFanFromItsFirstCorner) {
     const auto triangles = cut({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}});
     EXPECT_EQ(triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
 }
 
-TEST(Polygon, that_is_concave_is_covered_without_overlap) {
+TEST(Polygon, ThatIsConcaveIsCoveredWithoutOverlap) {
     const std::vector<Vec3> arrow = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
     EXPECT_EQ(area2(arrow, cut(arrow)), 2);
     const std::vector<Vec3> comb = {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0},
@@ -42,7 +42,7 @@ TEST(Polygon, that_is_concave_is_covered_without_overlap) {
     EXPECT_EQ(area2(comb, triangles), 2 * (5 + 3 * 2));
 }
 
-TEST(Polygon, seen_from_any_side_keeps_its_orientation) {
+TEST(Polygon, SeenFromAnySideKeepsItsOrientation) {
     const std::vector<Vec3> flat = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
     for (const int axis : {0, 1, 2}) {
         std::vector<Vec3> turned, backwards;
@@ -64,14 +64,14 @@ TEST(Polygon, seen_from_any_side_keeps_its_orientation) {
     }
 }
 
-TEST(Polygon, that_crosses_itself_or_has_no_area_becomes_a_fan) {
+TEST(Polygon, ThatCrossesItselfOrHasNoAreaBecomesAFan) {
     EXPECT_EQ(cut({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 2u);
     EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}),
               (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_EQ(cut({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).size(), 3u);
 }
 
-TEST(Polygon, that_is_large_and_concave_is_refused) {
+TEST(Polygon, ThatIsLargeAndConcaveIsRefused) {
     std::vector<Vec3> saw = {{0, -1, 0}};
     for (int i = 0; i < 3000; ++i) saw.emplace_back(3000 - i, i % 2, 0);
     expect_in("polygon is a concave polygon of 3001 corners", refusal([&] { cut(saw); }));

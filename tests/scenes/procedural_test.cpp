@@ -9,7 +9,7 @@
 namespace scb {
 namespace {
 
-TEST(Icosphere, has_the_counts_of_table_2_and_is_closed) {
+TEST(Icosphere, HasTheCountsOfTable2AndIsClosed) {
     for (const auto& [n, vertices, triangles] :
          {std::tuple{0, 12u, 20u}, {1, 42u, 80u}, {5, 10242u, 20480u}, {6, 40962u, 81920u}}) {
         const Mesh mesh = icosphere(n, 0.95);
@@ -19,19 +19,19 @@ TEST(Icosphere, has_the_counts_of_table_2_and_is_closed) {
     }
 }
 
-TEST(Icosphere, has_its_vertices_on_the_sphere_and_faces_outwards) {
+TEST(Icosphere, HasItsVerticesOnTheSphereAndFacesOutwards) {
     const Mesh mesh = icosphere(4, 0.95);
     for (const Vec3& v : mesh.vertices) EXPECT_NEAR(std::sqrt(squared_norm(v)), 0.95, 1e-15);
     EXPECT_NEAR(signed_volume6(mesh), 8 * std::numbers::pi * 0.95 * 0.95 * 0.95, 0.1);
 }
 
-TEST(Icosphere, scales_the_unit_sphere_at_the_end) {
+TEST(Icosphere, ScalesTheUnitSphereAtTheEnd) {
     const Mesh unit = icosphere(3, 1), small = icosphere(3, 0.95);
     for (std::size_t i = 0; i < unit.vertices.size(); ++i)
         EXPECT_EQ(Vec3(unit.vertices[i] * 0.95), small.vertices[i]);
 }
 
-TEST(Icosphere, refuses_what_it_cannot_make) {
+TEST(Icosphere, RefusesWhatItCannotMake) {
     expect_in("subdivisions is 40; give 0 to 9", refusal([] { icosphere(40, 1); }));
     expect_in("subdivisions is -1", refusal([] { icosphere(-1, 1); }));
     expect_in("radius is 0;", refusal([] { icosphere(1, 0); }));
@@ -39,7 +39,7 @@ TEST(Icosphere, refuses_what_it_cannot_make) {
               refusal([] { icosphere(1, std::numeric_limits<double>::quiet_NaN()); }));
 }
 
-TEST(BoxMesh, is_closed_with_shared_vertices) {
+TEST(BoxMesh, IsClosedWithSharedVertices) {
     for (const int n : {1, 2, 5}) {
         const Mesh mesh = box_mesh({{1, 2, 4}, n});
         EXPECT_EQ(mesh.triangles.size(), static_cast<std::size_t>(12 * n * n));
@@ -52,7 +52,7 @@ TEST(BoxMesh, is_closed_with_shared_vertices) {
     }
 }
 
-TEST(PlaneMesh, is_a_grid_that_faces_up) {
+TEST(PlaneMesh, IsAGridThatFacesUp) {
     const Mesh mesh = plane_mesh({4, 2, 8, 3});
     EXPECT_EQ(mesh.vertices.size(), 36u);
     EXPECT_EQ(mesh.triangles.size(), 48u);
@@ -67,7 +67,7 @@ TEST(PlaneMesh, is_a_grid_that_faces_up) {
     expect_in("triangles", refusal([] { plane_mesh({1, 1, 8000000, 8000000}); }));
 }
 
-TEST(CylinderMesh, is_closed_when_capped) {
+TEST(CylinderMesh, IsClosedWhenCapped) {
     const Mesh mesh = cylinder_mesh({0.5, 3, 24, 4, true});
     EXPECT_EQ(mesh.triangles.size(), 24u * (2 * 4 + 2));
     expect_closed(mesh);
@@ -77,14 +77,14 @@ TEST(CylinderMesh, is_closed_when_capped) {
     expect_in("sides is 2", refusal([] { cylinder_mesh({1, 1, 2, 1, true}); }));
 }
 
-TEST(CylinderMesh, with_one_segment_has_long_thin_triangles) {
+TEST(CylinderMesh, WithOneSegmentHasLongThinTriangles) {
     const Mesh mesh = cylinder_mesh({0.1, 10, 64, 1, false});
     const Triangle& t = mesh.triangles[0];
     const double width = std::sqrt(squared_norm(mesh.vertices[t[1]] - mesh.vertices[t[0]]));
     EXPECT_GT(10 / width, 100);
 }
 
-TEST(ConeMesh, is_closed_when_capped) {
+TEST(ConeMesh, IsClosedWhenCapped) {
     for (const int segments : {1, 5}) {
         const Mesh mesh = cone_mesh({0.5, 3, 24, segments, true});
         EXPECT_EQ(mesh.triangles.size(), static_cast<std::size_t>(24 * (2 * (segments - 1) + 2)));
@@ -94,7 +94,7 @@ TEST(ConeMesh, is_closed_when_capped) {
     }
 }
 
-TEST(SoupMesh, stays_in_its_cube_and_follows_its_seed) {
+TEST(SoupMesh, StaysInItsCubeAndFollowsItsSeed) {
     const Mesh mesh = soup_mesh({500, 2, 0.1, 7});
     EXPECT_EQ(mesh.vertices.size(), 1500u);
     EXPECT_EQ(mesh.triangles.size(), 500u);
@@ -117,7 +117,7 @@ std::uint64_t fingerprint(const Mesh& mesh) {
     return hash;
 }
 
-TEST(ProceduralMeshes, are_the_same_bits_on_every_compiler_and_machine) {
+TEST(ProceduralMeshes, AreTheSameBitsOnEveryCompilerAndMachine) {
     EXPECT_EQ(fingerprint(icosphere(5, 0.95)), 4270729355449024621u);
     EXPECT_EQ(fingerprint(soup_mesh({1000, 1, 0.1, 1})), 6495805808965332008u);
     EXPECT_EQ(fingerprint(cylinder_mesh({0.2, 4, 96, 3, true})), 62583323304710245u);

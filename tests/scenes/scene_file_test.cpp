@@ -34,7 +34,7 @@ std::string refused_without(const std::string& parent, const std::string& name) 
     return refusal([&] { parse(document.dump()); });
 }
 
-TEST(SceneFile, is_read_in_full) {
+TEST(SceneFile, IsReadInFull) {
     const Scene scene = parse(small_scene);
     EXPECT_EQ(scene.name, "small");
     EXPECT_EQ(scene.frames, 10);
@@ -49,7 +49,7 @@ TEST(SceneFile, is_read_in_full) {
     EXPECT_EQ(transform_direction(pose, Vec3::UnitX()), Vec3(0, 1, 0));
 }
 
-TEST(SceneFile, names_file_and_place_of_a_wrong_value) {
+TEST(SceneFile, NamesFileAndPlaceOfAWrongValue) {
     EXPECT_EQ(refused("/bodies/1/rotation/0/axis", "x"),
               "my.json: bodies[1].rotation[0].axis: expected three numbers, found \"x\".");
     EXPECT_EQ(refused("/frames", 0),
@@ -83,7 +83,7 @@ TEST(SceneFile, names_file_and_place_of_a_wrong_value) {
               refused("/camera", {{"elevation", 100}}));
 }
 
-TEST(SceneFile, refuses_unknown_missing_and_repeated_fields) {
+TEST(SceneFile, RefusesUnknownMissingAndRepeatedFields) {
     expect_in("my.json: unknown field \"frame\"; known are scb_scene, name,", refused("/frame", 3));
     expect_in("my.json: bodies[0]: unknown field \"spin\"", refused("/bodies/0/spin", 3));
     expect_in("my.json: models[0].icosphere: unknown field \"levels\"",
@@ -101,7 +101,7 @@ TEST(SceneFile, refuses_unknown_missing_and_repeated_fields) {
     expect_in("models[0]: expected exactly one of", refused_without("/models/0", "icosphere"));
 }
 
-TEST(SceneFile, names_line_and_column_of_broken_json) {
+TEST(SceneFile, NamesLineAndColumnOfBrokenJson) {
     expect_in("my.json: line 2, column 12: not valid JSON",
               refusal([] { parse("{\n  \"frames\" 3\n}"); }));
     expect_in("my.json: line 1, column ", refusal([] { parse("{\"frames\": NaN}"); }));
@@ -115,7 +115,7 @@ TEST(SceneFile, names_line_and_column_of_broken_json) {
                   refusal([&] { parse(std::string(small_scene).substr(0, length)); }));
 }
 
-TEST(SceneFile, refuses_meshes_that_are_too_large_or_impossible) {
+TEST(SceneFile, RefusesMeshesThatAreTooLargeOrImpossible) {
     EXPECT_EQ(refused("/models/0/icosphere/subdivisions", 40),
               "my.json: models[0].icosphere: subdivisions is 40; give 0 to 9.");
     expect_in("my.json: models[0].icosphere.radius: expected a number, found null",
@@ -132,7 +132,7 @@ TEST(SceneFile, refuses_meshes_that_are_too_large_or_impossible) {
     expect_in("triangles", refusal([&] { parse(document.dump()); }));
 }
 
-TEST(SceneFile, places_a_body_by_twelve_numbers) {
+TEST(SceneFile, PlacesABodyByTwelveNumbers) {
     json document = json::parse(small_scene);
     document["bodies"][0]["pose"] = {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7};
     const Scene scene = parse(document.dump());
@@ -146,7 +146,7 @@ TEST(SceneFile, places_a_body_by_twelve_numbers) {
               refused("/bodies/1/pose", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}));
 }
 
-TEST(SceneFile, normalizes_scales_and_stores_rotated_in_this_order) {
+TEST(SceneFile, NormalizesScalesAndStoresRotatedInThisOrder) {
     json document = json::parse(small_scene);
     document["models"][1]["normalize"] = "unit-box";
     document["models"][1]["scale"] = 6;
@@ -167,7 +167,7 @@ TEST(SceneFile, normalizes_scales_and_stores_rotated_in_this_order) {
             1e-15);
 }
 
-TEST(SceneFile, looks_for_meshes_beside_it_and_then_in_the_folder_of_models) {
+TEST(SceneFile, LooksForMeshesBesideItAndThenInTheFolderOfModels) {
     const TempFolder scenes, models;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string text =
@@ -187,7 +187,7 @@ TEST(SceneFile, looks_for_meshes_beside_it_and_then_in_the_folder_of_models) {
     expect_in("m.obj: the mesh has no triangles", sentence);
 }
 
-TEST(SceneFile, expresses_the_hands_of_the_benchmark) {
+TEST(SceneFile, ExpressesTheHandsOfTheBenchmark) {
     const TempFolder folder;
     folder.write("hand.obj", "v 0 0 0\nv 4 0 0\nv 0 2 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
     const std::string file =

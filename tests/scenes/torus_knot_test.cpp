@@ -23,7 +23,7 @@ TorusKnot knot_b(int sides, int rings) {
 
 double length(const Vec3& v) { return std::sqrt(squared_norm(v)); }
 
-TEST(TorusKnot, has_the_counts_of_table_2_and_is_closed) {
+TEST(TorusKnot, HasTheCountsOfTable2AndIsClosed) {
     for (const auto& [sides, rings, triangles] :
          {std::tuple{12, 147, 3528u}, {14, 245, 6860u}, {16, 343, 10976u}}) {
         const Mesh mesh = torus_knot_mesh(knot_a(sides, rings));
@@ -35,7 +35,7 @@ TEST(TorusKnot, has_the_counts_of_table_2_and_is_closed) {
     }
 }
 
-TEST(TorusKnot, has_an_orthonormal_frame_with_the_tangent_of_the_curve) {
+TEST(TorusKnot, HasAnOrthonormalFrameWithTheTangentOfTheCurve) {
     for (const TorusKnot& knot : {knot_a(12, 147), knot_b(12, 153)}) {
         for (int i = 0; i < 100; ++i) {
             const double t = i / 100.0, h = 1e-6;
@@ -49,7 +49,7 @@ TEST(TorusKnot, has_an_orthonormal_frame_with_the_tangent_of_the_curve) {
     }
 }
 
-TEST(TorusKnot, does_not_twist_wildly) {
+TEST(TorusKnot, DoesNotTwistWildly) {
     for (const TorusKnot& knot : {knot_a(12, 147), knot_b(12, 153)})
         for (int i = 0; i < knot.rings; ++i) {
             const Vec3 here = knot_frame(knot, static_cast<double>(i) / knot.rings).normal;
@@ -58,7 +58,7 @@ TEST(TorusKnot, does_not_twist_wildly) {
         }
 }
 
-TEST(TorusKnot, starts_the_companion_along_the_torus_normal) {
+TEST(TorusKnot, StartsTheCompanionAlongTheTorusNormal) {
     const Vec3 a = knot_frame(knot_a(12, 147), 0).point, b = knot_frame(knot_b(12, 147), 0).point;
     EXPECT_LT(length(b - a - Vec3(0.9, 0, 0)), 1e-15);
     for (int i = 0; i < 50; ++i)
@@ -87,7 +87,7 @@ double least_distance(const TorusKnot& first, const TorusKnot& second, bool same
     return std::sqrt(least);
 }
 
-TEST(TorusKnot, keeps_the_tubes_of_the_benchmark_a_tenth_apart) {
+TEST(TorusKnot, KeepsTheTubesOfTheBenchmarkATenthApart) {
     const TorusKnot a = knot_a(12, 147), b = knot_b(12, 153);
     const double gap = least_distance(a, b, false) - 0.8;
     EXPECT_GT(gap, 0.09);
@@ -95,7 +95,7 @@ TEST(TorusKnot, keeps_the_tubes_of_the_benchmark_a_tenth_apart) {
     EXPECT_GT(least_distance(a, a, true), 0.8);
 }
 
-TEST(TorusKnot, refuses_what_it_cannot_make) {
+TEST(TorusKnot, RefusesWhatItCannotMake) {
     const auto refused = [](auto change) {
         TorusKnot knot;
         change(knot);

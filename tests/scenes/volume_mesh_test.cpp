@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -34,6 +35,55 @@ bool closed(const Mesh& mesh) {
         if (count != 1 || opposite == edges.end() || opposite->second != 1) return false;
     }
     return !edges.empty();
+}
+
+/// Triangles with two corners in one place, or with (nearly) no area for the size of the mesh.
+int degenerate(const Mesh& mesh) {
+    int count = 0;
+    const double area = area_of(mesh);
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+        const bool no_area = squared_norm(cross(b - a, c - a)) <= 1e-20 * area * area;
+        if (a == b || b == c || c == a || no_area) ++count;
+    }
+    return count;
+}
+
+TEST(VolumeMesh, OfABallHasTwoPolesWithFans) {
+    const Ball ball{{1, -2, 3}, 2.5};
+    for (const int segments : {3, 4, 8, 33}) {
+        const Mesh mesh = volume_mesh(ball, segments);
+        const int rings = std::max(2, segments / 2) - 1;
+        EXPECT_EQ(mesh.vertices.size(), static_cast<std::size_t>(rings * segments + 2));
+        EXPECT_EQ(mesh.triangles.size(), static_cast<std::size_t>(2 * rings * segments));
+        EXPECT_TRUE(closed(mesh));
+        EXPECT_EQ(degenerate(mesh), 0);
+    }
+    EXPECT_NEAR(volume_of(volume_mesh(ball, 128)), volume(ball), 0.01 * volume(ball));
+}
+
+TEST(VolumeMesh, OfCutsAtOrNearAPoleOrACircleHasNoDegenerateTriangles) {
+    const Vec3 n = Vec3(1, 2, -2) / 3, c(1, 2, 3);
+    for (const double e : {2.0, std::nextafter(2.0, 0.0), 2 * (1 - 1e-13), 1.9, 1e-300, 1e-17, 0.0})
+        for (const double f : {-2.0, std::nextafter(-2.0, 0.0), -1.0, -1e-17, 0.0}) {
+            const Mesh mesh = volume_mesh(Scb{c, 2, n, e, f}, 32);
+            EXPECT_TRUE(closed(mesh)) << e << ' ' << f;
+            EXPECT_EQ(degenerate(mesh), 0) << e << ' ' << f;
+            EXPECT_NEAR(area_of(mesh), surface_area(Scb{c, 2, n, e, f}), 1.0) << e << ' ' << f;
+        }
+}
+
+TEST(VolumeMesh, OfAFlatBoxIsARectangleSeenFromBothSides) {
+    for (const Vec3& half : {Vec3(0, 2, 3), Vec3(1, 0, 3), Vec3(1, 2, 0), Vec3(1, 2, 1e-20)}) {
+        const Obb box{{1, 2, 3}, Mat3::Identity(), half};
+        const Mesh mesh = volume_mesh(box, 8);
+        EXPECT_EQ(mesh.triangles.size(), 4u);
+        EXPECT_TRUE(closed(mesh));
+        EXPECT_EQ(degenerate(mesh), 0);
+        EXPECT_DOUBLE_EQ(area_of(mesh), surface_area(box));
+    }
+    EXPECT_TRUE(volume_mesh(Obb{{1, 2, 3}, Mat3::Identity(), {1, 0, 0}}, 8).triangles.empty());
+    EXPECT_TRUE(volume_mesh(Obb{{1, 2, 3}, Mat3::Identity(), {0, 0, 0}}, 8).triangles.empty());
 }
 
 TEST(VolumeMesh, ApproachesAreaAndVolumeFromInside) {
