@@ -124,6 +124,9 @@ int run(int argc, char** argv) {
     } catch (const GlError& error) {
         console.error(error.what());
         return exit_no_gl;
+    } catch (const DrawError& error) {
+        console.error(error.what());
+        return exit_environment;
     } catch (const std::filesystem::filesystem_error& error) {
         console.error(std::string(error.what()) + ".");
         return exit_environment;
