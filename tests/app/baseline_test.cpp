@@ -28,7 +28,8 @@ constexpr BaselineCase cases[] = {
      "thin-cylinder --volume obb --levels 4 --background dark"},  // boxes, long thin triangles
     // the scales of color, one body, orthographic
     {"levels-cone-radius", "cone --volume scb --levels leaves --color-by radius --ortho"},
-    {"levels-soup-thickness", "soup --volume scb --levels 8 --color-by thickness --camera orbit:20,30"},
+    {"levels-soup-thickness",
+     "soup --volume scb --levels 8 --color-by thickness --camera orbit:20,30"},
     {"levels-knots-translucent",
      "knots-l1 --volume ball --levels 6 --opacity 0.5 --edges"},  // blending, meshes
 };

@@ -63,11 +63,12 @@ TEST(Emulated, AnOldCpuDrawsTheSameBytes) {
             "NOT TESTED: an emulated CPU, since qemu-x86_64 (package qemu-user) is missing.\n");
         return;
     }
-    for (const char* scene : {"spheres-l1 --levels 6", "thin-cylinder --levels 4 --volume obb",
-                              "knots-l1 --levels 5 --opacity 0.5"}) {
+    for (const char* scene :
+         {"spheres-l1 --levels 6", "thin-cylinder --levels 4 --volume obb",
+          "knots-l1 --levels 5 --opacity 0.5", "cone --levels leaves --color-by radius"}) {
         const TemporaryFolder folder;
         const std::string arguments =
-            std::string("render levels ") + scene + " --size 240x180 --ids -o ";
+            std::string("render levels ") + scene + " --size 320x240 --ids -o ";
         ASSERT_EQ(run_scb(arguments + (folder / "native")).status, 0);
         ASSERT_EQ(run_scb(arguments + (folder / "emulated"), "qemu-x86_64 -cpu Nehalem").status, 0);
         std::size_t files = 0;
