@@ -74,7 +74,9 @@ CameraSpec read_camera(const JsonPlace& place) {
 
 CameraSpec parse_camera_json(std::string_view json_text, const std::string& file) {
     const nlohmann::json document = parse_json(json_text, file);
-    return read_camera({&document, file, ""});
+    const JsonPlace root{&document, file, ""};
+    if (document.is_object() && has(root, "camera")) return read_camera(field(root, "camera"));
+    return read_camera(root);
 }
 
 CameraSpec parse_camera(std::string_view text) {

@@ -33,11 +33,13 @@ struct CameraSpec {
 };
 
 /// What `--camera` takes: `fit` (all fitted, default angles), `orbit:AZIMUTH,ELEVATION[,DISTANCE]`,
-/// or the path of a JSON file that holds the camera object of a scene file. Throws InputError,
-/// naming the option, file and place.
+/// or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
+/// file and place.
 CameraSpec parse_camera(std::string_view text);
 
-/// The camera object of a scene file, from its JSON text; `file` is named in errors (InputError).
+/// The camera object of a scene file, from its JSON text; or the field `camera` of an object that
+/// has one, such as a scene file or the index.json beside pictures. `file` is named in errors
+/// (InputError).
 CameraSpec parse_camera_json(std::string_view json_text, const std::string& file);
 
 /// The camera object of a scene file, as JSON text: what parse_camera_json reads back to the same

@@ -54,7 +54,11 @@ std::string joined(std::initializer_list<std::string_view> names) {
 
 json parse_json(std::string_view text, const std::string& file) {
     std::vector<std::set<std::string>> open_objects;
-    const auto refuse_repeated_fields = [&](int, json::parse_event_t event, json& parsed) {
+    const auto check_event = [&](int depth, json::parse_event_t event, json& parsed) {
+        // Printing a value takes stack for every level.
+        if (depth > max_json_depth)
+            throw InputError(file + ": values are nested more than " +
+                             std::to_string(max_json_depth) + " deep; no file here needs that.");
         if (event == json::parse_event_t::object_start) open_objects.emplace_back();
         if (event == json::parse_event_t::object_end) open_objects.pop_back();
         if (event == json::parse_event_t::key &&
@@ -64,7 +68,7 @@ json parse_json(std::string_view text, const std::string& file) {
         return true;
     };
     try {
-        return json::parse(text.begin(), text.end(), refuse_repeated_fields);
+        return json::parse(text.begin(), text.end(), check_event);
     } catch (const json::parse_error& error) {
         throw InputError(file + ": " + line_and_column(text, error.byte) +
                          ": not valid JSON: " + plain_reason(error.what()) + "; correct it there.");
@@ -151,6 +155,16 @@ bool read_bool(const JsonPlace& place) {
 std::string read_text(const JsonPlace& place) {
     if (!place.value->is_string()) refuse_value(place, "a text in quotes");
     return place.value->get<std::string>();
+}
+
+std::string read_plain_text(const JsonPlace& place) {
+    const std::string text = read_text(place);
+    const auto is_control = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7f;
+    };
+    if (text.empty() || std::any_of(text.begin(), text.end(), is_control))
+        refuse_value(place, "a text that is not empty and has no control characters");
+    return text;
 }
 
 Vec3 read_vec3(const JsonPlace& place) {

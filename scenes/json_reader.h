@@ -20,8 +20,12 @@ struct JsonPlace {
     const nlohmann::json& operator*() const { return *value; }
 };
 
-/// Parses a document. Throws InputError with file, line and column where it is not JSON, and where
-/// an object has a field twice, which JSON readers otherwise resolve silently.
+/// The deepest nesting of arrays and objects that is read.
+inline constexpr int max_json_depth = 100;
+
+/// Parses a document. Throws InputError with file, line and column where it is not JSON, where an
+/// object has a field twice, which JSON readers otherwise resolve silently, and where it is nested
+/// more than max_json_depth deep.
 nlohmann::json parse_json(std::string_view text, const std::string& file);
 
 /// The whole of a text file. Throws InputError where it is missing, a directory, larger than 64
@@ -53,6 +57,10 @@ std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t
 double read_positive(const JsonPlace& place);
 bool read_bool(const JsonPlace& place);
 std::string read_text(const JsonPlace& place);
+
+/// A text that is not empty and has no control characters, which would garble messages and paths.
+std::string read_plain_text(const JsonPlace& place);
+
 Vec3 read_vec3(const JsonPlace& place);
 
 /// Three numbers that are not all zero.

@@ -6,6 +6,7 @@
 #include "scenes/builtin.h"
 #include "scenes/mesh_file.h"
 #include "scenes/scene_file.h"
+#include "scenes/utf8.h"
 
 namespace scb {
 namespace {
@@ -48,9 +49,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
                      what_to_name + " (built in are " + known + ").");
 }
 
+/// What a mesh from this file is called.
 std::string stem(const std::string& path) {
-    std::string name = fs::path(path).stem().string();
-    return name.empty() ? path : name;
+    const std::string name = fs::path(path).stem().string();
+    return as_utf8(name.empty() ? path : name);
 }
 
 bool is_scene_file(const std::string& name) { return fs::path(name).extension() == ".json"; }
@@ -60,38 +62,46 @@ bool looks_like_path(const std::string& name) {
     return name.find('/') != std::string::npos || !fs::path(name).extension().empty();
 }
 
-Mesh load_named_mesh(const std::string& name) {
+/// The file that a name on the command line means.
+fs::path find_mesh(const std::string& name, const fs::path& models_dir) {
     std::error_code ignored;
-    if (!fs::exists(name, ignored) && !looks_like_path(name)) refuse_unknown(name);
-    return load_mesh(name);
+    const fs::path path = name;
+    if (fs::exists(path, ignored)) return path;
+    const bool look_further = !models_dir.empty() && !name.empty() && path.is_relative();
+    if (look_further && fs::exists(models_dir / path, ignored)) return models_dir / path;
+    if (!looks_like_path(name)) refuse_unknown(name);
+    throw InputError(name + ": there is no such file" +
+                     (look_further ? ", nor is there " + (models_dir / path).string() : "") +
+                     "; check the path.");
 }
 
-Scene one_mesh(const std::string& file) {
+Scene one_mesh(const std::string& name, const fs::path& file) {
     Scene scene;
-    scene.name = file_name_of(stem(file));
-    scene.meshes.push_back({stem(file), load_named_mesh(file)});
-    scene.bodies.push_back({stem(file), 0, {}});
+    scene.name = file_name_of(stem(name));
+    scene.meshes.push_back({stem(name), load_mesh(file)});
+    scene.bodies.push_back({stem(name), 0, {}});
     return scene;
 }
 
-Scene two_meshes(const std::string& first, const std::string& second,
-                 const std::optional<Pose>& pose) {
+Scene two_meshes(const std::string& first, const std::string& second, const LoadOptions& options) {
     for (const std::string& name : {first, second})
         if (find_builtin(name) || is_scene_file(name))
             throw InputError(name +
                              ": this is a scene by itself; name it alone, or name two mesh files.");
-    Scene scene = one_mesh(first);
+    const fs::path first_file = find_mesh(first, options.models_dir),
+                   second_file = find_mesh(second, options.models_dir);
+    Scene scene = one_mesh(first, first_file);
     std::error_code ignored;
-    const bool same_file = fs::equivalent(first, second, ignored);
-    if (!same_file) scene.meshes.push_back({stem(second), load_named_mesh(second)});
+    const bool same_file = fs::equivalent(first_file, second_file, ignored);
+    if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file)});
     scene.name = file_name_of(stem(first) + "-" + stem(second));
     scene.bodies[0].name = "A";
     scene.bodies.push_back({"B", scene.meshes.size() - 1, {}});
-    if (pose) {
-        check_rigid(*pose, "--pose");
+    if (options.pose) {
+        check_rigid(*options.pose, "--pose");
         Motion& motion = scene.bodies[1].motion;
-        motion.base = pose->rotation;
-        motion.path.from = motion.path.to = pose->translation;
+        motion.base = options.pose->rotation;
+        motion.path.from = motion.path.to = options.pose->translation;
     }
     return scene;
 }
@@ -102,14 +112,14 @@ Scene load_scene(const std::vector<std::string>& names, const LoadOptions& optio
     if (names.empty() || names.size() > 2)
         throw InputError("SCENE: " + std::to_string(names.size()) + " names are given; name " +
                          what_to_name + ".");
-    if (names.size() == 2) return two_meshes(names[0], names[1], options.pose);
+    if (names.size() == 2) return two_meshes(names[0], names[1], options);
     const std::string& name = names[0];
     if (options.pose)
         throw InputError("--pose: it places the second of two mesh files, but only " + name +
                          " is named; name two mesh files or leave it out.");
     if (const BuiltinScene* builtin = find_builtin(name)) return load_builtin(*builtin);
     if (is_scene_file(name)) return load_scene_file(name, options.models_dir);
-    return one_mesh(name);
+    return one_mesh(name, find_mesh(name, options.models_dir));
 }
 
 }  // namespace scb

@@ -10,8 +10,9 @@
 namespace scb {
 
 struct LoadOptions {
-    std::filesystem::path
-        models_dir;  ///< where scene files look for meshes that are not beside them; may be empty
+    /// Where meshes are looked for that are not where their name says: beside the scene file, or at
+    /// the path given. May be empty.
+    std::filesystem::path models_dir;
     std::optional<Pose> pose;  ///< of the second of two mesh files; identity where left open
 };
 
@@ -19,8 +20,10 @@ struct LoadOptions {
 /// or two mesh files. A name that is both a built-in scene and a file means the built-in scene.
 ///
 /// One mesh file gives one body; two give two bodies, the first at the identity pose and the second
-/// at `options.pose`, that share one mesh where both are the same file. Such scenes are named after
-/// the files, have one frame and no camera wish.
+/// at `options.pose`, that share one mesh where both are the same file. A relative path that leads
+/// nowhere is also looked for in `options.models_dir`. Such scenes are named after the files (bytes
+/// that are not UTF-8 become '?', so that the names fit into JSON), have one frame and no camera
+/// wish.
 ///
 /// Throws InputError with one sentence: nothing or too much is named, an unknown name (with what
 /// can be named, and the nearest built-in name where one is close), a pose without two meshes or

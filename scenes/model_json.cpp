@@ -128,8 +128,7 @@ constexpr Shape shapes[] = {
 
 /// Where a mesh path of a scene file leads: beside the scene file, else in the folder of models.
 fs::path find_mesh(const JsonPlace& place, const SceneContext& context) {
-    const fs::path path = read_text(place);
-    if (path.empty()) refuse_value(place, "the path of a mesh file");
+    const fs::path path = read_plain_text(place);
     std::error_code ignored;
     if (path.is_absolute()) return path;
     std::string tried;
@@ -198,7 +197,7 @@ Mesh read_source(const JsonPlace& place, const SceneContext& context) {
 NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
     check_fields(place, {"name", "file", "icosphere", "torus_knot", "box", "plane", "cone",
                          "cylinder", "soup", "normalize", "scale", "stored_rotation"});
-    NamedMesh model{read_text(field(place, "name")), read_source(place, context)};
+    NamedMesh model{read_plain_text(field(place, "name")), read_source(place, context)};
     if (has(place, "normalize")) {
         const JsonPlace normalize = field(place, "normalize");
         if (read_text(normalize) != "unit-box") refuse_value(normalize, "\"unit-box\"");

@@ -61,7 +61,7 @@ Motion read_pose(const JsonPlace& place) {
 }
 
 std::size_t find_model(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
-    const std::string name = read_text(place);
+    const std::string name = read_plain_text(place);
     std::string known;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         if (meshes[i].name == name) return i;
@@ -73,7 +73,7 @@ std::size_t find_model(const JsonPlace& place, const std::vector<NamedMesh>& mes
 Body read_body(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
     check_fields(place, {"name", "model", "position", "rotation", "pose"});
     Body body;
-    body.name = read_text(field(place, "name"));
+    body.name = read_plain_text(field(place, "name"));
     body.mesh = find_model(field(place, "model"), meshes);
     if (has(place, "pose")) {
         if (has(place, "position") || has(place, "rotation"))
@@ -88,7 +88,6 @@ Body read_body(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
 template <class Entry>
 void check_new_name(const JsonPlace& place, const std::vector<Entry>& before,
                     const std::string& name) {
-    if (name.empty()) refuse_value(field(place, "name"), "a name that is not empty");
     for (const Entry& other : before)
         if (other.name == name)
             refuse(field(place, "name"), "the name \"" + name + "\" is taken; give another.");

@@ -50,7 +50,8 @@ struct SceneContext {
 ///       [pose]         instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row
 ///
 /// Throws InputError, one sentence that names the file and the place: broken JSON (line and
-/// column); a field that is missing, unknown, repeated, of the wrong type or out of range; an
+/// column); nesting more than max_json_depth deep; a field that is missing, unknown, repeated, of
+/// the wrong type or out of range; a name or path that is empty or has control characters; an
 /// unknown model; a mesh that cannot be made or loaded; a pose that is not rigid; more than 2^25
 /// procedural triangles altogether.
 Scene parse_scene(std::string_view json_text, const SceneContext& context);

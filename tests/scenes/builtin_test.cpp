@@ -1,5 +1,7 @@
 #include "scenes/builtin.h"
 
+#include <set>
+
 #include "scenes/torus_knot.h"
 #include "tests/scenes/support.h"
 
@@ -43,6 +45,14 @@ TEST(BuiltinScenes, HaveTheTriangleCountsOfTable2) {
     EXPECT_EQ(counts("knots-l1"), (std::vector<std::size_t>{3528, 3672}));
     EXPECT_EQ(counts("knots-l2"), (std::vector<std::size_t>{6860, 7140}));
     EXPECT_EQ(counts("knots-l3"), (std::vector<std::size_t>{10976, 11424}));
+}
+
+TEST(BuiltinScenes, AreToldApartByTheirDescriptions) {
+    std::set<std::string> descriptions;
+    for (const BuiltinScene& scene : builtin_scenes()) descriptions.insert(scene.description);
+    EXPECT_EQ(descriptions.size(), builtin_scenes().size());
+    expect_in("20,480 triangles each", find_builtin("spheres-l1")->description);
+    expect_in("10,976 and 11,424 triangles", find_builtin("knots-l3")->description);
 }
 
 TEST(BuiltinScenes, StartTheSpheresWithTheGapInTheInset) {

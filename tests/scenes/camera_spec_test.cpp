@@ -60,5 +60,22 @@ TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
               refusal([] { parse_camera_json(R"({"inset": {"center": [0, 0, 0]}})", "c"); }));
 }
 
+TEST(CameraJson, IsTakenOutOfAnIndex) {
+    const TempFolder folder;
+    const std::string good = folder.write(
+        "index.json",
+        R"({"program": "scb", "camera": {"azimuth": 10, "distance": 2}, "levels": [1]})");
+    EXPECT_EQ(parse_camera(good).azimuth, 10);
+    EXPECT_EQ(parse_camera(good).distance, 2);
+    expect_in("i.json: camera.azimuth: expected a number, found \"x\".",
+              refusal([] { parse_camera_json(R"({"camera": {"azimuth": "x"}})", "i.json"); }));
+    expect_in("i.json: camera: unknown field \"camera\"",
+              refusal([] { parse_camera_json(R"({"camera": {"camera": {}}})", "i.json"); }));
+    expect_in("i.json: camera: expected an object, found 3.",
+              refusal([] { parse_camera_json(R"({"camera": 3})", "i.json"); }));
+    expect_in("i.json: unknown field \"levels\"",
+              refusal([] { parse_camera_json(R"({"levels": [1]})", "i.json"); }));
+}
+
 }  // namespace
 }  // namespace scb

@@ -73,6 +73,42 @@ TEST(LoadScene, SaysWhatCanBeNamed) {
     expect_in("this is a directory", refusal([&] { load_scene({folder.path.string()}); }));
 }
 
+TEST(LoadScene, LooksForMeshesInTheFolderOfModelsToo) {
+    const TempFolder models;
+    models.write("only-there.obj", triangle);
+    const LoadOptions options{models.path, {}};
+    EXPECT_EQ(load_scene({"only-there.obj"}, options).name, "only-there");
+    EXPECT_EQ(load_scene({"only-there.obj", "only-there.obj"}, options).meshes.size(), 1u);
+    EXPECT_EQ(refusal([&] { load_scene({"gone.obj"}, options); }),
+              "gone.obj: there is no such file, nor is there " +
+                  (models.path / "gone.obj").string() + "; check the path.");
+    EXPECT_EQ(refusal([&] { load_scene({"/gone.obj"}, options); }),
+              "/gone.obj: there is no such file; check the path.");
+    expect_in("there is no such scene or file", refusal([&] { load_scene({"zebra"}, options); }));
+
+    const TempFolder here;
+    const std::string near = here.write("only-there.obj", std::string(triangle) + "f 3 2 1\n");
+    EXPECT_EQ(load_scene({near}, options).meshes[0].mesh.triangles.size(), 2u);
+}
+
+TEST(LoadScene, KeepsBytesThatAreNotUtf8OutOfNames) {
+    const TempFolder folder;
+    const std::pair<const char*, const char*> names[] = {
+        {"h\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80", "h\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80"},
+        {"a\xff\xfe", "a??"},
+        {"a\xc3", "a?"},
+        {"a\xe2\x82z", "a??z"},
+        {"a\xc0\xaf", "a??"},
+        {"a\xed\xa0\x80", "a???"},
+    };
+    for (const auto& [bytes, name] : names) {
+        const std::string file = folder.write(std::string(bytes) + ".obj", triangle);
+        const Scene scene = load_scene({file});
+        EXPECT_EQ(scene.meshes[0].name, name);
+        EXPECT_EQ(scene.bodies[0].name, name);
+    }
+}
+
 TEST(LoadScene, MakesFileNamesOfAnyText) {
     EXPECT_EQ(file_name_of("a b//c"), "a-b-c");
     EXPECT_EQ(file_name_of("..hidden--"), "hidden");

@@ -260,6 +260,34 @@ TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
     expect_in(sentence, refusal([&] { load_mesh(folder.write("d.glb", glb)); }));
 }
 
+TEST(MeshFile, LimitsTheCornersOfAllInstances) {
+    const TempFolder folder;
+    // 1,000 instances of 100,000 triangles: fewer faces than the limit of 2^28, but more corners.
+    const std::size_t indices = 300000;
+    const std::string buffer = std::string(36, '\0') + std::string(indices, '\2');
+    std::string roots, nodes;
+    for (int i = 0; i < 1000; ++i) {
+        roots += (i == 0 ? "" : ",") + std::to_string(i);
+        nodes += std::string(i == 0 ? "" : ",") + R"({"mesh": 0})";
+    }
+    const std::string count = std::to_string(indices);
+    const std::string file = folder.write(
+        "a.gltf",
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [)" + roots +
+            R"(]}], "nodes": [)" + nodes +
+            R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"buffers": [{"byteLength": )" +
+            std::to_string(buffer.size()) + R"(, "uri": "data:application/octet-stream;base64,)" +
+            base64(buffer) + R"("}], "bufferViews": [{"buffer": 0, "byteLength": 36},
+{"buffer": 0, "byteOffset": 36, "byteLength": )" +
+            count + R"(}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5121, "count": )" +
+            count + R"(, "type": "SCALAR"}]})");
+    expect_in("add up to more than 268435456 vertices or corners",
+              refusal([&] { load_mesh(file); }));
+}
+
 TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
     const TempFolder folder;
     // Lines are dropped, so their indices harm nobody.

@@ -109,10 +109,67 @@ TEST(SceneFile, NamesLineAndColumnOfBrokenJson) {
     expect_in("not valid JSON", refusal([] { parse("{\"frames\": 1e999}"); }));
     expect_in("not valid JSON", refusal([] { parse("{\"name\": \"\xff\"}"); }));
     expect_in("my.json: expected an object, found [1,2]", refusal([] { parse("[1, 2]"); }));
-    expect_in("not valid JSON", refusal([] { parse(std::string(100000, '[')); }));
+    expect_in("not valid JSON", refusal([] { parse(std::string(50, '[')); }));
     for (const std::size_t length : {10u, 50u, 120u, 300u})
         expect_in("not valid JSON",
                   refusal([&] { parse(std::string(small_scene).substr(0, length)); }));
+}
+
+TEST(SceneFile, RefusesDeepNestingEverywhere) {
+    std::string objects, ends;
+    for (int i = 0; i < 100000; ++i) objects += "{\"a\":", ends += '}';
+    for (const std::string& deep :
+         {std::string(100000, '[') + std::string(100000, ']'), objects + "1" + ends}) {
+        expect_in("nested more than 100 deep", refusal([&] { parse(deep); }));
+        std::string inside = small_scene;
+        inside.replace(inside.find("\"small\""), 7, deep);
+        expect_in("nested more than 100 deep", refusal([&] { parse(inside); }));
+    }
+}
+
+TEST(SceneFile, RefusesNamesThatAreEmptyOrHaveControlCharacters) {
+    for (const std::string& name : {std::string(), std::string("a\nb"), std::string("\x1b[2J"),
+                                    std::string("a\0b", 3), std::string("\x7f")})
+        for (const char* pointer :
+             {"/bodies/0/name", "/bodies/0/model", "/models/0/name", "/models/2/file"}) {
+            json document = json::parse(small_scene);
+            if (std::string(pointer) == "/models/2/file")
+                document["models"].push_back({{"name", "third"}});
+            document[json::json_pointer(pointer)] = name;
+            const std::string sentence = refusal([&] { parse(document.dump()); });
+            expect_in("expected a text that is not empty and has no control characters", sentence);
+            EXPECT_EQ(sentence.find_first_of(std::string("\n\x1b\0\x7f", 4)), sentence.npos);
+        }
+    for (const char* name : {"a/b", "../up", "two words", "-x", "\x1b[2J", ""})
+        expect_in("my.json: name: expected at most 100 letters", refused("/name", name));
+    // Only the scene's name goes into file names.
+    json document = json::parse(small_scene);
+    document["bodies"][0]["name"] = "left/h\xc3\xa9";
+    EXPECT_EQ(parse(document.dump()).bodies[0].name, "left/h\xc3\xa9");
+}
+
+TEST(SceneFile, TakesManyBodies) {
+    json document = json::parse(small_scene);
+    for (int i = 0; i < 98; ++i)
+        document["bodies"].push_back({{"name", "n" + std::to_string(i)}, {"model", "ball"}});
+    EXPECT_EQ(parse(document.dump()).bodies.size(), 100u);
+}
+
+TEST(SceneFile, RefusesCountsBeforeMemoryIsSpent) {
+    const auto model = [](const char* shape, const json& fields) {
+        json document = json::parse(small_scene);
+        document["models"].push_back({{"name", "huge"}, {shape, fields}});
+        return refusal([&] { parse(document.dump()); });
+    };
+    const int huge = 2147483647;
+    expect_in("models[2].icosphere", model("icosphere", {{"subdivisions", huge}}));
+    expect_in("models[2].box", model("box", {{"subdivisions", huge}}));
+    expect_in("models[2].plane", model("plane", {{"cells", {1 << 24, 1 << 24}}}));
+    for (const char* shape : {"cone", "cylinder"})
+        expect_in(shape, model(shape, {{"sides", huge}, {"segments", huge}}));
+    expect_in("models[2].torus_knot", model("torus_knot", {{"sides", huge}, {"rings", huge}}));
+    expect_in("models[2].soup", model("soup", {{"count", huge}}));
+    expect_in("models[2].soup", model("soup", {{"count", 1e18}}));
 }
 
 TEST(SceneFile, RefusesMeshesThatAreTooLargeOrImpossible) {
