@@ -46,7 +46,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame
         ->delimiter(',')
         ->expected(12)
         ->type_name("R00,R01,R02,T0,...");
-    command.add_option("--models", options.models_dir, "Where meshes are looked for that are not where they are named")
+    command
+        .add_option("--models", options.models_dir,
+                    "Where meshes are looked for that are not where they are named")
         ->envname("SCB_MODELS")
         ->type_name("DIR");
     if (with_frame)

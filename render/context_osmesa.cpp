@@ -8,19 +8,6 @@
 #include <array>
 #include <cstdint>
 
-#if defined(__has_feature)
-#define SCB_HAS_FEATURE(NAME) __has_feature(NAME)
-#else
-#define SCB_HAS_FEATURE(NAME) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || SCB_HAS_FEATURE(address_sanitizer)
-// OSMesa keeps one buffer for each context that was ever current, and never frees it.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
-extern "C" const char* __lsan_default_options();
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
-#endif
-
 namespace scb {
 
 namespace {

@@ -44,8 +44,8 @@ PixelRect write(Overlay& overlay, int x, int y, std::string_view text, const Tex
 }  // namespace
 
 PixelRect draw_color_bar(Overlay& overlay, const PixelRect& bar,
-                          const std::function<Rgba8(double)>& color, std::string_view title,
-                          std::span<const Tick> ticks, const FigureStyle& style) {
+                         const std::function<Rgba8(double)>& color, std::string_view title,
+                         std::span<const Tick> ticks, const FigureStyle& style) {
     const bool vertical = bar.height > bar.width;
     const int length = vertical ? bar.height : bar.width;
     const auto at = [&](int i) { return length > 1 ? static_cast<double>(i) / (length - 1) : 0; };

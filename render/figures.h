@@ -28,8 +28,8 @@ struct Tick {
 /// stands above. Labels of a horizontal bar stay within its ends, and one that would touch the one
 /// before it is left out.
 PixelRect draw_color_bar(Overlay& overlay, const PixelRect& bar,
-                          const std::function<Rgba8(double)>& color, std::string_view title,
-                          std::span<const Tick> ticks, const FigureStyle& style);
+                         const std::function<Rgba8(double)>& color, std::string_view title,
+                         std::span<const Tick> ticks, const FigureStyle& style);
 
 struct BarPart {
     Rgba8 color;

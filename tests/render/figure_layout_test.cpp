@@ -9,17 +9,24 @@ namespace scb {
 namespace {
 
 bool inside(const PixelRect& inner, int width, int height) {
-    return inner.x >= 0 && inner.y >= 0 && inner.width > 0 && inner.height > 0 && inner.x + inner.width <= width &&
-           inner.y + inner.height <= height;
+    return inner.x >= 0 && inner.y >= 0 && inner.width > 0 && inner.height > 0 &&
+           inner.x + inner.width <= width && inner.y + inner.height <= height;
 }
 
 bool apart(const PixelRect& a, const PixelRect& b) {
-    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y ||
+           b.y + b.height <= a.y;
 }
 
 TEST(FigureLayout, PartsAreInsideAndApartAtEverySize) {
-    for (const auto& [width, height] : {std::pair{320, 240}, {640, 480}, {1280, 720}, {512, 512}, {400, 900}, {3840, 400},
-                                        {320, 4000}, {8000, 6000}}) {
+    for (const auto& [width, height] : {std::pair{320, 240},
+                                        {640, 480},
+                                        {1280, 720},
+                                        {512, 512},
+                                        {400, 900},
+                                        {3840, 400},
+                                        {320, 4000},
+                                        {8000, 6000}}) {
         const FigureLayout layout = figure_layout(width, height);
         for (const PixelRect* rect : {&layout.heading, &layout.view, &layout.panel})
             EXPECT_TRUE(inside(*rect, width, height)) << width << "x" << height;
@@ -90,7 +97,8 @@ TEST(Marker, IsWhereTheDetailAppears) {
 }
 
 TEST(OrbitAxes, TurnWithTheAxisThatIsUp) {
-    for (const Vec3& up : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(1, 2, 3)}) {
+    for (const Vec3& up : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ()),
+                           Vec3(-Vec3::UnitZ()), Vec3(1, 2, 3)}) {
         const Mat3 axes = orbit_axes(30, 0, up);
         EXPECT_NEAR((axes.transpose() * axes - Mat3::Identity()).norm(), 0, 1e-14);
         EXPECT_NEAR((Vec3(axes.col(1)) - up / up.norm()).norm(), 0, 1e-14);

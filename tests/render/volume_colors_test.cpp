@@ -15,16 +15,19 @@ TEST(VolumeColors, NamesAreReadBack) {
 
 TEST(VolumeColors, MagnitudesFollowTheirScales) {
     const auto ball = [](double d) { return Ball{Vec3::Zero(), d / 2}; };
-    const ColorScale depth{ColorBy::depth, 20, 1}, radius{ColorBy::radius, 20, 4}, thickness{ColorBy::thickness, 20, 1};
+    const ColorScale depth{ColorBy::depth, 20, 1}, radius{ColorBy::radius, 20, 4},
+        thickness{ColorBy::thickness, 20, 1};
     EXPECT_DOUBLE_EQ(color_magnitude(depth, ball(1), 5), 0.25);
     EXPECT_DOUBLE_EQ(color_magnitude(radius, ball(4), 0), 1);
     EXPECT_DOUBLE_EQ(color_magnitude(radius, ball(0.5), 0), 1 - 3.0 / radius_halvings);
     EXPECT_EQ(color_magnitude(radius, ball(1e-9), 0), 0);
     EXPECT_EQ(color_magnitude(radius, ball(0), 0), 0);
     for (double d = 1e-3; d < 4; d *= 1.07)
-        EXPECT_NEAR(color_magnitude(radius, ball(d), 0), 1 + std::log2(d / 4) / radius_halvings, 1e-15);
+        EXPECT_NEAR(color_magnitude(radius, ball(d), 0), 1 + std::log2(d / 4) / radius_halvings,
+                    1e-15);
     EXPECT_DOUBLE_EQ(color_magnitude(thickness, ball(3), 0), 1);
-    EXPECT_DOUBLE_EQ(color_magnitude(thickness, Scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.25}, 0), 0.5);
+    EXPECT_DOUBLE_EQ(
+        color_magnitude(thickness, Scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.25}, 0), 0.5);
     EXPECT_EQ(color_magnitude(thickness, Scb{}, 0), 0);
 }
 
