@@ -18,7 +18,11 @@ bool colored(ColorMode mode) {
 
 }  // namespace
 
-void Console::error(std::string_view sentence) const {
+void Console::error(std::string_view text) const {
+    // Names from outside may hold anything; a message is one line and does not steer the terminal.
+    std::string sentence(text);
+    for (char& c : sentence)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
     const bool red = colored(color);
     std::fprintf(stderr, "%sscb: error:%s %.*s\n", red ? "\033[1;31m" : "", red ? "\033[0m" : "",
                  static_cast<int>(sentence.size()), sentence.data());

@@ -117,6 +117,9 @@ int run(const LevelOptions& options, const Console& console) {
     const Context context(options.picture.backend());
     Renderer renderer(context);
     const std::filesystem::path folder = options.picture.output_folder();
+    // An index of other pictures must not stand beside these if this run does not finish.
+    std::error_code ignored;
+    std::filesystem::remove(folder / "index.json", ignored);
 
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)

@@ -41,6 +41,11 @@ void check_mesh(const Mesh& mesh, std::string_view name) {
                            max_coordinate, " in magnitude.");
         }
     }
+    const Box box = bounding_box(mesh);
+    const double longest = (box.upper - box.lower).maxCoeff();
+    if (longest > 0 && longest < min_size)
+        refuse(name, "the mesh is only ", longest, " long; at least ", min_size,
+               " is needed (or 0, for a point), so scale it up.");
 }
 
 Box bounding_box(const Mesh& mesh) {

@@ -39,6 +39,10 @@ struct Box {
 /// The largest |coordinate| that a mesh may have: fourth powers of lengths must stay finite.
 inline constexpr double max_coordinate = 1e70;
 
+/// The smallest longest side of the box of a mesh that is not a point: fourth powers of lengths
+/// must not vanish.
+inline constexpr double min_size = 1e-60;
+
 /// The most triangles and vertices that a hierarchy can index.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
 inline constexpr std::size_t max_vertices = std::size_t{1} << 31;

@@ -37,4 +37,16 @@ double reach(const AnyVolume& volume, const Vec3& direction) {
     return dot(center(volume), direction) + offset;
 }
 
+bool identical(const Scb& a, const Scb& b) {
+    return a.c == b.c && a.r == b.r && a.n == b.n && a.e == b.e && a.f == b.f;
+}
+
+bool identical(const Ball& a, const Ball& b) {
+    return a.center == b.center && a.radius == b.radius;
+}
+
+bool identical(const Obb& a, const Obb& b) {
+    return a.center == b.center && a.axes == b.axes && a.half == b.half;
+}
+
 }  // namespace scb

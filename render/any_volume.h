@@ -18,6 +18,11 @@ Ball placed(const Ball& volume, const Pose& pose);
 Obb placed(const Obb& volume, const Pose& pose);
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
+/// Whether two volumes are the same numbers.
+bool identical(const Scb& a, const Scb& b);
+bool identical(const Ball& a, const Ball& b);
+bool identical(const Obb& a, const Obb& b);
+
 /// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);
 

@@ -135,8 +135,14 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
         const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
         std::visit(
             [&](const auto& h) {
+                const std::uint32_t none = 0xffffffffu;
+                std::uint32_t drawn = none;
                 for (const std::uint32_t node : level_cover(*h.topology, level)) {
                     const auto& volume = h.volumes[node];
+                    // Duplicate triangles have the same leaf: one of a run of equal ones is all
+                    // that can be seen.
+                    if (drawn != none && identical(volume, h.volumes[drawn])) continue;
+                    drawn = node;
                     const Rgba8 color = volume_color(style.colors, volume, depths[node], b, node);
                     pane.volumes.push_back({placed(volume, body.pose),
                                             with_opacity(color, style.opacity),

@@ -55,7 +55,8 @@ std::string volume_text(const VolumeStatistics& statistics);
 /// contain the meshes. The bodies must outlive the result.
 Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
 
-/// The view of a level: its volumes (see level_cover) and, where the style says so, the meshes.
+/// The view of a level: its volumes (see level_cover; of several equal ones that follow each other,
+/// the first) and, where the style says so, the meshes.
 Pane level_pane(const PixelRect& viewport, const Camera& camera,
                 const std::vector<LevelBody>& bodies, int level, const LevelStyle& style);
 

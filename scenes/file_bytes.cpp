@@ -15,6 +15,8 @@ std::string file_bytes(const std::string& path, std::size_t most) {
         throw InputError(path + ": there is no such file; check the path.");
     if (std::filesystem::is_directory(status))
         throw InputError(path + ": this is a directory; name a file in it.");
+    if (!std::filesystem::is_regular_file(status))
+        throw InputError(path + ": this is not a regular file; save it to one first.");
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError(path + ": cannot be opened; check its permissions.");
     std::string bytes;

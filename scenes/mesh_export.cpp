@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include <new>
+
 #include "core/error.h"
 #include "scenes/number_text.h"
 
@@ -98,6 +100,8 @@ std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
     scene.mRootNode->addChildren(count, nodes.data());
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
+    // A writer that ran out of memory gives no reason.
+    if (blob == nullptr && *exporter.GetErrorString() == 0) throw std::bad_alloc();
     if (blob == nullptr)
         throw InputError(path.string() + ": cannot be written as a mesh (" +
                          exporter.GetErrorString() + ").");

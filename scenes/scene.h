@@ -36,8 +36,8 @@ struct Scene {
     int default_frame = 0;  ///< the frame to show where none is asked for
 };
 
-/// The text with every run of characters that Scene::name does not allow made one '-'; "scene"
-/// where nothing is left.
+/// The text with every run of characters that Scene::name does not allow made one '-', cut to 100
+/// characters; "scene" where nothing is left.
 std::string file_name_of(const std::string& text);
 
 }  // namespace scb

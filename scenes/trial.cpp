@@ -1,5 +1,7 @@
 #include "scenes/trial.h"
 
+#include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +20,12 @@ bool survives(const std::function<void()>& action) {
         for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
             std::signal(signal, SIG_DFL);
         const rlimit no_core{0, 0}, processor_seconds{300, 300};
+        // Nor may it outlive the caller, wait for ever, or speak: the caller reports in its own
+        // words.
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        alarm(300);
+        if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
+            dup2(nowhere, STDERR_FILENO);
         setrlimit(RLIMIT_CORE, &no_core);
         setrlimit(RLIMIT_CPU, &processor_seconds);
         try {

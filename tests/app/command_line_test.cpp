@@ -248,6 +248,48 @@ TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
             << name;
 }
 
+TEST(CommandLine, ARunThatFailsLeavesNoIndexOfAnEarlierOne) {
+    const TemporaryFolder folder;
+    const std::string arguments =
+        "render levels cone --levels 3 --size 320x240 -o " + (folder / "out");
+    ASSERT_EQ(run_scb(arguments).status, 0);
+    EXPECT_TRUE(fs::exists(folder / "out/index.json"));
+    EXPECT_EQ(run_scb(arguments + " --background dark", "ulimit -f 8;").status, 3);
+    EXPECT_FALSE(fs::exists(folder / "out/index.json"));
+}
+
+TEST(CommandLine, NamesFromOutsideDoNotSteerTheTerminal) {
+    const ProgramRun run = run_scb("stats \"$(printf 'no\\nfile\\033[31m.off')\"");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+    EXPECT_EQ(run.err.find('\033'), std::string::npos);
+}
+
+TEST(CommandLine, LongAndForeignFileNamesAreFine) {
+    const TemporaryFolder folder;
+    const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    for (const std::string& name : {std::string(200, 'x') + ".off", std::string("b\xff\xfe.off")}) {
+        write_text(folder / name, triangle);
+        const ProgramRun run = run_scb("render levels \"" + (folder / name) +
+                                       "\" --size 320x240 -o " + (folder / "out"));
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(json::parse(file_text(folder / "out/index.json"))["files"].size(), 1u);
+    }
+}
+
+TEST(CommandLine, ThousandsOfEqualTrianglesAreDrawnOnce) {
+    const TemporaryFolder folder;
+    std::string mesh = "OFF\n3 20000 0\n0 0 0\n1 0 0\n0 1 0\n";
+    for (int i = 0; i < 20000; ++i) mesh += "3 0 1 2\n";
+    write_text(folder / "same.off", mesh);
+    const ProgramRun run = run_scb("render levels " + (folder / "same.off") +
+                                       " --levels leaves --size 320x240 -o " + (folder / "out"),
+                                   "timeout 60");
+    EXPECT_EQ(run.status, 0) << run.err;
+    const json index = json::parse(file_text(folder / "out/index.json"));
+    EXPECT_EQ(index["files"][0]["bodies"][0]["volumes"], 20000);
+}
+
 TEST(CommandLine, ExportedLevelsCanBeReadBack) {
     const TemporaryFolder folder;
     for (const char* extension : {"ply", "obj", "glb", "stl"})

@@ -41,6 +41,14 @@ TEST(CheckMesh, NamesTheFirstOffender) {
     EXPECT_NE(refusal(mesh).find("y = 1e+200"), std::string::npos);
 }
 
+TEST(CheckMesh, RefusesWhatIsTooSmallToSquareButNotAPoint) {
+    Mesh mesh = one_triangle();
+    for (Vec3& v : mesh.vertices) v *= 1e-70;
+    EXPECT_NE(refusal(mesh).find("the mesh is only 1e-70 long"), std::string::npos);
+    for (Vec3& v : mesh.vertices) v *= 0;
+    EXPECT_EQ(refusal(mesh), "");
+}
+
 TEST(CheckMesh, IgnoresUnusedVertices) {
     Mesh mesh = one_triangle();
     mesh.vertices.emplace_back(std::nan(""), 0, 0);
