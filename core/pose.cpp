@@ -40,8 +40,10 @@ void check_rigid(const Pose& pose, std::string_view name) {
     if (std::isinf(defect))
         sentence << "it mirrors, is singular, or has an entry that is not finite";
     else
-        sentence << "R^T R differs from the identity by " << defect;
-    sentence << "); give a rotation matrix with determinant 1, and scale the mesh instead.";
+        sentence << "R^T R differs from the identity by " << defect << ", 1e-9 is allowed";
+    sentence << "); give a rotation matrix with determinant 1, "
+             << (defect < 1e-3 ? "its numbers with 10 digits or more."
+                               : "and scale the mesh instead.");
     throw InputError(sentence.str());
 }
 

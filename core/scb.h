@@ -6,14 +6,17 @@ namespace scb {
 
 /// A slab cut ball: the points x of a ball with `f <= n.(x - c) <= e` (Larsson and Akenine-Moller,
 /// "Bounding Volume Hierarchies of Slab Cut Balls", Section 1.1). Closed. The symbols are the
-/// paper's. `f <= e`, both within [-r, r]; a fitted one also has `f <= 0 <= e`.
-struct Scb {
-    Vec3 c = Vec3::Zero();   ///< center of the ball
-    double r = 0;            ///< radius of the ball
-    Vec3 n = Vec3::UnitZ();  ///< unit normal of the two planes
-    double e = 0;            ///< signed distance from c to the upper plane, along n
-    double f = 0;            ///< signed distance from c to the lower plane, along n
+/// paper's. `f <= e`, both within [-r, r]; a fitted one also has `f <= 0 <= e`. T is the scalar
+/// type: double, or one that counts its operations.
+template <class T>
+struct BasicScb {
+    Vector3<T> c = Vector3<T>::Zero();   ///< center of the ball
+    T r = 0;                             ///< radius of the ball
+    Vector3<T> n = Vector3<T>::UnitZ();  ///< unit normal of the two planes
+    T e = 0;                             ///< signed distance from c to the upper plane, along n
+    T f = 0;                             ///< signed distance from c to the lower plane, along n
 };
+using Scb = BasicScb<double>;
 
 /// Surface area: the spherical zone and the two discs (equation 4).
 double surface_area(const Scb& scb);

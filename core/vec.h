@@ -4,16 +4,32 @@
 
 namespace scb {
 
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
+template <class T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using Matrix3 = Eigen::Matrix<T, 3, 3>;
+using Vec3 = Vector3<double>;
+using Mat3 = Matrix3<double>;
 
 /// Products in one stated order of operations, so that every compiler rounds it alike.
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+template <class T>
+T dot(const Vector3<T>& a, const Vector3<T>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
+template <class T>
+Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline double squared_norm(const Vec3& a) { return dot(a, a); }
+template <class T>
+T squared_norm(const Vector3<T>& a) {
+    return dot(a, a);
+}
+
+// Of doubles, also for arguments that are Eigen's expressions, which templates do not deduce.
+inline double dot(const Vec3& a, const Vec3& b) { return dot<double>(a, b); }
+inline Vec3 cross(const Vec3& a, const Vec3& b) { return cross<double>(a, b); }
+inline double squared_norm(const Vec3& a) { return squared_norm<double>(a); }
 
 }  // namespace scb

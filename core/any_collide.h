@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/any_hierarchy.h"
+#include "core/collide.h"
+#include "core/event_recorder.h"
+
+namespace scb {
+
+/// `collide` for hierarchies whose volume type was chosen at run time. Both must have the same.
+Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                  const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options = {});
+
+/// The same, with every test recorded.
+Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                  const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
+                  EventRecorder& recorder);
+
+/// The stages at which a query on this hierarchy can reject.
+std::span<const Stage> stages_of(const AnyHierarchy& hierarchy, const OverlapOptions& options);
+
+}  // namespace scb

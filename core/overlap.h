@@ -1,0 +1,106 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/overlap_ball.h"
+#include "core/overlap_extents.h"
+#include "core/overlap_figure8.h"
+#include "core/overlap_obb.h"
+#include "core/overlap_symmetric.h"
+
+namespace scb {
+
+/// The overlap tests for two slab cut balls, by name. All but the first never reject a pair that
+/// overlaps or touches; all of them let some pairs pass that do not.
+enum class OverlapTest {
+    printed,    ///< Figure 8 as printed, with both errors: to show what they do
+    line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
+    corrected,  ///< Figure 8 with both corrected
+    symmetric,  ///< overlap_symmetric
+    extents,    ///< overlap_extents
+};
+
+/// "printed", "line8", "corrected", "symmetric", "extents".
+std::string_view overlap_test_name(OverlapTest test);
+std::optional<OverlapTest> overlap_test_of(std::string_view name);
+std::span<const OverlapTest> all_overlap_tests();
+
+/// Whether OverlapOptions::threshold means anything to the test.
+bool has_threshold(OverlapTest test);
+
+struct OverlapOptions {
+    OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
+    double threshold = 0.7;  ///< the paper's a, in [0, 1]; for the forms of Figure 8
+};
+
+/// The stages at which the test of this volume type can reject, in the order in which it makes
+/// them.
+std::span<const Stage> stages_of(OverlapTest test);
+std::span<const Stage> ball_stages();
+std::span<const Stage> obb_stages();
+
+/// An overlap test as a type, so that a traversal is compiled for it: called with A, B and where B
+/// is, it returns the stage that rejected, or overlapping.
+struct BallTest {
+    Stage operator()(const Ball& a, const Ball& b, const Placement& placed) const {
+        return overlap_ball(a, b, placed);
+    }
+};
+struct ObbTest {
+    Stage operator()(const Obb& a, const Obb& b, const Placement& placed) const {
+        return overlap_obb(a, b, placed);
+    }
+};
+template <OverlapTest test>
+struct ScbTest {
+    double threshold;
+    Stage operator()(const Scb& a, const Scb& b, const Placement& placed) const {
+        if constexpr (test == OverlapTest::printed)
+            return overlap_figure8<Figure8Errata{true, true}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::line8)
+            return overlap_figure8<Figure8Errata{false, true}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::corrected)
+            return overlap_figure8<Figure8Errata{}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::symmetric)
+            return overlap_symmetric(a, b, placed);
+        else
+            return overlap_extents(a, b, placed);
+    }
+};
+
+/// Calls `use` with the test of the options, as one of the types above, and returns what it
+/// returns.
+template <Volume V, class Use>
+decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
+    if constexpr (std::same_as<V, Ball>) {
+        return use(BallTest{});
+    } else if constexpr (std::same_as<V, Obb>) {
+        return use(ObbTest{});
+    } else {
+        switch (options.test) {
+            case OverlapTest::printed:
+                return use(ScbTest<OverlapTest::printed>{options.threshold});
+            case OverlapTest::line8:
+                return use(ScbTest<OverlapTest::line8>{options.threshold});
+            case OverlapTest::symmetric:
+                return use(ScbTest<OverlapTest::symmetric>{options.threshold});
+            case OverlapTest::extents:
+                return use(ScbTest<OverlapTest::extents>{options.threshold});
+            case OverlapTest::corrected:
+                break;
+        }
+        return use(ScbTest<OverlapTest::corrected>{options.threshold});
+    }
+}
+
+/// One pair: A in its own frame, B in its own, and B's pose as A sees it, which must be rigid. The
+/// stage that rejected, or overlapping. Of balls and boxes the options say nothing.
+template <Volume V>
+Stage overlap(const V& a, const V& b, const Pose& b_to_a, const OverlapOptions& options = {}) {
+    const Placement placed = placement(b_to_a, reach(a), reach(b));
+    return with_overlap_test<V>(options, [&](auto test) { return test(a, b, placed); });
+}
+
+}  // namespace scb

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace scb {
+
+/// How an overlap test of two volumes A and B ended: with `overlapping`, or at the stage that
+/// rejected the pair. One list for all tests, so that counts, traces and colors mean the same for
+/// each of them.
+enum class Stage : std::uint8_t {
+    overlapping,
+
+    // Slab cut balls: the rows of Table 1. Balls have the first one only.
+    ball_ball,      ///< ball A, ball B
+    slab_ball,      ///< slab A, ball B
+    ball_slab,      ///< ball A, slab B
+    slab_cylinder,  ///< slab A, cylinder about B
+    cylinder_slab,  ///< cylinder about A, slab B
+
+    // Slab cut balls by their exact extents; ball_ball comes before.
+    slab_a,       ///< along the normal of A
+    slab_b,       ///< along the normal of B
+    center_line,  ///< along the line through the centers
+
+    // Oriented boxes: the separating axes, in the order in which they are tried.
+    axis_a0,
+    axis_a1,
+    axis_a2,
+    axis_b0,
+    axis_b1,
+    axis_b2,
+    axis_a0_b0,
+    axis_a0_b1,
+    axis_a0_b2,
+    axis_a1_b0,
+    axis_a1_b1,
+    axis_a1_b2,
+    axis_a2_b0,
+    axis_a2_b1,
+    axis_a2_b2,
+};
+inline constexpr std::size_t stage_count = 24;
+
+/// Tests per stage, indexed by Stage.
+using StageCounts = std::array<std::uint64_t, stage_count>;
+
+/// "overlapping", "ball-ball", "slab-cylinder", "axis-a0", "axis-a0xb2", ...
+std::string_view stage_name(Stage stage);
+std::optional<Stage> stage_of(std::string_view name);
+
+}  // namespace scb
