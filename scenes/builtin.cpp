@@ -10,6 +10,9 @@
     X(knots_l1)                 \
     X(knots_l2)                 \
     X(knots_l3)                 \
+    X(horses)                   \
+    X(hands)                    \
+    X(dragons)                  \
     X(flat_plate)               \
     X(concentric_spheres)       \
     X(thin_cylinder)            \
@@ -31,8 +34,16 @@ BuiltinScene summary(const char* begin, const char* end) {
     const std::string_view text(begin, static_cast<std::size_t>(end - begin));
     const nlohmann::json document = parse_json(text, "a built-in scene");
     const JsonPlace root{&document, "a built-in scene", ""};
-    return {read_text(field(root, "name")), read_text(field(root, "description")), text,
-            static_cast<int>(read_integer(field(root, "frames"), 1, 1'000'000))};
+    BuiltinScene scene{read_text(field(root, "name")),
+                       read_text(field(root, "description")),
+                       text,
+                       static_cast<int>(read_integer(field(root, "frames"), 1, 1'000'000)),
+                       {}};
+    const JsonPlace models = field(root, "models");
+    for (std::size_t i = 0; i < array_size(models, "a list of models"); ++i)
+        if (has(element(models, i), "file"))
+            scene.mesh_files.push_back(read_text(field(element(models, i), "file")));
+    return scene;
 }
 
 }  // namespace
@@ -52,8 +63,8 @@ const BuiltinScene* find_builtin(std::string_view name) {
     return nullptr;
 }
 
-Scene load_builtin(const BuiltinScene& scene) {
-    return parse_scene(scene.json, {"built-in " + scene.name, {}, {}});
+Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& models_dir) {
+    return parse_scene(scene.json, {"built-in " + scene.name, {}, models_dir});
 }
 
 }  // namespace scb

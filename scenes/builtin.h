@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@ struct BuiltinScene {
     std::string description;
     std::string_view json;  ///< the scene file, see parse_scene
     int frames = 1;
+    std::vector<std::string> mesh_files;  ///< that its models need, see load_builtin
 };
 
 /// All of them: the benchmark scenes of Section 5 of the paper first, then the ones that show a
@@ -23,7 +25,8 @@ const std::vector<BuiltinScene>& builtin_scenes();
 /// The built-in scene of this name, or null.
 const BuiltinScene* find_builtin(std::string_view name);
 
-/// Makes the scene's meshes.
-Scene load_builtin(const BuiltinScene& scene);
+/// Makes the scene's meshes, or loads them from the folder of models. Throws InputError where that
+/// lacks one of `mesh_files` or holds another mesh under its name, see parse_scene.
+Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& models_dir = {});
 
 }  // namespace scb

@@ -117,7 +117,8 @@ Scene load_scene(const std::vector<std::string>& names, const LoadOptions& optio
     if (options.pose)
         throw InputError("--pose: it places the second of two mesh files, but only " + name +
                          " is named; name two mesh files or leave it out.");
-    if (const BuiltinScene* builtin = find_builtin(name)) return load_builtin(*builtin);
+    if (const BuiltinScene* builtin = find_builtin(name))
+        return load_builtin(*builtin, options.models_dir);
     if (is_scene_file(name)) return load_scene_file(name, options.models_dir);
     return one_mesh(name, find_mesh(name, options.models_dir));
 }

@@ -11,7 +11,7 @@ namespace scb {
 
 struct LoadOptions {
     /// Where meshes are looked for that are not where their name says: beside the scene file, or at
-    /// the path given. May be empty.
+    /// the path given; those of built-in scenes are only looked for here. May be empty.
     std::filesystem::path models_dir;
     std::optional<Pose> pose;  ///< of the second of two mesh files; identity where left open
 };

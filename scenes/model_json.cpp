@@ -3,14 +3,12 @@
 #include <limits>
 
 #include "core/error.h"
-#include "scenes/mesh_file.h"
+#include "scenes/model_file.h"
 #include "scenes/procedural.h"
 #include "scenes/torus_knot.h"
 
 namespace scb {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Fields that may be left out; the parameters' own ranges are checked where the mesh is made.
 void read_if(const JsonPlace& place, const char* name, int& value) {
@@ -126,21 +124,6 @@ constexpr Shape shapes[] = {
     {"soup", read_soup},
 };
 
-/// Where a mesh path of a scene file leads: beside the scene file, else in the folder of models.
-fs::path find_mesh(const JsonPlace& place, const SceneContext& context) {
-    const fs::path path = read_plain_text(place);
-    std::error_code ignored;
-    if (path.is_absolute()) return path;
-    std::string tried;
-    for (const fs::path& folder : {context.folder, context.models_dir}) {
-        if (folder.empty()) continue;
-        if (fs::exists(folder / path, ignored)) return folder / path;
-        tried += (tried.empty() ? "" : " or ") + folder.string();
-    }
-    refuse(place, "there is no mesh file " + path.string() + (tried.empty() ? "" : " in " + tried) +
-                      "; name the folder that holds it with --models or SCB_MODELS.");
-}
-
 /// Vertices that no triangle uses do not count for the box.
 void fit_unit_box(Mesh& mesh, const JsonPlace& place) {
     const Box box = bounding_box(mesh);
@@ -172,15 +155,11 @@ Mesh read_source(const JsonPlace& place, const SceneContext& context) {
                "expected exactly one of file, icosphere, torus_knot, box, plane, cone, cylinder, "
                "soup, found " +
                    std::to_string(sources) + ".");
-    if (!chosen) {
-        const JsonPlace file = field(place, "file");
-        const fs::path path = find_mesh(file, context);
-        try {
-            return load_mesh(path);
-        } catch (const InputError& error) {
-            refuse(file, error.what());
-        }
-    }
+    if (!chosen) return read_model_file(place, context);
+    for (const char* name : model_file_fields)
+        if (has(place, name))
+            refuse(field(place, name),
+                   "this describes a mesh file, but the model is made by formula; leave it out.");
     const JsonPlace shape = field(place, chosen->field);
     // The readers refuse with the place in front already, the makers of meshes without.
     try {
@@ -195,8 +174,9 @@ Mesh read_source(const JsonPlace& place, const SceneContext& context) {
 }  // namespace
 
 NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
-    check_fields(place, {"name", "file", "icosphere", "torus_knot", "box", "plane", "cone",
-                         "cylinder", "soup", "normalize", "scale", "stored_rotation"});
+    check_fields(place, {"name", "file", "vertices", "triangles", "published", "icosphere",
+                         "torus_knot", "box", "plane", "cone", "cylinder", "soup", "normalize",
+                         "scale", "stored_rotation"});
     NamedMesh model{read_plain_text(field(place, "name")), read_source(place, context)};
     if (has(place, "normalize")) {
         const JsonPlace normalize = field(place, "normalize");

@@ -37,6 +37,11 @@ struct SceneContext {
 ///         cone         {[radius], [height], [sides], [segments], [capped]}
 ///         cylinder     the same
 ///         soup         {[count], [size], [triangle_size], [seed]}
+///       [vertices]     with file: how many the mesh must have as it is read, 1 to 2^28; another
+///                      mesh under the name of the file is refused
+///       [triangles]    the same
+///       [published]    with file: where such a mesh is published, for the message where there is
+///                      none
 ///       [normalize]    "unit-box": the mesh's box is centered and its longest side made 1
 ///       [scale]        a factor above 0, after that
 ///       [stored_rotation]  {axis, degrees}: after that, vertices are written in a frame turned by

@@ -67,7 +67,9 @@ KnotFrame knot_frame(const TorusKnot& knot, double turns) {
                                   w * wind.cos * side + wind.sin * d_side);
     const double speed = length(axis_velocity);
     frame.tangent = axis_velocity / speed;
-    const Vec3 across_tangent = torus_normal - frame.tangent * dot(frame.tangent, torus_normal);
+    const Vec3 away =
+        knot.offset > 0 ? Vec3(wind.cos * torus_normal + wind.sin * side) : torus_normal;
+    const Vec3 across_tangent = away - frame.tangent * dot(frame.tangent, away);
     const double clearance = length(across_tangent);
     if (!(speed > 1e-6 * length(velocity)) || !(clearance > 1e-3))
         throw InputError(
@@ -84,7 +86,7 @@ Mesh torus_knot_mesh(const TorusKnot& knot) {
     for (int i = 0; i < knot.rings; ++i) {
         const KnotFrame frame = knot_frame(knot, static_cast<double>(i) / knot.rings);
         for (int j = 0; j < knot.sides; ++j) {
-            const SinCos angle = sin_cos_turns(static_cast<double>(j) / knot.sides);
+            const SinCos angle = sin_cos_turns((j + 0.5) / knot.sides);
             mesh.vertices.push_back(frame.point + knot.tube_radius * (angle.cos * frame.normal +
                                                                       angle.sin * frame.binormal));
         }

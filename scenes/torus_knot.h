@@ -33,14 +33,14 @@ struct KnotFrame {
 };
 
 /// The frame at `turns` of the parameter t (0 to 1 is the whole curve). The tangent is the analytic
-/// derivative; the normal is the torus normal N made perpendicular to it. N is a function of t
-/// alone, so the frame closes up after a period without any twist left over, and it turns no faster
-/// than the torus normal does. Throws InputError where the curve has a cusp or runs along N, which
-/// only a large offset brings about.
+/// derivative; the normal is the torus normal N, or for a companion curve the direction a(t) - k(t)
+/// away from the knot, made perpendicular to it. Both are functions of t alone, so the frame closes
+/// up after a period without any twist left over. Throws InputError where the curve has a cusp or
+/// runs along that direction, which only a large offset brings about.
 KnotFrame knot_frame(const TorusKnot& knot, double turns);
 
 /// The tube: `rings * sides` shared vertices, `2 * rings * sides` triangles, closed. Corner j of
-/// ring i is vertex `i * sides + j`, at angle j / sides turns from the frame's normal. The
+/// ring i is vertex `i * sides + j`, at angle (j + 1/2) / sides turns from the frame's normal. The
 /// quad between corners j, j + 1 and two rings is cut from corner j + 1 of the first ring to corner
 /// j of the next. A wide tube may cross itself.
 /// Throws InputError, naming the parameter, where one is out of range.
