@@ -66,7 +66,8 @@ class Overlay {
     /// The border of a rectangle, inside it.
     void frame(const PixelRect& rect, Rgba8 color, int thickness = 1);
 
-    /// A line through the points; ends and joints are square.
+    /// A line through the points; ends and joints are square. For a smoothed one see
+    /// draw_smooth_line.
     void polyline(std::span<const ScreenPosition> points, Rgba8 color, double thickness);
 
     /// A filled convex polygon.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/any_hierarchy.h"
+
 namespace scb {
 
 namespace {
@@ -38,6 +40,20 @@ constexpr std::array<Rgba8, 16> viridis_stops = {{{0x44, 0x01, 0x54},
 }  // namespace
 
 Rgba8 category_color(std::size_t category) { return categories[category % categories.size()]; }
+
+Rgba8 hierarchy_color(VolumeKind kind) {
+    switch (kind) {
+        case VolumeKind::scb:
+            return category_color(3);
+        case VolumeKind::ball:
+            return category_color(0);
+        case VolumeKind::ritter:
+            return category_color(5);
+        case VolumeKind::obb:
+            break;
+    }
+    return category_color(7);
+}
 
 Rgba8 viridis(double magnitude) {
     const double t = magnitude > 0 ? std::min(magnitude, 1.0) * (viridis_stops.size() - 1) : 0;

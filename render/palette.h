@@ -6,6 +6,8 @@
 
 namespace scb {
 
+enum class VolumeKind;
+
 /// The palette of Okabe and Ito ("Color Universal Design", 2008), which color-blind readers can
 /// tell apart, in the order used here: blue (body A), orange (body B), bluish green, vermillion,
 /// reddish purple, sky blue, yellow, grey. Categories beyond the eighth repeat it.
@@ -13,6 +15,11 @@ Rgba8 category_color(std::size_t category);
 
 inline constexpr Rgba8 body_a_color{0x00, 0x72, 0xB2};
 inline constexpr Rgba8 body_b_color{0xE6, 0x9F, 0x00};
+
+/// Each kind of hierarchy has one color in every figure that compares them: the SCB stands out in
+/// vermillion, the balls are two blues and the OBB is grey. Of all fours in the palette these are
+/// among the farthest apart for color-blind readers, yet legible on white and on black.
+Rgba8 hierarchy_color(VolumeKind kind);
 
 /// Smith and van der Walt's viridis: a magnitude from 0 (dark violet) to 1 (yellow), clamped; NaN
 /// counts as 0.
