@@ -13,6 +13,10 @@ using Action = std::function<int()>;
 
 // Each adds one command to the program. When it is chosen, it sets `action`.
 void add_render_levels(CLI::App& render, const Console& console, Action& action);
+void add_bench(CLI::App& program, const Console& console, Action& action);
+void add_collide(CLI::App& program, const Console& console, Action& action);
+void add_trace(CLI::App& program, const Console& console, Action& action);
+void add_diff(CLI::App& program, Action& action);
 void add_stats(CLI::App& program, const Console& console, Action& action);
 void add_export(CLI::App& program, const Console& console, Action& action);
 void add_scenes(CLI::App& program, Action& action);

@@ -90,6 +90,10 @@ int run(int argc, char** argv) {
     render->require_subcommand(1);
     render->fallthrough();
     add_render_levels(*render, console, action);
+    add_collide(program, console, action);
+    add_bench(program, console, action);
+    add_trace(program, console, action);
+    add_diff(program, action);
     add_stats(program, console, action);
     add_export(program, console, action);
     add_scenes(program, action);

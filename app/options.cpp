@@ -18,6 +18,10 @@ Scene SceneOptions::load() const {
                 p.rotation(row, column) = pose[first + static_cast<std::size_t>(column)];
             p.translation[row] = pose[first + 3];
         }
+        if (!(p.translation.cwiseAbs().maxCoeff() <= max_coordinate))
+            throw InputError(
+                "--pose: its translation is not finite or beyond 1e70; move the "
+                "bodies nearer to the origin.");
         load_options.pose = p;
     }
     return load_scene(names, load_options);
@@ -80,10 +84,20 @@ std::vector<VolumeKind> HierarchyOptions::kinds() const {
     return kinds;
 }
 
-void add_hierarchy_options(CLI::App& command, HierarchyOptions& options) {
+VolumeKind HierarchyOptions::kind() const {
+    const std::vector<VolumeKind> all = kinds();
+    if (all.size() != 1)
+        throw InputError("--volume " + volumes +
+                         ": this command takes one of scb,ball,ritter,obb at a time.");
+    return all[0];
+}
+
+void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool several) {
     command
-        .add_option("--volume", options.volumes, "Bounding volumes: some of scb,ball,ritter,obb")
-        ->type_name("LIST")
+        .add_option("--volume", options.volumes,
+                    several ? "Bounding volumes: some of scb,ball,ritter,obb"
+                            : "Bounding volume: one of scb, ball, ritter, obb")
+        ->type_name(several ? "LIST" : "VOLUME")
         ->capture_default_str();
     command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
         ->type_name("RULE")

@@ -34,8 +34,11 @@ struct HierarchyOptions {
     FitOptions fit() const;
     /// The volumes asked for, each once; throws InputError for an unknown name.
     std::vector<VolumeKind> kinds() const;
+    /// The one volume asked for; throws InputError where there are several.
+    VolumeKind kind() const;
 };
-void add_hierarchy_options(CLI::App& command, HierarchyOptions& options);
+/// `several`: whether --volume takes a list.
+void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool several = true);
 
 /// "1,2,3" cut at the separators; empty parts stay.
 std::vector<std::string> split_list(const std::string& text, char separator = ',');

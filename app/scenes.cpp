@@ -16,9 +16,14 @@ int list() {
         char line[64];
         std::snprintf(line, sizeof line, "  %-20s %4d frame%s  ", scene.name.c_str(), scene.frames,
                       scene.frames == 1 ? " " : "s");
-        text += line + scene.description + "\n";
+        text += line + scene.description;
+        for (const std::string& file : scene.mesh_files) text += " Needs " + file + ".";
+        text += "\n";
     }
     text +=
+        "\nA scene that needs a mesh file takes it from the folder that --models DIR or SCB_MODELS "
+        "names; without it,\n"
+        "the message says where such a mesh is published.\n"
         "\nA SCENE can also be a scene file (scene.json; `scb scenes NAME` prints one to start "
         "from), one mesh\n"
         "file (OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX and more), or two mesh files with "

@@ -21,6 +21,8 @@ std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl) {
     return list;
 }
 
+std::string compiler_text() { return SCB_COMPILER; }
+
 std::string version_text() {
     std::string text;
     const auto add = [&text](const GlInfo* gl) {

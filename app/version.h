@@ -12,7 +12,10 @@ namespace scb {
 /// Without an OpenGL context, the first and the last ones.
 std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl);
 
-/// The same as text, one a line; makes a context to ask it.
+/// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
+std::string compiler_text();
+
+/// The versions as text, one a line; makes a context to ask it.
 std::string version_text();
 
 }  // namespace scb

@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/bench_report.h"
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/number_list.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+#include "app/table_3.h"
+#include "app/version.h"
+#include "core/error.h"
+#include "render/image_file.h"
+#include "render/renderer.h"
+#include "scenes/builtin.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
+    QueryOptions query;
+    PictureOptions picture{.output = ""};
+    int repeats = 3;
+    bool warm = false, json = false;
+};
+
+/// A scene that is to be measured.
+struct Entry {
+    Scene scene;
+    std::size_t a = 0, b = 0;
+    std::vector<int> frames;
+};
+
+Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
+    Entry entry;
+    entry.scene = scene.load();
+    std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
+    entry.frames = parse_frames(query.frames, entry.scene.frames, entry.scene.name);
+    return entry;
+}
+
+bool is_mesh_file(const std::string& name) {
+    return find_builtin(name) == nullptr && !name.ends_with(".json");
+}
+
+// Those named, two meshes as one; or all of Table 3 whose meshes are there.
+std::vector<Entry> entries(const Options& options, const Console& console) {
+    SceneOptions one = options.scene;
+    if (one.names.size() == 2 && is_mesh_file(one.names[0]) && is_mesh_file(one.names[1]))
+        return {entry_of(one, options.query)};
+    std::vector<std::string> names = one.names;
+    if (names.empty()) names.assign(std::begin(table_3_scenes), std::end(table_3_scenes));
+    std::vector<Entry> result;
+    for (const std::string& name : names) {
+        const BuiltinScene* builtin = find_builtin(name);
+        if (options.scene.names.empty() && one.models_dir.empty() && builtin != nullptr &&
+            !builtin->mesh_files.empty()) {
+            console.note("scb: " + name + " is left out: it needs " + builtin->mesh_files[0] +
+                         "; name the folder that holds it with --models DIR or SCB_MODELS.");
+            continue;
+        }
+        one.names = {name};
+        Entry entry = entry_of(one, options.query);
+        for (const Entry& other : result)
+            if (other.scene.name == entry.scene.name)
+                throw InputError("two scenes have the name '" + entry.scene.name +
+                                 "'; give each once, or rename one.");
+        result.push_back(std::move(entry));
+    }
+    return result;
+}
+
+std::vector<BenchSubject> subjects(const Options& options) {
+    std::vector<BenchSubject> result;
+    for (const VolumeKind kind : options.hierarchy.kinds()) {
+        if (kind != VolumeKind::scb) {
+            result.push_back({kind, OverlapTest::corrected});
+            continue;
+        }
+        for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
+    }
+    return result;
+}
+
+std::string conditions(const Options& options) {
+    return std::string(options.warm ? "Warm: each hierarchy runs through all frames."
+                                    : "Cold: at each frame the hierarchies take turns.") +
+           " One thread, processor time; " +
+           (options.repeats == 1 ? std::string("one run")
+                                 : "median of " + std::to_string(options.repeats) + " runs") +
+           " per frame, sorting the pairs included. Compiled by " + compiler_text() +
+           ". Times differ from machine to machine and from run to run; counts do not.";
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+    write_file_whole(path,
+                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+/// What the run has written and will print.
+struct Report {
+    std::string table, csv = bench_csv_header;
+    Json scenes = Json::array();
+
+    std::string json(const Options& options) const {
+        const Json document = {{"scenes", scenes},
+                               {"options",
+                                {{"threshold", options.query.threshold},
+                                 {"descent", options.query.descent},
+                                 {"growth", options.hierarchy.growth},
+                                 {"margin", options.hierarchy.margin},
+                                 {"repeats", options.repeats},
+                                 {"order", options.warm ? "warm" : "cold"}}},
+                               {"compiler", compiler_text()},
+                               {"version", SCB_VERSION}};
+        return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+};
+
+int run(const Options& options, const Console& console) {
+    BenchOptions bench_options;
+    bench_options.subjects = subjects(options);
+    QueryOptions one_test = options.query;
+    one_test.test = split_list(options.query.test)[0];
+    bench_options.collide = one_test.collide();
+    bench_options.fit = options.hierarchy.fit();
+    bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
+    if (options.repeats < 1 || options.repeats > 1000)
+        throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
+    bench_options.repeats = options.repeats;
+    options.picture.check();
+    // Meshes first, see render_levels.cpp; and nothing is measured if one of them is refused.
+    const std::vector<Entry> all = entries(options, console);
+    warn_of_printed(options.query, console);
+
+    const bool writes = !options.picture.output.empty();
+    std::filesystem::path folder;
+    std::optional<Context> context;
+    std::optional<Renderer> renderer;
+    if (writes) {
+        folder = options.picture.output_folder();
+        context.emplace(options.picture.backend());
+        renderer.emplace(*context);
+    }
+
+    const InterruptWatch watch;
+    Report report;
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        const Entry& entry = all[e];
+        Progress progress(console, entry.frames.size() * bench_options.subjects.size() *
+                                       static_cast<std::size_t>(options.repeats));
+        const std::string what = entry.scene.name + " (scene " + std::to_string(e + 1) + " of " +
+                                 std::to_string(all.size()) + ")";
+        const auto step = [&] {
+            progress.step(what);
+            return watch.signal() == 0;
+        };
+        const std::optional<SceneBench> bench =
+            bench_scene(entry.scene, entry.a, entry.b, entry.frames, bench_options, step);
+        if (!bench) break;
+        report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
+        report.csv += bench_csv(*bench);
+        report.scenes.push_back(bench_json(*bench));
+        if (!writes) continue;
+        BenchFigure figure = bench_figure(*bench);
+        figure.footnote = conditions(options);
+        figure.theme = options.picture.theme();
+        Overlay overlay;
+        const Picture picture =
+            compose(figure, options.picture.width(), options.picture.height(), overlay);
+        const std::vector<std::uint8_t> png = encode_png(renderer->draw(picture, &overlay).image);
+        write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
+        write_text(folder / "bench.csv", report.csv);
+        write_text(folder / "bench.json", report.json(options));
+    }
+    if (options.json)
+        print_result(report.json(options));
+    else if (!report.table.empty())
+        print_result(report.table + "\n" + conditions(options) + "\n");
+    if (watch.signal() == 0) return exit_done;
+    console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
+                 std::to_string(all.size()) + " scenes are finished.");
+    return 128 + watch.signal();
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command =
+        program.add_subcommand("bench", "Time queries: Table 3 and Figure 11 of the paper");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    command->get_option("SCENE")
+        ->required(false)
+        ->expected(0, 1000)
+        ->type_name("[SCENE...]")
+        ->description(
+            "Built-in scenes or scene files, or two mesh files; else the seven scenes of "
+            "Table 3");
+    add_hierarchy_options(*command, options->hierarchy);
+    add_query_options(*command, options->query, true);
+    command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_flag("--warm", options->warm,
+                      "Each hierarchy runs through all frames, instead of taking turns");
+    command
+        ->add_option("-o,--output", options->picture.output,
+                     "Folder for bench.csv, bench.json and a picture per scene")
+        ->type_name("DIR");
+    command->add_option("--size", options->picture.size, "Size of a picture in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->add_option("--background", options->picture.background, "light or dark")
+        ->type_name("COLOR")
+        ->capture_default_str();
+    command->add_option("--gl", options->picture.gl, "Where OpenGL comes from: osmesa or egl")
+        ->type_name("BACKEND")
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON instead of a table");
+    command->footer(
+        "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
+        "slab cut "
+        "ball hierarchy;\n"
+        "ns/N_v: time per volume test, triangle tests included. Ctrl-C leaves what was finished, "
+        "and exits with 130.\n\n"
+        "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

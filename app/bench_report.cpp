@@ -1,0 +1,139 @@
+#include "app/bench_report.h"
+
+#include <cstdio>
+
+#include "app/table_3.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+    char text[200];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+/// The first subject with slab cut balls: what speed-ups are of.
+const SubjectBench* first_scb(const SceneBench& bench) {
+    for (const SubjectBench& subject : bench.subjects)
+        if (subject.subject.kind == VolumeKind::scb) return &subject;
+    return nullptr;
+}
+
+double ratio(double value, double by) { return by > 0 ? value / by : 0; }
+
+std::vector<double> doubles(const std::vector<std::uint64_t>& values) {
+    return {values.begin(), values.end()};
+}
+
+/// What Table 3 has for it; nothing where not all frames were run.
+std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
+    if (!bench.all_frames) return std::nullopt;
+    return table_3(bench.scene, kind);
+}
+
+// Of Table 3: figures, and how many times as long as the paper's SCBTree.
+std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
+    const std::optional<Table3Entry> entry = paper_entry(bench, kind);
+    if (!entry) return "";
+    const double scb_ms = paper_entry(bench, VolumeKind::scb)->ms;
+    return format("  | %8.1f %8.2f %10.0f %9.0f", entry->ms, ratio(entry->ms, scb_ms), entry->n_v,
+                  entry->n_p);
+}
+
+}  // namespace
+
+std::string bench_table(const SceneBench& bench) {
+    const SubjectBench* scb = first_scb(bench);
+    const bool in_paper = paper_entry(bench, VolumeKind::scb).has_value();
+    std::string text =
+        bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
+        format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
+               bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
+    text += "  hierarchy              ms    / SCB        N_v       N_p     pairs   ns/N_v";
+    text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
+    for (const SubjectBench& subject : bench.subjects) {
+        const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
+        text += format("  %-16s %8.4f", subject.subject.title().c_str(), ms) +
+                (scb == nullptr ? std::string("        -")
+                                : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
+                format(" %10.1f %9.1f %9.1f %8.1f", n_v, mean(subject.n_p), mean(subject.pairs),
+                       ratio(1e6 * ms, n_v)) +
+                paper_cells(bench, subject.subject.kind) + "\n";
+    }
+    if (in_paper && bench.scene == "hands")
+        text += "  (Table 3's hand is another mesh, of 654,666 triangles)\n";
+    return text;
+}
+
+Json bench_json(const SceneBench& bench) {
+    const SubjectBench* scb = first_scb(bench);
+    Json hierarchies = Json::array();
+    for (const SubjectBench& subject : bench.subjects) {
+        const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
+        Json row = {{"volume", volume_kind_name(subject.subject.kind)}};
+        if (subject.subject.kind == VolumeKind::scb)
+            row["test"] = overlap_test_name(subject.subject.test);
+        row["ms"] = ms;
+        row["n_v"] = n_v;
+        row["n_p"] = mean(subject.n_p);
+        row["n_u"] = mean(subject.n_u);
+        row["pairs"] = mean(subject.pairs);
+        row["ns_per_volume_test"] = ratio(1e6 * ms, n_v);
+        if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
+        if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))
+            row["table_3"] = {
+                {"ms", entry->ms},
+                {"n_v", entry->n_v},
+                {"n_p", entry->n_p},
+                {"time_over_scb", ratio(entry->ms, paper_entry(bench, VolumeKind::scb)->ms)}};
+        hierarchies.push_back(std::move(row));
+    }
+    return {{"scene", bench.scene},
+            {"bodies", bench.bodies},
+            {"triangles", bench.triangles},
+            {"frames", bench.frames.size()},
+            {"hierarchies", hierarchies}};
+}
+
+std::string bench_csv(const SceneBench& bench) {
+    std::string text;
+    for (const SubjectBench& s : bench.subjects) {
+        const bool is_scb = s.subject.kind == VolumeKind::scb;
+        const std::string start =
+            bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
+            (is_scb ? std::string(overlap_test_name(s.subject.test)) : std::string());
+        for (std::size_t i = 0; i < bench.frames.size(); ++i)
+            text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
+                                   static_cast<unsigned long long>(s.n_v[i]),
+                                   static_cast<unsigned long long>(s.n_p[i]),
+                                   static_cast<unsigned long long>(s.n_u[i]),
+                                   static_cast<unsigned long long>(s.pairs[i]));
+    }
+    return text;
+}
+
+BenchFigure bench_figure(const SceneBench& bench) {
+    BenchFigure figure;
+    figure.scene = bench.scene;
+    figure.triangles = {bench.triangles.begin(), bench.triangles.end()};
+    for (const SubjectBench& subject : bench.subjects) {
+        BenchSeries series;
+        series.name = subject.subject.title();
+        series.kind = subject.subject.kind;
+        series.frames = bench.frames;
+        series.n_v = doubles(subject.n_v);
+        series.n_p = doubles(subject.n_p);
+        series.ms = subject.ms;
+        figure.series.push_back(std::move(series));
+    }
+    // Where the two spheres' surfaces pass each other (Section 5).
+    if (bench.scene.starts_with("spheres-"))
+        figure.ranges.push_back({244, 256, "parallel close proximity"});
+    return figure;
+}
+
+}  // namespace scb

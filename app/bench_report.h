@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/bench_run.h"
+#include "render/bench_figure.h"
+
+namespace scb {
+
+/// One row per hierarchy: mean time, N_v, N_p and pairs per frame, how many times as long it took
+/// as the first slab cut ball hierarchy, and Table 3's figures beside them.
+std::string bench_table(const SceneBench& bench);
+
+/// The same as JSON, without the frames.
+nlohmann::ordered_json bench_json(const SceneBench& bench);
+
+/// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs"; without the header.
+std::string bench_csv(const SceneBench& bench);
+inline constexpr const char* bench_csv_header = "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs\n";
+
+/// Figure 11 for the scene.
+BenchFigure bench_figure(const SceneBench& bench);
+
+}  // namespace scb

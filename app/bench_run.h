@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/scene_query.h"
+
+namespace scb {
+
+/// One hierarchy with one overlap test.
+struct BenchSubject {
+    VolumeKind kind = VolumeKind::scb;
+    OverlapTest test = OverlapTest::corrected;
+
+    /// "SCB corrected", "ball", "ball (Ritter)", "OBB".
+    std::string title() const;
+};
+
+/// What one subject did in each frame of a scene, in the order of SceneBench::frames.
+struct SubjectBench {
+    BenchSubject subject;
+    std::vector<double> ms;  ///< processor time of a query: the median of the repeats
+    std::vector<std::uint64_t> n_v, n_p, n_u, pairs;
+
+    double mean_ms() const;
+};
+
+double mean(const std::vector<double>& values);
+double mean(const std::vector<std::uint64_t>& values);
+
+struct SceneBench {
+    std::string scene;
+    std::vector<std::string> bodies;     ///< names of A and B
+    std::vector<std::size_t> triangles;  ///< of A and B
+    std::vector<int> frames;
+    bool all_frames = false;  ///< whether these are all of the scene
+    std::vector<SubjectBench> subjects;
+};
+
+/// Whether the subjects take turns. Cold: at each frame every subject once, so that between two
+/// queries of one the others pass through the caches and the branch predictor, as an application's
+/// other work does. Warm: each subject runs through all frames.
+enum class BenchOrder { cold, warm };
+
+struct BenchOptions {
+    std::vector<BenchSubject> subjects;
+    CollideOptions collide;
+    FitOptions fit;
+    int repeats = 1;
+    BenchOrder order = BenchOrder::cold;
+};
+
+/// Builds the hierarchies and times every query on one thread; before that it runs the first frame
+/// once, untimed. `step` is called after each query and ends the measurement by returning false;
+/// then there is no result.
+std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
+                                      const std::vector<int>& frames, const BenchOptions& options,
+                                      const std::function<bool()>& step);
+
+}  // namespace scb

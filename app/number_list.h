@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scb {
+
+/// What a list of numbers may hold.
+struct NumberRange {
+    std::string option;  ///< what stands before the list, such as "--frames"
+    std::string noun;    ///< what is counted: "frame"
+    std::string whole;   ///< whose they are: "the scene 'cone' has"
+    int last = 0;        ///< they run from 0 to here
+    std::string example;
+};
+
+/// One part of a list: "7", "0:499" or "0:499:10". Throws InputError, one sentence that starts with
+/// the option, where it is no such part or leaves the range.
+std::vector<int> parse_numbers(const std::string& part, const NumberRange& range);
+
+/// The frames that a list names, "all" or "5,7,0:499:10": ascending, each once. Throws InputError.
+std::vector<int> parse_frames(const std::string& text, int frame_count,
+                              const std::string& scene_name);
+
+}  // namespace scb
