@@ -37,7 +37,8 @@ TEST(CommandLine, VersionNamesWhatDraws) {
 }
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
-    for (const char* command : {"", "render levels", "stats", "export", "scenes"}) {
+    for (const char* command :
+         {"", "render levels", "collide", "bench", "trace", "diff", "stats", "export", "scenes"}) {
         const ProgramRun run = run_scb(std::string(command) + " --help");
         EXPECT_EQ(run.status, 0) << command;
         EXPECT_NE(run.out.find("xample"), std::string::npos) << command;
@@ -115,6 +116,8 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"export spheres-l1 --level 3,4 -o " + (folder / "level.ply"), 2, "one level"},
         {"export spheres-l1 --level 3 --segments 1 -o " + (folder / "level.ply"), 2,
          "--segments 1"},
+        {"stats horses --models " + folder.path.string(), 2,
+         "(48485 vertices and 96966 triangles; "},
         {"scenes nonsense", 2, "'nonsense' is no built-in scene"},
     };
     for (const Refusal& refusal : refusals) {
@@ -139,6 +142,17 @@ TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {
     EXPECT_EQ(limited.status, 3) << limited.err;
     EXPECT_EQ(lines_of(limited.err), 1u) << limited.err;
     EXPECT_EQ(files_in(folder / "out"), 0u);
+}
+
+TEST(CommandLine, ScenesThatNeedMeshesSaySoAndShowTheirFiles) {
+    const ProgramRun list = run_scb("scenes");
+    ASSERT_EQ(list.status, 0);
+    EXPECT_NE(list.out.find(" Needs horse.ply.\n"), std::string::npos) << list.out;
+    EXPECT_NE(list.out.find(" Needs skeleton_hand.ply.\n"), std::string::npos) << list.out;
+    EXPECT_NE(list.out.find("--models DIR"), std::string::npos) << list.out;
+    const ProgramRun shown = run_scb("scenes horses");
+    ASSERT_EQ(shown.status, 0);
+    EXPECT_EQ(json::parse(shown.out)["models"][0]["triangles"], 96966);
 }
 
 TEST(CommandLine, SceneFilesOfBuiltInScenesGiveTheSame) {

@@ -1,11 +1,15 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
 #include "core/hierarchy.h"
+#include "core/orientation.h"
 #include "core/random.h"
+#include "core/triangle_overlap.h"
+#include "core/triangle_segment.h"
 #include "core/trigonometry.h"
 #include "scenes/mesh_file.h"
 
@@ -83,6 +87,133 @@ void build_model(benchmark::State& state, const char* name) {
 }
 BENCHMARK_CAPTURE(build_model, horse, "horse.ply")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build_model, dragon, "dragon.ply")->Unit(benchmark::kMillisecond);
+
+struct CornerPair {
+    TriangleCorners a, b;
+};
+
+// Pairs of triangles of about unit size whose boxes overlap, 1024 of a kind, all different.
+// (crossing_thirds: coordinates with all digits, whose differences are no doubles.)
+enum class PairKind {
+    rejected_by_plane,
+    apart_beyond_planes,
+    crossing,
+    crossing_thirds,
+    coplanar,
+    nearly_coplanar,
+    nearly_coplanar_apart,
+    common_edge,
+    axis_plane,
+};
+
+CornerPair random_pair(Random& random, PairKind kind) {
+    const auto point = [&] {
+        return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    CornerPair pair{{point(), point(), point()}, {point(), point(), point()}};
+    if (kind == PairKind::coplanar || kind == PairKind::nearly_coplanar ||
+        kind == PairKind::nearly_coplanar_apart) {
+        // Few digits, so that the sums are exact: corners are in the plane; or rounded to be near.
+        const double unit = kind == PairKind::coplanar ? 256.0 : 0x1p48;
+        const auto rounded = [&](const Vec3& p) {
+            return Vec3(std::round(p[0] * unit) / unit, std::round(p[1] * unit) / unit,
+                        std::round(p[2] * unit) / unit);
+        };
+        const Vec3 u = rounded(point()), v = rounded(point());
+        for (TriangleCorners* t : {&pair.a, &pair.b})
+            for (Vec3& p : *t) {
+                const Vec3 q = rounded(point());
+                p = q[0] * u + q[1] * v;
+            }
+    }
+    if (kind == PairKind::crossing_thirds)
+        for (TriangleCorners* t : {&pair.a, &pair.b})
+            for (Vec3& p : *t) p /= 3;
+    if (kind == PairKind::common_edge) pair.b = {pair.a[1], pair.a[0], pair.b[2]};
+    if (kind == PairKind::axis_plane)
+        for (std::size_t i = 0; i < 3; ++i) pair.a[i][2] = pair.b[i][2] = 0.5;
+    return pair;
+}
+
+bool is_of_kind(const CornerPair& pair, PairKind kind) {
+    const PlaneFilter plane_a(pair.a[0], pair.a[1], pair.a[2]),
+        plane_b(pair.b[0], pair.b[1], pair.b[2]);
+    const auto beside = [](const PlaneFilter& plane, const TriangleCorners& t) {
+        return std::abs(plane.side(t[0]) + plane.side(t[1]) + plane.side(t[2])) == 3;
+    };
+    const bool rejected = beside(plane_a, pair.b) || beside(plane_b, pair.a);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto range = [axis](const TriangleCorners& t) {
+            return std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+        };
+        const auto a = range(pair.a), b = range(pair.b);
+        if (a.first > b.second || b.first > a.second) return false;
+    }
+    switch (kind) {
+        case PairKind::rejected_by_plane:
+            return rejected;
+        case PairKind::nearly_coplanar_apart:
+            return !triangles_overlap(pair.a, pair.b);
+        case PairKind::apart_beyond_planes:
+            return !rejected && !triangles_overlap(pair.a, pair.b);
+        case PairKind::crossing:
+            return triangles_overlap(pair.a, pair.b);
+        default:
+            return true;
+    }
+}
+
+std::vector<CornerPair> corner_pairs(PairKind kind) {
+    Random random(7);
+    std::vector<CornerPair> pairs;
+    while (pairs.size() < 1024) {
+        const CornerPair pair = random_pair(random, kind);
+        if (is_of_kind(pair, kind)) pairs.push_back(pair);
+    }
+    return pairs;
+}
+
+void per_pair(benchmark::State& state) {
+    state.counters["time/pair"] = benchmark::Counter(
+        1024, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void overlap_of(benchmark::State& state, PairKind kind) {
+    const std::vector<CornerPair> pairs = corner_pairs(kind);
+    for (auto _ : state)
+        for (const CornerPair& pair : pairs)
+            benchmark::DoNotOptimize(triangles_overlap(pair.a, pair.b));
+    per_pair(state);
+}
+BENCHMARK_CAPTURE(overlap_of, rejected_by_plane, PairKind::rejected_by_plane);
+BENCHMARK_CAPTURE(overlap_of, apart_beyond_planes, PairKind::apart_beyond_planes);
+BENCHMARK_CAPTURE(overlap_of, crossing, PairKind::crossing);
+BENCHMARK_CAPTURE(overlap_of, coplanar, PairKind::coplanar);
+BENCHMARK_CAPTURE(overlap_of, nearly_coplanar, PairKind::nearly_coplanar);
+BENCHMARK_CAPTURE(overlap_of, nearly_coplanar_apart, PairKind::nearly_coplanar_apart);
+BENCHMARK_CAPTURE(overlap_of, common_edge, PairKind::common_edge);
+BENCHMARK_CAPTURE(overlap_of, axis_plane, PairKind::axis_plane);
+
+// The exact fallback of one determinant: with differences that are doubles, and without.
+void orient3d_exact_of(benchmark::State& state, PairKind kind) {
+    const std::vector<CornerPair> pairs = corner_pairs(kind);
+    for (auto _ : state)
+        for (const CornerPair& pair : pairs)
+            benchmark::DoNotOptimize(orient3d_exact(pair.a[0], pair.a[1], pair.a[2], pair.b[0]));
+    per_pair(state);
+}
+BENCHMARK_CAPTURE(orient3d_exact_of, few_digits, PairKind::coplanar);
+BENCHMARK_CAPTURE(orient3d_exact_of, all_digits, PairKind::crossing_thirds);
+
+void intersection_of(benchmark::State& state, PairKind kind) {
+    const std::vector<CornerPair> pairs = corner_pairs(kind);
+    for (auto _ : state)
+        for (const CornerPair& pair : pairs)
+            benchmark::DoNotOptimize(triangles_intersection(pair.a, pair.b));
+    per_pair(state);
+}
+BENCHMARK_CAPTURE(intersection_of, crossing, PairKind::crossing);
+BENCHMARK_CAPTURE(intersection_of, coplanar, PairKind::coplanar);
 
 BENCHMARK(fit_scb_of)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(build<Scb>)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);

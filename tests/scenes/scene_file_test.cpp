@@ -244,6 +244,66 @@ TEST(SceneFile, LooksForMeshesBesideItAndThenInTheFolderOfModels) {
     expect_in("m.obj: the mesh has no triangles", sentence);
 }
 
+TEST(SceneFile, SaysOfAMissingMeshWhatItsModelDoes) {
+    const auto missing = [](const json& fields, const std::string& file = "horse.ply") {
+        json document = json::parse(small_scene);
+        json& model = document["models"][0];
+        model = {{"name", "ball"}, {"file", file}};
+        model.update(fields);
+        return refusal([&] { parse(document.dump()); });
+    };
+    const std::string start = "my.json: models[0].file: there is no mesh file horse.ply",
+                      end = "; name the folder that holds it with --models DIR or SCB_MODELS.";
+    EXPECT_EQ(missing(json::object()), start + end);
+    EXPECT_EQ(missing({{"triangles", 7}}), start + " (7 triangles)" + end);
+    EXPECT_EQ(missing({{"vertices", 5}, {"triangles", 7}}),
+              start + " (5 vertices and 7 triangles)" + end);
+    EXPECT_EQ(missing({{"published", "An Archive"}}), start + " (published: An Archive)" + end);
+    EXPECT_EQ(missing({{"published", "An Archive"}, {"vertices", 5}}),
+              start + " (5 vertices; published: An Archive)" + end);
+    EXPECT_EQ(missing({{"published", "An Archive"}}, "/gone/horse.ply"),
+              "my.json: models[0].file: there is no mesh file /gone/horse.ply (published: An "
+              "Archive); check the path.");
+    expect_in("models[0].vertices: expected a whole number from 1 to", missing({{"vertices", 0}}));
+    expect_in("models[0].triangles: expected a whole number from 1 to",
+              missing({{"triangles", "many"}}));
+    expect_in("models[0].published: expected a text", missing({{"published", 3}}));
+    expect_in("models[0].published: expected a text that is not empty",
+              missing({{"published", "two\nlines"}}));
+    for (const char* name : {"vertices", "triangles", "published"})
+        expect_in(std::string("my.json: models[0].") + name + ": this describes a mesh file",
+                  refused(std::string("/models/0/") + name, 80));
+}
+
+TEST(SceneFile, RefusesAMeshOfOtherCountsThanItsModelStates) {
+    const TempFolder folder;
+    const std::string mesh =
+        folder.write("m.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n");
+    const auto load = [&](const json& fields) {
+        json model = {{"name", "m"}, {"file", "m.off"}, {"scale", 2}};
+        model.update(fields);
+        const json document = {{"scb_scene", 1},
+                               {"name", "x"},
+                               {"models", {model}},
+                               {"bodies", {{{"name", "A"}, {"model", "m"}}}}};
+        return load_scene_file(folder.write("x.json", document.dump()), {});
+    };
+    EXPECT_EQ(load({{"vertices", 4}, {"triangles", 2}}).meshes[0].mesh.triangles.size(), 2u);
+    EXPECT_EQ(load({{"published", "An Archive"}}).meshes[0].mesh.vertices.size(), 4u);
+    const std::string start = (folder.path / "x.json").string() + ": models[0].file: " + mesh +
+                              " has 4 vertices and 2 triangles, but the scene was made for ";
+    const std::string end = "; give that mesh, or a scene file with the counts of this one.";
+    EXPECT_EQ(refusal([&] { load({{"vertices", 5}}); }), start + "5 vertices" + end);
+    EXPECT_EQ(refusal([&] {
+                  load({{"vertices", 4}, {"triangles", 3}});
+              }),
+              start + "4 vertices and 3 triangles" + end);
+    EXPECT_EQ(refusal([&] {
+                  load({{"triangles", 1}, {"published", "An Archive"}});
+              }),
+              start + "1 triangle (published: An Archive)" + end);
+}
+
 TEST(SceneFile, ExpressesTheHandsOfTheBenchmark) {
     const TempFolder folder;
     folder.write("hand.obj", "v 0 0 0\nv 4 0 0\nv 0 2 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "render/image_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(BenchCommand, HasTheCountsOfCollide) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_scb("bench spheres-l1 --frames 100,250 --repeat 1 --json -o " + (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json scene = json::parse(run.out)["scenes"][0];
+    EXPECT_EQ(scene["scene"], "spheres-l1");
+    ASSERT_EQ(scene["hierarchies"].size(), 4u);
+    for (const json& row : scene["hierarchies"]) {
+        const std::string volume = row["volume"];
+        const json mean = json::parse(
+            run_scb("collide spheres-l1 --frames 100,250 --json --volume " + volume).out)["mean"];
+        for (const char* count : {"n_v", "n_p", "n_u", "pairs"})
+            EXPECT_EQ(row[count], mean[count]) << volume << " " << count;
+        EXPECT_GT(row["ms"], 0);
+        // It would be no fair comparison with some of the frames.
+        EXPECT_FALSE(row.contains("table_3"));
+    }
+
+    EXPECT_EQ(json::parse(file_text(folder / "out/bench.json"))["scenes"].size(), 1u);
+    const std::string csv = file_text(folder / "out/bench.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2);
+    const Image picture = read_png(folder / "out/spheres-l1_bench.png");
+    EXPECT_EQ(picture.width, 1280);
+    EXPECT_EQ(picture.height, 720);
+}
+
+TEST(BenchCommand, HasTable3BesideWhereAllFramesAreRun) {
+    const ProgramRun run = run_scb("bench knots-l3 --repeat 1 --volume scb,ritter --json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
+    EXPECT_EQ(rows[0]["table_3"]["n_v"], 14367);
+    EXPECT_FALSE(rows[1].contains("table_3"));
+}
+
+TEST(BenchCommand, TakesTwoMeshFiles) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder / "level.ply";
+    ASSERT_EQ(run_scb("export spheres-l1 --level 3 -o " + mesh).status, 0);
+    const ProgramRun run =
+        run_scb("bench " + mesh + " " + mesh + " --repeat 1 --volume scb --json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["scenes"].size(), 1u);
+    EXPECT_EQ(run_scb("bench knots-l1 knots-l1").status, 2);
+}
+
+TEST(BenchCommand, LeavesWhatWasFinishedWhenInterrupted) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out";
+    // The second scene takes seconds; the signal comes once the first is finished.
+    const ProgramRun run = run_scb(
+        "bench knots-l1 spheres-l1 --frames 0:499:50 --volume scb --repeat 1000 --quiet -o " + out +
+        " & child=$!; while [ ! -e " + out +
+        "/bench.json ] && kill -0 $child; do sleep 0.05; done; kill -TERM $child; wait $child");
+    EXPECT_EQ(run.status, 143) << run.err;
+    const json result = json::parse(file_text(folder / "out/bench.json"));
+    ASSERT_EQ(result["scenes"].size(), 1u);
+    EXPECT_EQ(result["scenes"][0]["scene"], "knots-l1");
+    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_bench.png"));
+    EXPECT_FALSE(fs::exists(folder / "out/spheres-l1_bench.png"));
+}
+
+TEST(BenchCommand, RefusesASceneBeforeMeasuringAnother) {
+    const TemporaryFolder folder;
+    const ProgramRun run = run_scb("bench knots-l1 nonsense -o " + (folder / "out"));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,215 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "render/image_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::size_t lines_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    write_file_whole(path,
+                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+std::size_t files_in(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+/// Traces of one scene that differ in the overlap test.
+struct TraceCommand : testing::Test {
+    TemporaryFolder folder;
+    std::string corrected = folder / "corrected.scbtrace", printed = folder / "printed.scbtrace";
+
+    std::string record(const std::string& arguments, const std::string& file) {
+        const ProgramRun run = run_scb("trace spheres-l1 " + arguments + " -o " + file);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.out, "");
+        return file;
+    }
+    void record_both() {
+        record("--frames 0:20:5,200 --test corrected", corrected);
+        record("--frames 0:20:5,200 --test printed", printed);
+    }
+};
+
+TEST_F(TraceCommand, TheSameBytesTwice) {
+    const std::string frames = "--frames 100,250 --volume obb";
+    record(frames, folder / "a");
+    record(frames, folder / "b");
+    EXPECT_GT(file_text(folder / "a").size(), 1000u);
+    EXPECT_EQ(file_text(folder / "a"), file_text(folder / "b"));
+}
+
+TEST_F(TraceCommand, PrintsTheCountsThatCollideDoes) {
+    for (const char* options :
+         {"--test corrected", "--volume ball --level 4", "--volume obb", "--max-pairs 3"}) {
+        const std::string arguments = std::string(options) + " --frames 100,200,250";
+        const std::string file = record(arguments, folder / "t");
+        const json trace = json::parse(run_scb("trace " + file + " --json").out);
+        const json live = json::parse(run_scb("collide spheres-l1 --json " + arguments).out);
+        EXPECT_EQ(trace["frames"], live["frames"]) << options;
+        for (const char* key : {"version", "scene", "volume", "test", "threshold", "descent",
+                                "growth", "margin", "level"})
+            EXPECT_EQ(trace.value(key, json()), live.value(key, json())) << options << key;
+    }
+}
+
+TEST_F(TraceCommand, PrintsEveryTest) {
+    const std::string file = record("--frames 100,250", folder / "t.scbtrace");
+    const json trace = json::parse(run_scb("trace " + file + " --json --events").out);
+    ASSERT_EQ(trace["frames"].size(), 2u);
+    for (const json& frame : trace["frames"]) {
+        EXPECT_EQ(frame["tests"].size(), frame["n_v"]);
+        EXPECT_EQ(frame["tests"][0]["nodes"], json({0, 0}));
+        std::size_t triangles = 0, meet = 0;
+        for (const json& test : frame["tests"]) {
+            triangles += test.contains("triangles");
+            meet += test.value("intersect", false);
+        }
+        EXPECT_EQ(triangles, frame["n_p"]);
+        EXPECT_EQ(meet, frame["pairs"]);
+    }
+    const ProgramRun text = run_scb("trace " + file + " --events --frames 250");
+    EXPECT_EQ(text.status, 0);
+    const std::size_t header = lines_of(run_scb("trace " + file + " --frames 250").out);
+    const auto n_v = trace["frames"][1]["n_v"].get<std::size_t>();
+    EXPECT_EQ(lines_of(text.out), header + 2 + n_v);
+    EXPECT_NE(text.out.find("rejected at slab-cylinder"), std::string::npos);
+}
+
+TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
+    record_both();
+    const ProgramRun text = run_scb("diff " + corrected + " " + printed);
+    EXPECT_EQ(text.status, 1);
+    EXPECT_EQ(text.err, "");
+    const ProgramRun run = run_scb("diff --json " + corrected + " " + printed);
+    EXPECT_EQ(run.status, 1);
+    const json d = json::parse(run.out);
+    EXPECT_EQ(d["equal"], false);
+    EXPECT_EQ(d["asked"], json::parse(R"([{"field":"test","a":"corrected","b":"printed"}])"));
+    EXPECT_EQ(d["common_frames"], 6);
+    const json first = d["first"];
+    EXPECT_EQ(first["a"]["nodes"], first["b"]["nodes"]);
+    EXPECT_NE(first["a"]["stage"], first["b"]["stage"]);
+    std::ostringstream place;
+    place << "They part at frame " << first["frame"] << ", test " << first["test"];
+    EXPECT_NE(text.out.find(place.str()), std::string::npos) << text.out;
+    for (const char* side : {"a", "b"})
+        EXPECT_NE(text.out.find(first[side]["outcome"].get<std::string>()), std::string::npos);
+
+    // The test is where the traces themselves say so.
+    const auto tests = [&](const std::string& file) {
+        return json::parse(
+            run_scb("trace --json --events --frames " + first["frame"].dump() + " " + file)
+                .out)["frames"][0]["tests"];
+    };
+    const json a = tests(corrected), b = tests(printed);
+    const auto at = first["test"].get<std::size_t>();
+    for (std::size_t i = 0; i < at; ++i) {
+        EXPECT_EQ(a[i]["nodes"], b[i]["nodes"]);
+        EXPECT_EQ(a[i]["stage"], b[i]["stage"]);
+    }
+    EXPECT_EQ(a[at], first["a"]);
+    EXPECT_EQ(b[at], first["b"]);
+    // The sums are collide's.
+    const json live =
+        json::parse(run_scb("collide spheres-l1 --json --test printed --frames 0:20:5,200").out);
+    std::size_t n_v = 0;
+    for (const json& frame : live["frames"]) n_v += frame["n_v"].get<std::size_t>();
+    EXPECT_EQ(d["sum"]["n_v"]["b"], n_v);
+}
+
+TEST_F(TraceCommand, DiffOfEqualTracesAndOfOtherFrames) {
+    record("--frames 0:20:5", folder / "a");
+    record("--frames 0:20:5", folder / "b");
+    record("--frames 10:25:5", folder / "c");
+    const ProgramRun equal = run_scb("diff " + (folder / "a") + " " + (folder / "b"));
+    EXPECT_EQ(equal.status, 0);
+    EXPECT_NE(equal.out.find("equal: 5 frames"), std::string::npos) << equal.out;
+    const ProgramRun run = run_scb("diff " + (folder / "a") + " " + (folder / "c"));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.out.find("2 frames only in A: 0, 5\n1 frame only in B: 25\n3 frames in both"),
+              std::string::npos)
+        << run.out;
+}
+
+TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
+    record("--frames 0:20:5", corrected);
+    const std::string bytes = file_text(corrected);
+    write_text(folder / "cut.scbtrace", bytes.substr(0, bytes.size() / 2));
+    write_text(folder / "text.scbtrace", "not a trace");
+    std::string flipped = bytes;
+    flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 1);
+    write_text(folder / "damaged", flipped);
+    std::string newer = bytes;
+    newer[8] = 2;
+    write_text(folder / "newer", newer);
+    write_text(folder / "one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const std::size_t files = files_in(folder.path);
+    const std::string out = " -o " + (folder / "new");
+    const std::vector<std::pair<std::string, std::string>> refusals = {
+        {"trace " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
+        {"trace " + (folder / "text.scbtrace"), "text.scbtrace is no trace of scb"},
+        {"trace " + (folder / "damaged"), "checksum"},
+        {"trace " + (folder / "newer"), "newer scb (version 2; this one reads up to 1)"},
+        {"trace " + (folder / "none.scbtrace"), "there is no such file"},
+        {"trace " + corrected + out, "is a trace already"},
+        {"trace " + corrected + " --frames 7", "has no frame 7"},
+        {"trace spheres-l1", "-o FILE"},
+        {"trace spheres-l1 --events" + out, "--events"},
+        {"trace spheres-l1 --frames 500" + out, "frames 0 to 499"},
+        {"trace spheres-l1 --level 99" + out, "--level 99"},
+        {"trace spheres-l1 --max-pairs 0" + out, "--max-pairs 0"},
+        {"trace spheres-l1 --test fast" + out, "'fast' is no overlap test"},
+        {"trace " + (folder / "one.off") + out, "one body"},
+        {"diff " + corrected, "B"},
+        {"diff " + corrected + " " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
+        {"diff " + (folder / "damaged") + " " + corrected, "checksum"},
+        {"diff spheres-l1 " + corrected, "spheres-l1: there is no such file"},
+    };
+    for (const auto& [arguments, sentence] : refusals) {
+        const ProgramRun run = run_scb(arguments);
+        EXPECT_EQ(run.status, 2) << arguments << run.err;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_EQ(lines_of(run.err), 1u) << arguments << run.err;
+        EXPECT_NE(run.err.find(sentence), std::string::npos) << arguments << run.err;
+    }
+    EXPECT_EQ(files_in(folder.path), files);
+}
+
+TEST_F(TraceCommand, WhatCannotBeWrittenIsStatus3AndLeavesNothing) {
+    const ProgramRun nowhere = run_scb("trace spheres-l1 --frames 0 -o /proc/none/t");
+    EXPECT_EQ(nowhere.status, 3) << nowhere.err;
+    const ProgramRun full =
+        run_scb("trace spheres-l1 --frames 100:120 -o " + (folder / "t"), "ulimit -f 8;");
+    EXPECT_EQ(full.status, 3) << full.err;
+    EXPECT_EQ(files_in(folder.path), 0u);
+}
+
+TEST_F(TraceCommand, AnInterruptLeavesTheFinishedFrames) {
+    const ProgramRun run = run_scb("trace spheres-l1 --volume ball -o " + (folder / "t"),
+                                   "timeout --preserve-status -s INT 2");
+    EXPECT_EQ(run.status, 130) << run.err;
+    ASSERT_NE(run.err.find("interrupted"), std::string::npos);
+    if (!fs::exists(folder / "t")) GTEST_SKIP() << "no frame was finished in time";
+    EXPECT_EQ(files_in(folder.path), 1u);
+    const ProgramRun printed_run = run_scb("trace --json " + (folder / "t"));
+    ASSERT_EQ(printed_run.status, 0) << printed_run.err;
+    const json trace = json::parse(printed_run.out);
+    EXPECT_GT(trace["frames"].size(), 0u);
+    EXPECT_LT(trace["frames"].size(), 500u);
+}
+
+}  // namespace
+}  // namespace scb

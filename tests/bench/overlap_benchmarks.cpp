@@ -1,0 +1,97 @@
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "core/collide.h"
+#include "scenes/load_scene.h"
+
+namespace scb {
+namespace {
+
+constexpr int frames[] = {50, 150, 240, 250, 300};
+
+/// Keeps the nodes of every volume test.
+struct PairRecorder {
+    std::vector<IndexPair> pairs;
+    void volume_test(IndexPair nodes, int, int, Stage) { pairs.push_back(nodes); }
+    void triangle_test(IndexPair, bool) {}
+};
+
+/// The volume tests that a query makes in five frames of spheres-l1, in their order.
+template <Volume V>
+struct Recorded {
+    std::vector<Hierarchy<V>> hierarchies;
+    struct Frame {
+        Placement placed;
+        std::vector<IndexPair> pairs;
+    };
+    std::vector<Frame> list;
+};
+
+template <Volume V>
+const Recorded<V>& recorded() {
+    static const Recorded<V> result = [] {
+        const Scene scene = load_scene({"spheres-l1"});
+        Recorded<V> r;
+        for (const NamedMesh& mesh : scene.meshes)
+            r.hierarchies.push_back(build_hierarchy<V>(mesh.mesh));
+        for (const int frame : frames) {
+            const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                            pose_at(scene.bodies[1].motion, frame));
+            const Collider<V> a{r.hierarchies[0], scene.meshes[0].mesh},
+                b{r.hierarchies[1], scene.meshes[1].mesh};
+            PairRecorder recorder;
+            collide(a, b, pose, {}, recorder);
+            r.list.push_back({query_placement(a.hierarchy, b.hierarchy, pose), recorder.pairs});
+        }
+        return r;
+    }();
+    return result;
+}
+
+/// Nanoseconds per test over the recorded pairs; the mix of outcomes, and so of branches, is that
+/// of a query. All tests of slab cut balls see the same pairs.
+template <Volume V, class Test>
+void volume_tests(benchmark::State& state, const Test& test) {
+    const Recorded<V>& r = recorded<V>();
+    std::size_t tests = 0;
+    StageCounts stages{};
+    for (auto _ : state)
+        for (const auto& frame : r.list) {
+            for (const IndexPair& pair : frame.pairs)
+                ++stages[static_cast<std::size_t>(test(r.hierarchies[0].volumes[pair.a],
+                                                       r.hierarchies[1].volumes[pair.b],
+                                                       frame.placed))];
+            tests += frame.pairs.size();
+        }
+    benchmark::DoNotOptimize(stages);
+    state.counters["per_test"] = benchmark::Counter(
+        static_cast<double>(tests), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void printed(benchmark::State& state) {
+    volume_tests<Scb>(state, ScbTest<OverlapTest::printed>{0.7});
+}
+void corrected(benchmark::State& state) {
+    volume_tests<Scb>(state, ScbTest<OverlapTest::corrected>{0.7});
+}
+void symmetric(benchmark::State& state) {
+    volume_tests<Scb>(state, ScbTest<OverlapTest::symmetric>{0.7});
+}
+void extents(benchmark::State& state) {
+    volume_tests<Scb>(state, ScbTest<OverlapTest::extents>{0.7});
+}
+void ball(benchmark::State& state) { volume_tests<Ball>(state, BallTest{}); }
+void obb(benchmark::State& state) { volume_tests<Obb>(state, ObbTest{}); }
+
+BENCHMARK(printed);
+BENCHMARK(corrected);
+BENCHMARK(symmetric);
+BENCHMARK(extents);
+BENCHMARK(ball);
+BENCHMARK(obb);
+
+}  // namespace
+}  // namespace scb
+
+BENCHMARK_MAIN();

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/obb.h"
+#include "core/pose.h"
+#include "core/scb.h"
+#include "tests/core/point_sets.h"
+
+namespace scb {
+
+/// Two volumes, each in its own frame, and where B is, seen from A's.
+template <class V>
+struct VolumePair {
+    V a, b;
+    Pose b_to_a;
+};
+
+inline Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
+
+inline Pose compose(const Pose& outer, const Pose& inner) {
+    return {outer.rotation * inner.rotation, transform_point(outer, inner.translation)};
+}
+
+inline Mat3 random_rotation(Random& random) {
+    const Vec3 x = random_unit_vector(random);
+    const Vec3 y = cross(x, random_unit_vector(random)).normalized();
+    Mat3 rotation;
+    rotation << x, y, cross(x, y);
+    return rotation;
+}
+
+inline Pose random_pose(Random& random, double reach = 1) {
+    return {random_rotation(random), reach * random_point(random)};
+}
+
+inline Scb moved(const Pose& pose, Scb s) {
+    s.c = transform_point(pose, s.c);
+    s.n = transform_direction(pose, s.n);
+    return s;
+}
+inline Ball moved(const Pose& pose, Ball ball) {
+    ball.center = transform_point(pose, ball.center);
+    return ball;
+}
+inline Obb moved(const Pose& pose, Obb box) {
+    box.center = transform_point(pose, box.center);
+    box.axes = pose.rotation * box.axes;
+    return box;
+}
+
+/// The same set of points.
+inline Scb flipped(const Scb& s) { return {s.c, s.r, -s.n, -s.f, -s.e}; }
+
+inline Scb grown(Scb s, double by) {
+    s.r += by;
+    s.e += by;
+    s.f -= by;
+    return s;
+}
+
+inline Scb scaled(Scb s, double factor) {
+    s.c *= factor;
+    s.r *= factor;
+    s.e *= factor;
+    s.f *= factor;
+    return s;
+}
+
+/// A slab cut ball with the center at the origin; one in four has a slab that leaves it out.
+inline Scb random_scb(Random& random, const Vec3& normal) {
+    Scb s;
+    s.r = random.uniform(0.25, 1);
+    s.n = normal;
+    s.e = s.r * random.uniform();
+    s.f = -s.r * random.uniform();
+    if (random.below(2) == 0) {
+        s.e /= 8;
+        s.f /= 8;
+    }
+    if (random.below(4) == 0) {
+        s.f = s.e * random.uniform();
+        if (random.below(2) == 0) s = Scb{s.c, s.r, s.n, -s.f, -s.e};
+    }
+    return s;
+}
+
+/// Two slab cut balls of about unit size, each in a frame of its own, that overlap a little or are
+/// apart a little. One third have random normals, one third nearly parallel, one third nearly
+/// antiparallel ones.
+inline VolumePair<Scb> random_scb_pair(Random& random) {
+    const Vec3 n = random_unit_vector(random);
+    const std::uint32_t kind = random.below(3);
+    Vec3 m = kind == 0 ? random_unit_vector(random)
+                       : Vec3((n + random.uniform(0, 0.3) * random_point(random)).normalized());
+    if (kind == 2) m = -m;
+    Scb a = random_scb(random, n), b = random_scb(random, m);
+    Vec3 d = random_unit_vector(random);
+    if (random.below(2) == 0) d = (random.below(2) == 0 ? 1 : -1) * n + 0.4 * d;
+    d.normalize();
+    a.c = random_point(random);
+    b.c = a.c + random.uniform(0.3, 1.15) * (extent(a, d) + extent(b, -d)) * d;
+    const Pose pose = random_pose(random);
+    return {a, moved(inverse(pose), b), pose};
+}
+
+}  // namespace scb

@@ -1,0 +1,23 @@
+#include "core/collide.h"
+
+#if defined(SCB_OBSERVER_NEVER_CALLED) != defined(SCB_NO_CALLS)
+#error "not the header that was asked for"
+#endif
+
+// The traversal of a query, compiled three times for observer_is_free: with SCB_OBSERVER
+// NoObserver, the same with a header that never calls the observer, and with CountingObserver.
+namespace scb {
+
+struct CountingObserver {
+    std::uint64_t volume_tests = 0, intersections = 0;
+    void volume_test(IndexPair, int, int, Stage) { ++volume_tests; }
+    void triangle_test(IndexPair, bool intersect) { intersections += intersect; }
+};
+
+template void detail::traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,
+                                                    const Placement&,
+                                                    const ScbTest<OverlapTest::corrected>&,
+                                                    const CollideOptions&, SCB_OBSERVER&,
+                                                    Collision&);
+
+}  // namespace scb

@@ -1,0 +1,98 @@
+// overlap_soundness [--pairs N] [--seed S] [--threads T]: asks every overlap test of slab cut balls
+// about N random pairs of each of the families in random_scb_pairs.h and holds the answers against
+// certified ones. The figures depend on N and S only, but for the times. Exit status 1 where a test
+// that must not has rejected an overlapping pair, or a certificate did not stand up.
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "tests/core/overlap_tally.h"
+
+namespace {
+
+using namespace scb;
+
+constexpr std::uint64_t chunk = 1u << 16;
+
+struct Arguments {
+    std::uint64_t pairs = 1000000, seed = 1, threads = std::thread::hardware_concurrency();
+};
+
+bool parse(int count, char** values, Arguments& arguments) {
+    for (int i = 1; i < count; i += 2) {
+        std::uint64_t* target = std::strcmp(values[i], "--pairs") == 0     ? &arguments.pairs
+                                : std::strcmp(values[i], "--seed") == 0    ? &arguments.seed
+                                : std::strcmp(values[i], "--threads") == 0 ? &arguments.threads
+                                                                           : nullptr;
+        if (target == nullptr || i + 1 == count) return false;
+        const char* end = values[i + 1] + std::strlen(values[i + 1]);
+        const auto [rest, error] = std::from_chars(values[i + 1], end, *target);
+        if (error != std::errc{} || rest != end) return false;
+    }
+    arguments.threads = std::max<std::uint64_t>(arguments.threads, 1);
+    return true;
+}
+
+// Chunk by chunk, each from a seed of its own, so that the threads can share them in any order.
+OverlapTally tally_family(std::size_t family, const Arguments& arguments) {
+    OverlapTally tally;
+    std::mutex mutex;
+    std::atomic<std::uint64_t> next = 0;
+    const auto work = [&] {
+        OverlapTally own;
+        for (std::uint64_t i; (i = chunk * next++) < arguments.pairs;) {
+            const std::uint64_t seed =
+                Random(arguments.seed ^ Random(i + family + 1).next()).next();
+            own += tally_overlap_tests(scb_pair_families[family], seed,
+                                       std::min(chunk, arguments.pairs - i));
+        }
+        const std::lock_guard lock(mutex);
+        tally += own;
+    };
+    std::vector<std::thread> threads;
+    for (std::uint64_t t = 1; t < arguments.threads; ++t) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+    return tally;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    Arguments arguments;
+    if (!parse(count, values, arguments)) {
+        std::fprintf(stderr, "usage: overlap_soundness [--pairs N] [--seed S] [--threads T]\n");
+        return 2;
+    }
+    bool sound = true;
+    std::printf("%" PRIu64 " pairs of each family, seed %" PRIu64 "\n", arguments.pairs,
+                arguments.seed);
+    print_tally_header();
+    OverlapTally sum;
+    for (std::size_t k = 0; k < scb_pair_families.size(); ++k) {
+        const OverlapTally tally = tally_family(k, arguments);
+        print_tally(scb_pair_families[k].name, tally);
+        std::fflush(stdout);
+        sum += tally;
+    }
+    print_tally("all", sum);
+    const auto report = [&](OverlapTest one, OverlapTest other) {
+        const std::string_view a = overlap_test_name(one), b = overlap_test_name(other);
+        std::printf("rejected by %.*s but not by %.*s: %" PRIu64 "\n", static_cast<int>(a.size()),
+                    a.data(), static_cast<int>(b.size()), b.data(),
+                    count_rejected_by_one(sum, one, other));
+    };
+    report(OverlapTest::corrected, OverlapTest::symmetric);
+    report(OverlapTest::symmetric, OverlapTest::extents);
+    for (const OverlapTest test :
+         {OverlapTest::line8, OverlapTest::corrected, OverlapTest::symmetric, OverlapTest::extents})
+        sound = sound && count_rejected(sum, Contact::overlapping, test) == 0;
+    return sound && sum.unproven == 0 ? 0 : 1;
+}
