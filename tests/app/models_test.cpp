@@ -7,26 +7,23 @@
 #include "core/any_hierarchy.h"
 #include "scenes/mesh_file.h"
 #include "tests/app/program.h"
+#include "tests/real_models.h"
 
 namespace scb {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The real meshes beside the project; says loudly where there are none.
 std::vector<fs::path> models() {
-    const fs::path folder = fs::path(SCB_SOURCE_DIR) / "../shared/models";
     std::vector<fs::path> paths;
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::directory_iterator(folder))
-            if (entry.path().extension() == ".ply") paths.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(models_folder()))
+        if (entry.path().extension() == ".ply") paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
-    if (paths.empty())
-        std::fprintf(stderr, "NOT TESTED: real meshes, since %s is missing.\n", folder.c_str());
     return paths;
 }
 
 TEST(Models, EveryOneBuildsAndIsValid) {
+    if (!has_model_file("horse.ply", "building real meshes")) GTEST_SKIP();
     for (const fs::path& path : models()) {
         const Mesh mesh = load_mesh(path);
         const auto topology = std::make_shared<const Topology>(build_topology(mesh));
@@ -38,6 +35,7 @@ TEST(Models, EveryOneBuildsAndIsValid) {
 }
 
 TEST(Models, EveryOneRenders) {
+    if (!has_model_file("horse.ply", "rendering real meshes")) GTEST_SKIP();
     for (const fs::path& path : models()) {
         const TemporaryFolder folder;
         const ProgramRun run =

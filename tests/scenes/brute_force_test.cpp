@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <set>
 
 #include "scenes/builtin.h"
+#include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
 // The pairs of triangles of the built-in scenes: against brute force where that is possible, and
@@ -18,10 +18,6 @@ constexpr std::size_t brute_force_limit = 5000;  // triangles per body
 
 /// The built-in scenes of two bodies below the limit; each has its test below.
 const char* const small_scenes[] = {"knots-l1", "flat-plate", "thin-cylinder", "cone", "soup"};
-
-std::filesystem::path models() {
-    return std::filesystem::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
-}
 
 /// A scene of two bodies with hierarchies for its meshes.
 struct BuiltScene {
@@ -154,13 +150,8 @@ class ModelPairSums : public testing::TestWithParam<RecordedSum> {};
 TEST_P(ModelPairSums, AreTheRecordedOnes) {
     const BuiltinScene& builtin = *find_builtin(GetParam().name);
     for (const std::string& file : builtin.mesh_files)
-        if (!std::filesystem::exists(models() / file)) {
-            std::cerr << "NOT TESTED: the pairs of " << builtin.name << " are not summed, since "
-                      << (models() / file).string() << " does not exist here.\n";
-            GTEST_SUCCEED();
-            return;
-        }
-    const Scene scene = load_builtin(builtin, models());
+        if (!has_model_file(file, "the sum of pairs of " + builtin.name)) GTEST_SKIP();
+    const Scene scene = load_builtin(builtin, models_folder());
     const PairSum sum =
         sum_of_pairs(scene, VolumeKind::scb, OverlapTest::symmetric, GetParam().step);
     EXPECT_EQ(sum.pairs, GetParam().pairs);

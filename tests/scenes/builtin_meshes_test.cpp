@@ -1,11 +1,11 @@
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "scenes/builtin.h"
 #include "scenes/load_scene.h"
 #include "scenes/scene_file.h"
+#include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
 // The built-in scenes whose meshes are files of others.
@@ -120,17 +120,11 @@ TEST(BuiltinMeshes, AreRefusedWhereAnotherMeshHasTheirName) {
 }
 
 TEST(BuiltinMeshes, LoadIntoAUnitBoxWithTheirCounts) {
-    const fs::path models = fs::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
-    if (!fs::exists(models)) {
-        std::cerr << "NOT TESTED: horses, hands and dragons with their meshes, since "
-                  << models.string() << " is missing.\n";
-        GTEST_SUCCEED();
-        return;
-    }
+    if (!has_model_file("dragon.ply", "horses, hands and dragons with their meshes")) GTEST_SKIP();
     const std::pair<std::size_t, std::size_t> counts[] = {
         {48485, 96966}, {57065, 114037}, {437645, 871414}};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Scene scene = load_scene({scenes_with_meshes[k]}, {models, {}});
+        const Scene scene = load_scene({scenes_with_meshes[k]}, {models_folder(), {}});
         SCOPED_TRACE(scene.name);
         EXPECT_EQ(scene.name, scenes_with_meshes[k]);
         EXPECT_TRUE(scene.camera);

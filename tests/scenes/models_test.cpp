@@ -1,7 +1,7 @@
-#include <iostream>
 #include <sstream>
 
 #include "scenes/mesh_file.h"
+#include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
 namespace scb {
@@ -30,18 +30,11 @@ std::vector<Row> table(const std::filesystem::path& readme) {
 }
 
 TEST(Models, HaveTheCountsThatTheirTableStates) {
-    const std::filesystem::path models =
-        std::filesystem::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
-    if (!std::filesystem::exists(models / "README.md")) {
-        std::cerr << "SKIPPED: the counts of real meshes are not compared, since "
-                  << models.string() << " does not exist here.\n";
-        GTEST_SUCCEED();
-        return;
-    }
-    const std::vector<Row> rows = table(models / "README.md");
+    if (!has_model_file("README.md", "the counts of real meshes")) GTEST_SKIP();
+    const std::vector<Row> rows = table(models_folder() / "README.md");
     EXPECT_GE(rows.size(), 30u);
     for (const Row& row : rows) {
-        const Mesh mesh = load_mesh(models / row.file);
+        const Mesh mesh = load_mesh(models_folder() / row.file);
         EXPECT_EQ(mesh.vertices.size(), row.vertices) << row.file;
         EXPECT_EQ(mesh.triangles.size(), row.triangles) << row.file;
     }

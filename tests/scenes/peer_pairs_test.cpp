@@ -9,6 +9,7 @@
 #include "core/any_collide.h"
 #include "core/leaf_order.h"
 #include "scenes/mesh_file.h"
+#include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
 namespace scb {
@@ -25,12 +26,8 @@ struct PeerScene {
     std::string kind;  ///< "generic" or "touching"
 };
 
-std::filesystem::path models() {
-    return std::filesystem::path(SCB_SOURCE_DIR) / ".." / "shared" / "models";
-}
-
 std::vector<PeerScene> peer_scenes() {
-    std::ifstream file(models() / "peer_counts.tsv");
+    std::ifstream file(models_folder() / "peer_counts.tsv");
     std::vector<PeerScene> scenes;
     for (std::string line; std::getline(file, line);) {
         if (line.empty() || line[0] == '#') continue;
@@ -98,7 +95,7 @@ struct PeerMesh {
 
 PeerMesh peer_mesh(const std::string& name) {
     PeerMesh result;
-    result.mesh = load_mesh(models() / (name + ".ply"));
+    result.mesh = load_mesh(models_folder() / (name + ".ply"));
     const auto topology = std::make_shared<const Topology>(build_topology(result.mesh));
     const LeafOrder points = leaf_order(result.mesh, *topology);
     for (const VolumeKind kind : all_volume_kinds())
@@ -111,12 +108,7 @@ class PeerPairs : public testing::TestWithParam<std::string> {};
 // Every scene of the recorded answers, in every hierarchy, by every test but the one with line 8 as
 // printed, and by every descent rule.
 TEST_P(PeerPairs, AreFoundByEveryHierarchyTestAndDescentRule) {
-    if (!std::filesystem::exists(models() / "peer_counts.tsv")) {
-        std::cerr << "NOT TESTED: pairs are not compared with other libraries', since "
-                  << models().string() << " does not exist here.\n";
-        GTEST_SUCCEED();
-        return;
-    }
+    if (!has_model_file("peer_counts.tsv", "pairs against other libraries'")) GTEST_SKIP();
     std::map<std::string, PeerMesh> meshes;
     for (const PeerScene& scene : peer_scenes()) {
         if (scene.mesh_a != GetParam()) continue;
@@ -160,6 +152,11 @@ TEST_P(PeerPairs, AreFoundByEveryHierarchyTestAndDescentRule) {
                     ASSERT_EQ(found.pairs, *first) << what;
                 }
     }
+}
+
+TEST(PeerScenes, AreAllNinetyEight) {
+    if (!has_model_file("peer_counts.tsv", "the number of recorded scenes")) GTEST_SKIP();
+    EXPECT_EQ(peer_scenes().size(), 98u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, PeerPairs, testing::ValuesIn(first_meshes()),
