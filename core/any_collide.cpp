@@ -1,7 +1,5 @@
 #include "core/any_collide.h"
 
-#include <cassert>
-
 namespace scb {
 namespace {
 
@@ -9,7 +7,6 @@ template <class Observer>
 Collision collide_with(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                        const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                        Observer& observer) {
-    assert(a.index() == b.index() && "both hierarchies must have the same volumes");
     return std::visit(
         [&]<class V>(const Hierarchy<V>& hierarchy_a) {
             return collide(Collider<V>{hierarchy_a, mesh_a},
@@ -33,10 +30,37 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
     return collide_with(a, mesh_a, b, mesh_b, b_to_a, options, recorder);
 }
 
+std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options) {
+    switch (kind) {
+        case VolumeKind::scb:
+            break;
+        case VolumeKind::ball:
+        case VolumeKind::ritter:
+            return ball_stages();
+        case VolumeKind::obb:
+            return obb_stages();
+    }
+    return stages_of(options.test);
+}
+
 std::span<const Stage> stages_of(const AnyHierarchy& hierarchy, const OverlapOptions& options) {
     if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return ball_stages();
     if (std::holds_alternative<Hierarchy<Obb>>(hierarchy)) return obb_stages();
     return stages_of(options.test);
+}
+
+std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
+                              const OverlapOptions& options) {
+    switch (kind) {
+        case VolumeKind::scb:
+            break;
+        case VolumeKind::ball:
+        case VolumeKind::ritter:
+            return transform_count<Ball>(stages, options);
+        case VolumeKind::obb:
+            return transform_count<Obb>(stages, options);
+    }
+    return transform_count<Scb>(stages, options);
 }
 
 }  // namespace scb

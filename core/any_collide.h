@@ -6,7 +6,8 @@
 
 namespace scb {
 
-/// `collide` for hierarchies whose volume type was chosen at run time. Both must have the same.
+/// `collide` for hierarchies whose volume type was chosen at run time. Both must have the same,
+/// else throws std::bad_variant_access.
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options = {});
 
@@ -15,7 +16,12 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                   EventRecorder& recorder);
 
-/// The stages at which a query on this hierarchy can reject.
+/// The stages at which a query on these volumes, or on this hierarchy, can reject.
+std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);
 std::span<const Stage> stages_of(const AnyHierarchy& hierarchy, const OverlapOptions& options);
+
+/// transform_count for a kind of volume.
+std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
+                              const OverlapOptions& options);
 
 }  // namespace scb

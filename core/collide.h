@@ -1,15 +1,15 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
-#include <concepts>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
+#include "core/descent_rule.h"
 #include "core/hierarchy.h"
+#include "core/observer.h"
 #include "core/overlap.h"
+#include "core/transform_count.h"
 #include "core/triangle_overlap.h"
 
 namespace scb {
@@ -22,62 +22,17 @@ struct Collider {
     const Mesh& mesh;
 };
 
-/// Which of two overlapping nodes is divided: A's where its size is not below B's, so a tie divides
-/// A. A node that cannot be divided never is.
-enum class DescentRule {
-    radius,       ///< the larger descent_size: the paper's rule (Section 5)
-    area,         ///< the larger surface area
-    volume,       ///< the larger volume
-    alternating,  ///< in turn, A first
-};
-
-/// "radius", "area", "volume", "alternating".
-std::string_view descent_rule_name(DescentRule rule);
-std::optional<DescentRule> descent_rule_of(std::string_view name);
-std::span<const DescentRule> all_descent_rules();
-
 struct CollideOptions {
     OverlapOptions overlap;
     DescentRule descent = DescentRule::radius;
-    /// The query ends once it has found so many pairs; 1 for the first contact.
+    /// The query ends once it has found so many pairs, at least 1: for the first contact. Which
+    /// pairs those are follows from the order of the traversal.
     std::size_t max_pairs = std::numeric_limits<std::size_t>::max();
     /// Nodes at this depth count as leaves, and no triangles are tested: the pairs that are found
     /// are pairs of nodes of the two covers of this level, see level_cover. Negative: no such
     /// level.
     int stop_level = -1;
 };
-
-/// Two triangles, or two nodes, by their indices in A and in B.
-struct IndexPair {
-    std::uint32_t a = 0, b = 0;
-    friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
-};
-
-/// What a query found and what it took. The symbols are those of equation 1 of the paper.
-struct Collision {
-    std::vector<IndexPair> pairs;  ///< triangles that intersect, or nodes of `stop_level` that
-                                   ///< overlap; sorted, each once
-    std::uint64_t n_v = 0;         ///< tests of two volumes, those of two leaves among them
-    std::uint64_t n_p = 0;         ///< tests of two triangles
-    std::uint64_t n_u = 0;         ///< points and directions of volumes transformed for these tests
-    StageCounts stages{};          ///< volume tests by how they ended; their sum is n_v
-    int depth = 0;         ///< of the deepest volume test: depth of its node of A plus that of B
-    bool complete = true;  ///< false where `max_pairs` ended the query
-};
-
-/// An observer is told of every test of a query, in order. It is called with the nodes, their
-/// depths and the stage of each volume test, and after it, where both nodes are leaves that
-/// overlap, with the triangles and whether they intersect.
-struct NoObserver {
-    void volume_test(IndexPair, int, int, Stage) {}
-    void triangle_test(IndexPair, bool) {}
-};
-
-/// Points and directions of B's volumes that these tests transformed: a test of slab cut balls
-/// transforms the center, and the normal where it gets that far; of balls the center; of boxes the
-/// center and three axes.
-template <Volume V>
-std::uint64_t transforms(const StageCounts& stages, const OverlapOptions& options);
 
 /// Where B is for a query on whole hierarchies: their volumes below the root may stick out of it.
 template <Volume V>
@@ -99,23 +54,6 @@ inline TriangleCorners transform_corners(const Pose& pose, const TriangleCorners
 }
 
 namespace detail {
-
-template <DescentRule rule, Volume V>
-bool descends_into_a(const V& a, const V& b, int depth) {
-    if constexpr (rule == DescentRule::radius) return descent_size(a) >= descent_size(b);
-    if constexpr (rule == DescentRule::area) return surface_area(a) >= surface_area(b);
-    if constexpr (rule == DescentRule::volume) return volume(a) >= volume(b);
-    return depth % 2 == 0;
-}
-
-/// Whether there is anybody to tell: calls that do nothing still change how a compiler orders its
-/// instructions.
-template <class Observer>
-inline constexpr bool observed = !std::same_as<Observer, NoObserver>;
-
-/// How an observer is handed on. NoObserver goes by value, which takes no instruction.
-template <class Observer>
-using Told = std::conditional_t<observed<Observer>, Observer&, NoObserver>;
 
 /// The traversal, compiled for one volume type, overlap test, descent rule and observer.
 template <DescentRule rule, Volume V, class Test, class Observer>
@@ -217,8 +155,8 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
                 return run.template operator()<DescentRule::alternating>();
         }
     });
-    for (const std::uint64_t tests : result.stages) result.n_v += tests;
-    result.n_u = transforms<V>(result.stages, options.overlap);
+    result.n_v = test_count(result.stages);
+    result.n_u = transform_count<V>(result.stages, options.overlap);
     std::sort(result.pairs.begin(), result.pairs.end());
     return result;
 }

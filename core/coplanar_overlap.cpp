@@ -8,6 +8,7 @@
 namespace scb {
 namespace {
 
+// The axis to which the plane of the three points is closest to perpendicular, up to rounding.
 int steepest_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = cross(b - a, c - a).cwiseAbs();
     return normal[0] > normal[1] ? (normal[0] > normal[2] ? 0 : 2)
@@ -16,9 +17,7 @@ int steepest_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 // An axis along which the three points project to a proper triangle.
 std::optional<int> axis_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 normal = cross(b - a, c - a).cwiseAbs();
-    const int steepest =
-        normal[0] > normal[1] ? (normal[0] > normal[2] ? 0 : 2) : (normal[1] > normal[2] ? 1 : 2);
+    const int steepest = steepest_axis(a, b, c);
     for (int i = 0; i < 3; ++i) {
         const int axis = (steepest + i) % 3;
         if (orient2d(a, b, c, axis) != 0) return axis;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collide.h"
+#include "core/collision.h"
 
 namespace scb {
 

@@ -1,45 +1,17 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string_view>
+#include <cassert>
+#include <concepts>
 
 #include "core/overlap_ball.h"
 #include "core/overlap_extents.h"
 #include "core/overlap_figure8.h"
 #include "core/overlap_obb.h"
+#include "core/overlap_options.h"
 #include "core/overlap_symmetric.h"
+#include "core/volume.h"
 
 namespace scb {
-
-/// The overlap tests for two slab cut balls, by name. All but the first never reject a pair that
-/// overlaps or touches; all of them let some pairs pass that do not.
-enum class OverlapTest {
-    printed,    ///< Figure 8 as printed, with both errors: to show what they do
-    line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
-    corrected,  ///< Figure 8 with both corrected
-    symmetric,  ///< overlap_symmetric
-    extents,    ///< overlap_extents
-};
-
-/// "printed", "line8", "corrected", "symmetric", "extents".
-std::string_view overlap_test_name(OverlapTest test);
-std::optional<OverlapTest> overlap_test_of(std::string_view name);
-std::span<const OverlapTest> all_overlap_tests();
-
-/// Whether OverlapOptions::threshold means anything to the test.
-bool has_threshold(OverlapTest test);
-
-struct OverlapOptions {
-    OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
-    double threshold = 0.7;  ///< the paper's a, in [0, 1]; for the forms of Figure 8
-};
-
-/// The stages at which the test of this volume type can reject, in the order in which it makes
-/// them.
-std::span<const Stage> stages_of(OverlapTest test);
-std::span<const Stage> ball_stages();
-std::span<const Stage> obb_stages();
 
 /// An overlap test as a type, so that a traversal is compiled for it: called with A, B and where B
 /// is, it returns the stage that rejected, or overlapping.
@@ -79,6 +51,7 @@ decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
     } else if constexpr (std::same_as<V, Obb>) {
         return use(ObbTest{});
     } else {
+        assert(options.threshold >= 0 && options.threshold <= 1 && "a threshold is a cosine");
         switch (options.test) {
             case OverlapTest::printed:
                 return use(ScbTest<OverlapTest::printed>{options.threshold});

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/overlap_figure8.h"
+#include "core/placement.h"
+#include "core/scb.h"
+#include "core/stage.h"
 
 namespace scb {
 
@@ -21,6 +23,21 @@ T reach_at_cosine(const BasicScb<T>& s, const T& cosine, const T& squared_sine_b
            sqrt(max(T(0), (s.r - k) * (s.r + k)) * max(T(0), squared_sine_bound - cosine * cosine));
 }
 
+/// Whether all of `other` is beyond one of the planes of `s`, by its exact extent along the normal
+/// of `s`. `d` is the signed distance of its center along this normal, from the center of `s`.
+template <class T>
+bool is_beyond_slab(const BasicScb<T>& s, const BasicScb<T>& other, const T& d, const T& cosine,
+                    const BasicPlacement<T>& placed) {
+    // The point of its axis that is nearest to its center and in it says on which side it can be.
+    const T axis_point = d + (other.f > 0 ? other.f : other.e < 0 ? other.e : T(0)) * cosine;
+    if (axis_point > s.e)
+        return d - reach_at_cosine(other, T(-cosine), placed.squared_sine_bound) >
+               s.e + placed.margin;
+    if (axis_point < s.f)
+        return d + reach_at_cosine(other, cosine, placed.squared_sine_bound) < s.f - placed.margin;
+    return false;
+}
+
 /// Separation by the exact extents of both SCBs along the normal of A, the normal of B, and the
 /// line through the centers: the "effective radius of the intersection volume itself" of Section
 /// 4's last paragraph. The balls are tested first. No threshold; five square roots at most.
@@ -28,34 +45,17 @@ template <class T>
 Stage overlap_extents(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed) {
     using std::sqrt;
     const Vector3<T> c = transform_point(placed.b_to_a, b.c) - a.c;
-    const T reach = a.r + b.r + placed.margin;
+    const T sum = a.r + b.r + placed.margin;
     const T squared_distance = squared_norm(c);
-    if (squared_distance > reach * reach) return Stage::ball_ball;
+    if (squared_distance > sum * sum) return Stage::ball_ball;
 
     const Vector3<T> n = transform_direction(placed.b_to_a, b.n);
     const T cosine = dot(a.n, n);
 
-    // Along n0, the signed distance of the point of B's axis that is in B says on which side of A's
-    // slab B can be; likewise for A along n1.
     const T d0 = dot(a.n, c);
-    const T from_a = d0 + (b.f > 0 ? b.f : b.e < 0 ? b.e : T(0)) * cosine;
-    if (from_a > a.e) {
-        if (d0 - reach_at_cosine(b, T(-cosine), placed.squared_sine_bound) > a.e + placed.margin)
-            return Stage::slab_a;
-    } else if (from_a < a.f) {
-        if (d0 + reach_at_cosine(b, cosine, placed.squared_sine_bound) < a.f - placed.margin)
-            return Stage::slab_a;
-    }
-
+    if (is_beyond_slab(a, b, d0, cosine, placed)) return Stage::slab_a;
     const T d1 = -dot(n, c);
-    const T from_b = d1 + (a.f > 0 ? a.f : a.e < 0 ? a.e : T(0)) * cosine;
-    if (from_b > b.e) {
-        if (d1 - reach_at_cosine(a, T(-cosine), placed.squared_sine_bound) > b.e + placed.margin)
-            return Stage::slab_b;
-    } else if (from_b < b.f) {
-        if (d1 + reach_at_cosine(a, cosine, placed.squared_sine_bound) < b.f - placed.margin)
-            return Stage::slab_b;
-    }
+    if (is_beyond_slab(b, a, d1, cosine, placed)) return Stage::slab_b;
 
     // Along the line through the centers, where there is one; the sum of the extents may be
     // negative for slabs that leave their centers out.

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/placement.h"
-#include "core/scb.h"
-#include "core/stage.h"
+#include "core/overlap_slabs.h"
 
 namespace scb {
 
@@ -22,21 +20,11 @@ struct Figure8Errata {
 template <Figure8Errata errata, class T>
 Stage overlap_figure8(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed,
                       const T& threshold) {
-    const T reach_b = b.r + placed.margin;
-    const Vector3<T> c = transform_point(placed.b_to_a, b.c) - a.c;
-    const T reach = a.r + reach_b;
-    if (squared_norm(c) > reach * reach) return Stage::ball_ball;
+    SlabDistances<T> at;
+    const Stage rejected = overlap_slabs<errata.line_8>(a, b, placed, at);
+    if (rejected != Stage::overlapping) return rejected;
 
-    const T d0 = dot(a.n, c);
-    if ((d0 - a.e > reach_b) | (a.f - d0 > reach_b)) return Stage::slab_ball;
-
-    const Vector3<T> n = transform_direction(placed.b_to_a, b.n);
-    const T d1 = -dot(n, c);
-    const T reach_a = a.r + placed.margin;
-    if ((d1 - b.e > reach_a) | (b.f - d1 > (errata.line_8 ? reach_b : reach_a)))
-        return Stage::ball_slab;
-
-    const T cosine = dot(a.n, n);
+    const auto& [d0, d1, cosine] = at;
     const bool opposed = cosine < -threshold;
     if (!opposed & !(cosine > threshold)) return Stage::overlapping;
     // B is on this side of A, and this plane of B faces A.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/overlap_figure8.h"
+#include "core/overlap_slabs.h"
 
 namespace scb {
 
@@ -13,20 +13,11 @@ template <class T>
 Stage overlap_symmetric(const BasicScb<T>& a, const BasicScb<T>& b,
                         const BasicPlacement<T>& placed) {
     using std::abs;
-    const T reach_b = b.r + placed.margin;
-    const Vector3<T> c = transform_point(placed.b_to_a, b.c) - a.c;
-    const T reach = a.r + reach_b;
-    if (squared_norm(c) > reach * reach) return Stage::ball_ball;
+    SlabDistances<T> at;
+    const Stage rejected = overlap_slabs(a, b, placed, at);
+    if (rejected != Stage::overlapping) return rejected;
 
-    const T d0 = dot(a.n, c);
-    if ((d0 - a.e > reach_b) | (a.f - d0 > reach_b)) return Stage::slab_ball;
-
-    const Vector3<T> n = transform_direction(placed.b_to_a, b.n);
-    const T d1 = -dot(n, c);
-    const T reach_a = a.r + placed.margin;
-    if ((d1 - b.e > reach_a) | (b.f - d1 > reach_a)) return Stage::ball_slab;
-
-    const T cosine = dot(a.n, n);
+    const auto& [d0, d1, cosine] = at;
     const T squared_sine = placed.squared_sine_bound - cosine * cosine;
     const T middle_a = (a.e + a.f) / 2, half_a = (a.e - a.f) / 2;
     const T middle_b = (b.e + b.f) / 2, half_b = (b.e - b.f) / 2;

@@ -19,21 +19,10 @@ Placement placement(const Pose& b_to_a, double reach_a, double reach_b) {
     return {b_to_a, 64 * unit * lengths + 6 * defect * lengths, 1 + 0x1p-47 + 4 * defect};
 }
 
-namespace {
-double distance(const Vec3& v) { return std::sqrt(squared_norm(v)); }
-}  // namespace
-
-template <>
-double reach(const Scb& v) {
-    return distance(v.c) + v.r;
-}
-template <>
-double reach(const Ball& v) {
-    return distance(v.center) + v.radius;
-}
-template <>
+double reach(const Scb& v) { return std::sqrt(squared_norm(v.c)) + v.r; }
+double reach(const Ball& v) { return std::sqrt(squared_norm(v.center)) + v.radius; }
 double reach(const Obb& v) {
-    return distance(v.center) + distance(v.half);
+    return std::sqrt(squared_norm(v.center)) + std::sqrt(squared_norm(v.half));
 }
 
 }  // namespace scb

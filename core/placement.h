@@ -25,7 +25,8 @@ using Placement = BasicPlacement<double>;
 Placement placement(const Pose& b_to_a, double reach_a, double reach_b);
 
 /// The distance from the origin within which the volume is.
-template <Volume V>
-double reach(const V& v);
+double reach(const Scb& v);
+double reach(const Ball& v);
+double reach(const Obb& v);
 
 }  // namespace scb

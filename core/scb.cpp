@@ -22,7 +22,9 @@ bool contains(const Scb& s, const Vec3& point) {
 }
 
 bool is_well_formed(const Scb& s) {
-    return s.c.allFinite() && std::isfinite(s.r) && std::abs(squared_norm(s.n) - 1) <= 1e-12 &&
+    // More would reach the bound on 1 - cosine^2 of two normals, see placement.
+    constexpr double unit_error = 0x1p-49;
+    return s.c.allFinite() && std::isfinite(s.r) && std::abs(squared_norm(s.n) - 1) <= unit_error &&
            -s.r <= s.f && s.f <= s.e && s.e <= s.r;
 }
 

@@ -1,5 +1,7 @@
 #include "core/stage.h"
 
+#include <numeric>
+
 namespace scb {
 namespace {
 
@@ -11,6 +13,10 @@ constexpr std::array<std::string_view, stage_count> names = {
 static_assert(static_cast<std::size_t>(Stage::axis_a2_b2) + 1 == stage_count);
 
 }  // namespace
+
+std::uint64_t test_count(const StageCounts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
 
 std::string_view stage_name(Stage stage) { return names[static_cast<std::size_t>(stage)]; }
 

@@ -48,6 +48,9 @@ inline constexpr std::size_t stage_count = 24;
 /// Tests per stage, indexed by Stage.
 using StageCounts = std::array<std::uint64_t, stage_count>;
 
+/// The sum of all counts: N_v of equation 1.
+std::uint64_t test_count(const StageCounts& counts);
+
 /// "overlapping", "ball-ball", "slab-cylinder", "axis-a0", "axis-a0xb2", ...
 std::string_view stage_name(Stage stage);
 std::optional<Stage> stage_of(std::string_view name);

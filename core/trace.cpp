@@ -47,6 +47,10 @@ MeshFingerprint fingerprint(const Mesh& mesh) {
             static_cast<std::uint32_t>(mesh.vertices.size()), hash.value};
 }
 
+BodyNames body_names(const TraceHeader& header) {
+    return {header.bodies[0].name, header.bodies[1].name};
+}
+
 TestTree test_tree(const TraceHeader& header, const TraceFrame& frame) {
     const bool stops = header.options.stop_level >= 0;
     return test_tree(frame.events,
@@ -55,16 +59,17 @@ TestTree test_tree(const TraceHeader& header, const TraceFrame& frame) {
 
 std::vector<TraceField> fields_of(const TraceHeader& header) {
     const CollideOptions& options = header.options;
-    std::vector<TraceField> fields = {
-        {"scene", header.scene},
-        {"body A", header.bodies[0].name},
-        {"body B", header.bodies[1].name},
-        {"mesh of A", text_of(header.bodies[0].mesh)},
-        {"mesh of B", text_of(header.bodies[1].mesh)},
-        {"volume", std::string(volume_kind_name(header.volume))},
-        {"growth", header.growth == BallGrowth::ritter ? "ritter" : "radius"},
-        {"margin", number(header.margin)}};
+    std::vector<TraceField> fields = {{"scene", header.scene},
+                                      {"body A", header.bodies[0].name},
+                                      {"body B", header.bodies[1].name},
+                                      {"mesh of A", text_of(header.bodies[0].mesh)},
+                                      {"mesh of B", text_of(header.bodies[1].mesh)},
+                                      {"volume", std::string(volume_kind_name(header.volume))}};
+    // Only what has an effect on these volumes.
+    if (header.volume == VolumeKind::scb || header.volume == VolumeKind::ball)
+        fields.push_back({"growth", header.growth == BallGrowth::ritter ? "ritter" : "radius"});
     if (header.volume == VolumeKind::scb) {
+        fields.push_back({"margin", number(header.margin)});
         fields.push_back({"test", std::string(overlap_test_name(options.overlap.test))});
         if (has_threshold(options.overlap.test))
             fields.push_back({"threshold", number(options.overlap.threshold)});

@@ -25,6 +25,9 @@ struct TraceBody {
     MeshFingerprint mesh;
 };
 
+/// The names of A and B.
+using BodyNames = std::array<std::string, 2>;
+
 /// What the queries of a trace were asked.
 struct TraceHeader {
     std::string scb_version;  ///< of the program that recorded it
@@ -38,6 +41,8 @@ struct TraceHeader {
     double margin = 0;
     CollideOptions options;
 };
+
+BodyNames body_names(const TraceHeader& header);
 
 /// One query.
 struct TraceFrame {

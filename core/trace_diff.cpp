@@ -1,6 +1,8 @@
 #include "core/trace_diff.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 namespace scb {
 namespace {
@@ -25,31 +27,90 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
     return result;
 }
 
-/// Index of the volume test at which the events part; nothing where they do not.
-std::optional<std::size_t> parting_test(const Events& a, const Events& b) {
-    if (a == b) return std::nullopt;
-    const auto& tests_a = a.volume_tests;
-    const auto& tests_b = b.volume_tests;
-    const auto test = std::mismatch(tests_a.begin(), tests_a.end(), tests_b.begin(), tests_b.end());
-    const auto triangles = std::mismatch(a.triangle_tests.begin(), a.triangle_tests.end(),
-                                         b.triangle_tests.begin(), b.triangle_tests.end());
-    auto result = static_cast<std::size_t>(test.first - tests_a.begin());
-    // Triangles are tested after the volumes of their leaves, and before the next ones.
-    if (triangles.first != a.triangle_tests.end())
-        result = std::min<std::size_t>(result, triangles.first->after);
-    if (triangles.second != b.triangle_tests.end())
-        result = std::min<std::size_t>(result, triangles.second->after);
-    return result;
+/// Index of the volume test at which the queries part: in what they test, in what that gives, or
+/// in what they do next. Nothing where they do not.
+std::optional<std::size_t> parting_test(const TraceFrame& a, const TestTree& tree_a,
+                                        const TraceFrame& b, const TestTree& tree_b) {
+    const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
+        const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+        return static_cast<std::size_t>(first.first - of_a.begin());
+    };
+    const std::size_t test = std::min(differ(a.events.volume_tests, b.events.volume_tests),
+                                      differ(tree_a.outcomes, tree_b.outcomes));
+    const std::size_t tests = tree_a.outcomes.size();
+    if (test == tests && tests == tree_b.outcomes.size()) return std::nullopt;
+    return test;
 }
 
-std::optional<TracedTest> traced(const TraceHeader& header, const TraceFrame& frame,
-                                 std::size_t index) {
+std::optional<TracedTest> traced(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
     if (index >= frame.events.volume_tests.size()) return std::nullopt;
-    return traced_test(frame, test_tree(header, frame), index);
+    return traced_test(frame, tree, index);
 }
 
 bool same_pose(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
+}
+
+/// The volume test from which the pair came.
+std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes, IndexPair pair) {
+    if (of_nodes) {
+        std::size_t i = 0;
+        while (tree.outcomes[i] != Outcome::found || frame.events.volume_tests[i].nodes != pair)
+            ++i;
+        return i;
+    }
+    for (const TriangleTest& t : frame.events.triangle_tests)
+        if (t.intersect && t.triangles == pair) return t.after;
+    return 0;
+}
+
+/// Looks for the test of `other` that left out the pair which `finder` found.
+LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const TraceFrame& other,
+                   const TestTree& other_tree, bool of_nodes, IndexPair pair) {
+    LostPair lost{finder.frame, pair, false, std::nullopt, 0};
+    // The finder came down from the roots step by step, so these are all ancestors of the pair.
+    std::set<std::uint32_t> ancestors_a, ancestors_b;
+    for (std::size_t i = test_of(finder, finder_tree, of_nodes, pair);;
+         i = finder_tree.parents[i]) {
+        ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
+        ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
+        if (finder_tree.parents[i] == TestTree::no_parent) break;
+    }
+    for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
+        const Outcome outcome = other_tree.outcomes[i];
+        const IndexPair nodes = other.events.volume_tests[i].nodes;
+        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b ||
+            !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
+            continue;
+        lost.lost_at = traced_test(other, other_tree, i);
+        lost.test = i;
+        break;
+    }
+    return lost;
+}
+
+/// The pairs that only one of the two found.
+void compare_pairs(const TraceFrame& frame_a, const TestTree& tree_a, const TraceFrame& frame_b,
+                   const TestTree& tree_b, TraceDiff& result) {
+    const auto& pairs_a = frame_a.found.pairs;
+    const auto& pairs_b = frame_b.found.pairs;
+    std::vector<IndexPair> only_a, only_b;
+    std::set_difference(pairs_a.begin(), pairs_a.end(), pairs_b.begin(), pairs_b.end(),
+                        std::back_inserter(only_a));
+    std::set_difference(pairs_b.begin(), pairs_b.end(), pairs_a.begin(), pairs_a.end(),
+                        std::back_inserter(only_b));
+    result.pairs_only_in_a += only_a.size();
+    result.pairs_only_in_b += only_b.size();
+    if (only_a.empty() && only_b.empty()) return;
+    for (const IndexPair& pair : only_a) {
+        if (result.lost.size() == TraceDiff::most_lost) return;
+        result.lost.push_back(lost_pair(frame_a, tree_a, frame_b, tree_b, result.of_nodes, pair));
+        result.lost.back().found_by_a = true;
+    }
+    for (const IndexPair& pair : only_b) {
+        if (result.lost.size() == TraceDiff::most_lost) return;
+        result.lost.push_back(lost_pair(frame_b, tree_b, frame_a, tree_a, result.of_nodes, pair));
+    }
 }
 
 TraceFrames frames_of(const Trace& trace) {
@@ -91,6 +152,10 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.asked = asked_differently(a, b);
     result.nodes_comparable =
         a.bodies[0].mesh == b.bodies[0].mesh && a.bodies[1].mesh == b.bodies[1].mesh;
+    result.bodies = body_names(a);
+    result.of_nodes = a.options.stop_level >= 0;
+    result.pairs_comparable =
+        result.nodes_comparable && a.options.stop_level == b.options.stop_level;
     const TraceFrame* frame_a = frames_a();
     const TraceFrame* frame_b = frames_b();
     while (frame_a || frame_b) {
@@ -112,10 +177,14 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         difference.a.add(frame_a->found);
         difference.b.add(frame_b->found);
         std::optional<std::size_t> test;
-        if (result.nodes_comparable) test = parting_test(frame_a->events, frame_b->events);
-        if (test && !result.first)
-            result.first = Parting{frame_a->frame, *test, traced(a, *frame_a, *test),
-                                   traced(b, *frame_b, *test)};
+        if (result.nodes_comparable) {
+            const TestTree tree_a = test_tree(a, *frame_a), tree_b = test_tree(b, *frame_b);
+            test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
+            if (test && !result.first)
+                result.first = Parting{frame_a->frame, *test, traced(*frame_a, tree_a, *test),
+                                       traced(*frame_b, tree_b, *test)};
+            if (result.pairs_comparable) compare_pairs(*frame_a, tree_a, *frame_b, tree_b, result);
+        }
         if (test || difference.poses_differ || difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();

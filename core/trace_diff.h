@@ -46,8 +46,24 @@ struct Parting {
     std::optional<TracedTest> a, b;  ///< nothing where that query had already ended
 };
 
-/// How two traces differ.
+/// A pair that one of two queries found and the other did not.
+struct LostPair {
+    int frame = 0;
+    IndexPair pair;
+    bool found_by_a = false;  ///< else by B
+    /// The test by which the other query left it out, and its number: what that test was about
+    /// contains the pair. Nothing where it had ended before.
+    std::optional<TracedTest> lost_at;
+    std::size_t test = 0;
+};
+
+/// How two traces differ. A and B are the traces here, not the bodies.
 struct TraceDiff {
+    /// So many of the pairs that only one of them found are looked into.
+    static constexpr std::size_t most_lost = 5;
+
+    BodyNames bodies;  ///< as A names them
+
     std::vector<FieldDifference> asked;
     std::vector<int> only_in_a, only_in_b;  ///< frames
     std::size_t common = 0;                 ///< frames that are in both
@@ -55,6 +71,10 @@ struct TraceDiff {
     TraceCounts sum_a, sum_b;               ///< over the common frames
     bool nodes_comparable = true;           ///< false where the meshes differ
     std::optional<Parting> first;           ///< of tests; nothing where nodes are not comparable
+    bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
+    bool pairs_comparable = true;  ///< false where nodes are not, or levels to stop at differ
+    std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;
+    std::vector<LostPair> lost;  ///< of these, the first ones
 
     bool equal() const {
         return asked.empty() && only_in_a.empty() && only_in_b.empty() && frames.empty();

@@ -7,9 +7,9 @@ std::string pair_text(std::uint32_t a, std::uint32_t b) {
     return "(" + std::to_string(a) + ", " + std::to_string(b) + ")";
 }
 
-std::string side_of(const std::optional<TracedTest>& test) {
+std::string side_of(const std::optional<TracedTest>& test, const BodyNames& bodies) {
     if (!test) return "had ended";
-    return "tested " + words_of(test->test) + ": " + words_of(*test);
+    return "tested " + words_of(test->test) + ": " + words_of(*test, bodies);
 }
 
 }  // namespace
@@ -19,16 +19,16 @@ std::string words_of(const VolumeTest& test) {
            pair_text(test.depth_a, test.depth_b);
 }
 
-std::string words_of(const TracedTest& test) {
+std::string words_of(const TracedTest& test, const BodyNames& bodies) {
     const std::string triangles =
         test.triangles ? pair_text(test.triangles->triangles.a, test.triangles->triangles.b) : "";
     switch (test.outcome) {
         case Outcome::rejected:
             return "rejected at " + std::string(stage_name(test.test.stage));
         case Outcome::divided_a:
-            return "overlap, passed on to the children of A's node";
+            return "overlap, passed on to the children of " + bodies[0] + "'s node";
         case Outcome::divided_b:
-            return "overlap, passed on to the children of B's node";
+            return "overlap, passed on to the children of " + bodies[1] + "'s node";
         case Outcome::triangles_apart:
             return "overlap; their triangles " + triangles + " do not intersect";
         case Outcome::triangles_meet:
@@ -41,21 +41,31 @@ std::string words_of(const TracedTest& test) {
     return {};
 }
 
-std::string words_of_parent(const TracedTest& test) {
-    if (!test.parent) return "the roots";
+std::string words_of_parent(const TracedTest& test, const BodyNames& bodies) {
+    if (!test.parent) return "these are the roots";
     return "reached from " + words_of(*test.parent) + ", where " +
-           (test.parent_outcome == Outcome::divided_a ? "A's" : "B's") + " node was divided";
+           bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was divided";
 }
 
-std::string words_of(const Parting& parting) {
+std::string words_of(const Parting& parting, const BodyNames& bodies) {
     std::string text = "frame " + std::to_string(parting.frame) + ", test " +
-                       std::to_string(parting.test) + ", where\n  A " + side_of(parting.a) +
-                       ",\n  B " + side_of(parting.b) + ",\n  ";
-    const std::string from_a = parting.a ? words_of_parent(*parting.a) : "";
-    const std::string from_b = parting.b ? words_of_parent(*parting.b) : "";
+                       std::to_string(parting.test) + ", where\n  the first " +
+                       side_of(parting.a, bodies) + ",\n  the second " +
+                       side_of(parting.b, bodies) + ",\n  ";
+    const std::string from_a = parting.a ? words_of_parent(*parting.a, bodies) : "";
+    const std::string from_b = parting.b ? words_of_parent(*parting.b, bodies) : "";
     if (from_a.empty() || from_b.empty() || from_a == from_b)
         return text + (from_a.empty() ? from_b : from_a) + ".\n";
-    return text + "A " + from_a + ",\n  B " + from_b + ".\n";
+    return text + "the first " + from_a + ",\n  the second " + from_b + ".\n";
+}
+
+std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies) {
+    const std::string what =
+        "frame " + std::to_string(lost.frame) + ", the " + (of_nodes ? "nodes " : "triangles ") +
+        pair_text(lost.pair.a, lost.pair.b) + ": the " + (lost.found_by_a ? "second" : "first");
+    if (!lost.lost_at) return what + " had ended";
+    return what + " left them out at test " + std::to_string(lost.test) + ", " +
+           words_of(lost.lost_at->test) + ": " + words_of(*lost.lost_at, bodies);
 }
 
 }  // namespace scb

@@ -1,4 +1,4 @@
-#include "core/overlap.h"
+#include "core/overlap_options.h"
 
 #include <array>
 

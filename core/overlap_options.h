@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/stage.h"
+
+namespace scb {
+
+/// The overlap tests for two slab cut balls, by name. All but the first never reject a pair that
+/// overlaps or touches; all of them let some pairs pass that do not.
+enum class OverlapTest {
+    printed,    ///< Figure 8 as printed, with both errors: to show what they do
+    line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
+    corrected,  ///< Figure 8 with both corrected
+    symmetric,  ///< overlap_symmetric
+    extents,    ///< overlap_extents
+};
+
+/// "printed", "line8", "corrected", "symmetric", "extents".
+std::string_view overlap_test_name(OverlapTest test);
+std::optional<OverlapTest> overlap_test_of(std::string_view name);
+std::span<const OverlapTest> all_overlap_tests();
+
+/// Whether OverlapOptions::threshold means anything to the test.
+bool has_threshold(OverlapTest test);
+
+struct OverlapOptions {
+    OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
+    /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
+    double threshold = 0.7;
+};
+
+/// The stages at which the test of this volume type can reject, in the order in which it makes
+/// them. Those of slab cut balls depend on their test.
+std::span<const Stage> stages_of(OverlapTest test);
+std::span<const Stage> ball_stages();
+std::span<const Stage> obb_stages();
+
+}  // namespace scb
