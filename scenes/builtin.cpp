@@ -63,6 +63,14 @@ const BuiltinScene* find_builtin(std::string_view name) {
     return nullptr;
 }
 
+std::string missing_mesh_file(const BuiltinScene& scene, const std::filesystem::path& models_dir) {
+    for (const std::string& file : scene.mesh_files) {
+        std::error_code ignored;
+        if (models_dir.empty() || !std::filesystem::exists(models_dir / file, ignored)) return file;
+    }
+    return {};
+}
+
 Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& models_dir) {
     return parse_scene(scene.json, {"built-in " + scene.name, {}, models_dir});
 }

@@ -25,6 +25,9 @@ const std::vector<BuiltinScene>& builtin_scenes();
 /// The built-in scene of this name, or null.
 const BuiltinScene* find_builtin(std::string_view name);
 
+/// The first mesh file that the scene needs and the folder lacks; empty where it has them all.
+std::string missing_mesh_file(const BuiltinScene& scene, const std::filesystem::path& models_dir);
+
 /// Makes the scene's meshes, or loads them from the folder of models. Throws InputError where that
 /// lacks one of `mesh_files` or holds another mesh under its name, see parse_scene.
 Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& models_dir = {});

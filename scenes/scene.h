@@ -11,6 +11,9 @@
 
 namespace scb {
 
+/// No scene has more frames.
+inline constexpr int most_frames = 1'000'000;
+
 /// A mesh that bodies of a scene share, in its body frame.
 struct NamedMesh {
     std::string name;

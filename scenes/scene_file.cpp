@@ -9,7 +9,6 @@
 namespace scb {
 namespace {
 
-constexpr std::int64_t most_frames = 1'000'000;
 constexpr std::size_t most_procedural_triangles = std::size_t{1} << 25;
 
 LinearPath read_position(const JsonPlace& place) {

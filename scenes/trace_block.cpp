@@ -2,11 +2,13 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <new>
 
 #include "scenes/byte_stream.h"
+#include "scenes/scene.h"
 
 namespace scb {
 namespace {
@@ -35,8 +37,8 @@ std::uint8_t symbol_of(const VolumeTest& test, Outcome outcome) {
 }
 
 /// Writes the number that belongs to a node where the reader does not know it yet.
-void tell(ByteWriter& news, std::unordered_map<std::uint32_t, std::uint32_t>& known,
-          std::uint32_t node, std::uint32_t value, std::uint32_t& last) {
+void tell(ByteWriter& news, std::map<std::uint32_t, std::uint32_t>& known, std::uint32_t node,
+          std::uint32_t value, std::uint32_t& last) {
     if (!known.try_emplace(node, value).second) return;
     news.signed_varint(static_cast<std::int64_t>(value) - last);
     last = value;
@@ -57,9 +59,9 @@ struct FrameBuilder {
     std::string failure{};
 
     /// The number that belongs to a node, from `begin` to below `end`, and to no other node.
-    std::uint32_t learn(std::unordered_map<std::uint32_t, std::uint32_t>& known,
-                        std::unordered_set<std::uint32_t>& taken, std::uint32_t node,
-                        std::uint32_t& last, std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t learn(std::map<std::uint32_t, std::uint32_t>& known,
+                        std::set<std::uint32_t>& taken, std::uint32_t node, std::uint32_t& last,
+                        std::uint32_t begin, std::uint32_t end) {
         const auto found = known.find(node);
         if (found != known.end()) return found->second;
         const std::int64_t change = news.signed_varint();
@@ -77,7 +79,8 @@ struct FrameBuilder {
 
     std::uint32_t triangle_of(std::size_t body, std::uint32_t node) {
         TraceNodes& n = nodes[body];
-        if (n.left.contains(node)) failure = "a node is a leaf and is divided";
+        if (n.left.contains(node) || (node == 0 && header.bodies[body].mesh.triangles > 1))
+            failure = "a node is a leaf and is divided";
         return learn(n.triangle, n.triangles, node, n.last_triangle, 0,
                      header.bodies[body].mesh.triangles);
     }
@@ -97,12 +100,18 @@ struct FrameBuilder {
         Stage stage = Stage::overlapping;
         if (symbol >= rejected_first) {
             const int number = symbol - rejected_first + 1;
-            if (number >= static_cast<int>(stage_count)) failure = "a stage is unknown";
             stage = static_cast<Stage>(number);
+            const auto stages = stages_of(header.volume, header.options.overlap);
+            if (std::find(stages.begin(), stages.end(), stage) == stages.end())
+                failure = "a stage is none of its overlap test";
         }
         if (depth_a > std::numeric_limits<std::uint16_t>::max() ||
             depth_b > std::numeric_limits<std::uint16_t>::max())
             failure = "a depth is out of range";
+        const int stop = header.options.stop_level;
+        if (stop >= 0 && (depth_a > stop || depth_b > stop ||
+                          (symbol == divided && depth_a == stop && depth_b == stop)))
+            failure = "there are tests below the level to stop at";
         if (frame.found.pairs.size() >= header.options.max_pairs)
             failure = "there are tests after the last pair";
         if (!failure.empty()) return;
@@ -182,8 +191,7 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
         return "a pose is not rigid";
     const auto symbols = plain.take(plain.varint());
     if (!plain.ok || symbols.empty()) return "a frame has no tests";
-    if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-        return "the number of a frame is out of range";
+    if (number >= most_frames) return "the number of a frame is out of range";
     frame.frame = static_cast<int>(number);
     frame.events.volume_tests.reserve(symbols.size());
 
@@ -210,6 +218,8 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     found.complete = found.pairs.size() < header.options.max_pairs;
     if (found.complete && (!builder.pending.empty() || symbols.size() % 2 == 0))
         return "the tests end before the query did";
+    if (found.n_u != transform_count(header.volume, found.stages, header.options.overlap))
+        return "its counts are not those of its tests";
     std::sort(found.pairs.begin(), found.pairs.end());
     return {};
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "core/trace.h"
@@ -36,9 +36,10 @@ bool starts_as_trace(std::span<const std::uint8_t> bytes);
 
 /// For one body, what the nodes met so far lead to.
 struct TraceNodes {
-    std::unordered_map<std::uint32_t, std::uint32_t> left;      ///< of nodes that were divided
-    std::unordered_map<std::uint32_t, std::uint32_t> triangle;  ///< of leaves
-    std::unordered_set<std::uint32_t> lefts, triangles;         ///< a reader's: those taken
+    // Not hashed: a file could choose its nodes so that all have one hash.
+    std::map<std::uint32_t, std::uint32_t> left;      ///< of nodes that were divided
+    std::map<std::uint32_t, std::uint32_t> triangle;  ///< of leaves
+    std::set<std::uint32_t> lefts, triangles;         ///< a reader's: those taken
     std::uint32_t last_left = 0, last_triangle = 0;             ///< what came last
 };
 

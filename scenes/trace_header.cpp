@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "core/mesh.h"
 #include "scenes/byte_stream.h"
 #include "scenes/trace_block.h"
@@ -55,7 +53,8 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
     header.options.max_pairs = static_cast<std::size_t>(in.varint());
     const std::int64_t level = in.signed_varint();
     legal &= growth <= 1 && level >= -1 && level <= 0xffff && header.options.max_pairs >= 1 &&
-             std::isfinite(header.margin) && std::isfinite(header.options.overlap.threshold);
+             header.margin >= 0 && header.margin <= 1 && header.options.overlap.threshold >= 0 &&
+             header.options.overlap.threshold <= 1;
     if (!in.ok || !in.bytes.empty() || !legal || !volume || !test || !descent) return std::nullopt;
     header.volume = *volume;
     header.options.overlap.test = *test;
