@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/image_file.h"
+#include "render/output_file.h"
 
 namespace scb {
 

@@ -1,15 +1,10 @@
 #include "render/image_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <random>
 #include <string>
 
 #include "core/error.h"
@@ -77,56 +72,6 @@ std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int heig
     return bytes;
 }
 
-std::string advice(int error) {
-    switch (error) {
-        case ENOSPC:
-        case EDQUOT:
-            return "make room on the disk";
-        case ENOENT:
-            return "create the folder first";
-        case EACCES:
-        case EPERM:
-        case EROFS:
-            return "choose a folder that may be written";
-        case ENOTDIR:
-            return "a part of the path is a file, not a folder";
-        case EISDIR:
-            return "a folder has that name";
-        default:
-            return "choose another place";
-    }
-}
-
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-    throw OutputError("Cannot write \"" + path.string() + "\": " + std::strerror(error) + "; " +
-                      advice(error) + ".");
-}
-
-/// Everything, or the errno of what went wrong.
-int write_all(int file, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-/// A new file beside `path`, open for writing, under a name that no one else has; -1 (and errno)
-/// where there cannot be one. Not mkostemp, whose files only their owner may read: the mode that a
-/// plain create gives would then take the umask, which cannot be asked for without setting it.
-int create_beside(const std::filesystem::path& path, std::string& name) {
-    constexpr int attempts = 100;
-    std::random_device random;
-    for (int i = 0; i < attempts; ++i) {
-        name = path.string() + ".part-" + std::to_string(random());
-        const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0 || errno != EEXIST) return file;
-    }
-    return -1;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
@@ -175,23 +120,6 @@ IdImage unpack_ids(const Image& image) {
                              static_cast<std::uint32_t>(image.rgba[i + 2]) << 16 |
                              static_cast<std::uint32_t>(image.rgba[i + 3]) << 24);
     return result;
-}
-
-void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    struct stat existing;
-    // A device is no file to replace: /dev/full and /dev/stdout are written in place.
-    const bool in_place = ::stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode) &&
-                          !S_ISDIR(existing.st_mode);
-    std::string target = path.string();
-    const int file =
-        in_place ? ::open(target.c_str(), O_WRONLY | O_CLOEXEC) : create_beside(path, target);
-    if (file < 0) fail(path, errno);
-    int error = write_all(file, bytes);
-    if (::close(file) != 0 && error == 0) error = errno;
-    if (error == 0 && !in_place && ::rename(target.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    if (!in_place) ::unlink(target.c_str());
-    fail(path, error);
 }
 
 }  // namespace scb
