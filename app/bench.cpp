@@ -13,6 +13,7 @@
 #include "app/version.h"
 #include "core/error.h"
 #include "render/image_file.h"
+#include "render/output_file.h"
 #include "render/renderer.h"
 #include "scenes/builtin.h"
 
@@ -35,6 +36,7 @@ struct Entry {
     Scene scene;
     std::size_t a = 0, b = 0;
     std::vector<int> frames;
+    bool builtin = false;
 };
 
 Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
@@ -59,14 +61,16 @@ std::vector<Entry> entries(const Options& options, const Console& console) {
     std::vector<Entry> result;
     for (const std::string& name : names) {
         const BuiltinScene* builtin = find_builtin(name);
-        if (options.scene.names.empty() && one.models_dir.empty() && builtin != nullptr &&
-            !builtin->mesh_files.empty()) {
-            console.note("scb: " + name + " is left out: it needs " + builtin->mesh_files[0] +
-                         "; name the folder that holds it with --models DIR or SCB_MODELS.");
-            continue;
-        }
+        if (options.scene.names.empty())
+            if (const std::string file = missing_mesh_file(*builtin, one.models_dir);
+                !file.empty()) {
+                console.note("scb: " + name + " is left out: it needs " + file +
+                             "; name the folder that holds it with --models DIR or SCB_MODELS.");
+                continue;
+            }
         one.names = {name};
         Entry entry = entry_of(one, options.query);
+        entry.builtin = builtin != nullptr;
         for (const Entry& other : result)
             if (other.scene.name == entry.scene.name)
                 throw InputError("two scenes have the name '" + entry.scene.name +
@@ -96,11 +100,6 @@ std::string conditions(const Options& options) {
                                  : "median of " + std::to_string(options.repeats) + " runs") +
            " per frame, sorting the pairs included. Compiled by " + compiler_text() +
            ". Times differ from machine to machine and from run to run; counts do not.";
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-    write_file_whole(path,
-                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 /// What the run has written and will print.
@@ -137,7 +136,7 @@ int run(const Options& options, const Console& console) {
     options.picture.check();
     // Meshes first, see render_levels.cpp; and nothing is measured if one of them is refused.
     const std::vector<Entry> all = entries(options, console);
-    warn_of_printed(options.query, console);
+    note_doubts(options.scene, options.query, options.hierarchy.kinds(), console);
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
@@ -161,9 +160,10 @@ int run(const Options& options, const Console& console) {
             progress.step(what);
             return watch.signal() == 0;
         };
-        const std::optional<SceneBench> bench =
+        std::optional<SceneBench> bench =
             bench_scene(entry.scene, entry.a, entry.b, entry.frames, bench_options, step);
         if (!bench) break;
+        bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
@@ -176,8 +176,8 @@ int run(const Options& options, const Console& console) {
             compose(figure, options.picture.width(), options.picture.height(), overlay);
         const std::vector<std::uint8_t> png = encode_png(renderer->draw(picture, &overlay).image);
         write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
-        write_text(folder / "bench.csv", report.csv);
-        write_text(folder / "bench.json", report.json(options));
+        write_file_whole(folder / "bench.csv", report.csv);
+        write_file_whole(folder / "bench.json", report.json(options));
     }
     if (options.json)
         print_result(report.json(options));
@@ -186,7 +186,7 @@ int run(const Options& options, const Console& console) {
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");
-    return 128 + watch.signal();
+    return exit_interrupted(watch.signal());
 }
 
 }  // namespace
@@ -206,6 +206,7 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
     add_hierarchy_options(*command, options->hierarchy);
     add_query_options(*command, options->query, true);
     command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+        ->check(decimal_number())
         ->type_name("N")
         ->capture_default_str();
     command->add_flag("--warm", options->warm,

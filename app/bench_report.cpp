@@ -1,20 +1,12 @@
 #include "app/bench_report.h"
 
-#include <cstdio>
-
 #include "app/table_3.h"
+#include "app/text_format.h"
 
 namespace scb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[200];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 /// The first subject with slab cut balls: what speed-ups are of.
 const SubjectBench* first_scb(const SceneBench& bench) {
@@ -29,9 +21,10 @@ std::vector<double> doubles(const std::vector<std::uint64_t>& values) {
     return {values.begin(), values.end()};
 }
 
-/// What Table 3 has for it; nothing where not all frames were run.
+/// What Table 3 has for it; nothing for other scenes of that name, and where not all frames were
+/// run.
 std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
-    if (!bench.all_frames) return std::nullopt;
+    if (!bench.builtin || !bench.all_frames) return std::nullopt;
     return table_3(bench.scene, kind);
 }
 
@@ -131,7 +124,7 @@ BenchFigure bench_figure(const SceneBench& bench) {
         figure.series.push_back(std::move(series));
     }
     // Where the two spheres' surfaces pass each other (Section 5).
-    if (bench.scene.starts_with("spheres-"))
+    if (bench.builtin && bench.scene.starts_with("spheres-"))
         figure.ranges.push_back({244, 256, "parallel close proximity"});
     return figure;
 }

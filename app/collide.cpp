@@ -1,15 +1,15 @@
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/count_table.h"
 #include "app/exit_status.h"
-#include "app/number_list.h"
+#include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/scene_query.h"
+#include "app/text_format.h"
 #include "core/error.h"
-#include "render/image_file.h"
+#include "render/output_file.h"
 
 namespace scb {
 namespace {
@@ -20,8 +20,7 @@ struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
-    std::int64_t max_pairs = 100'000'000;
-    std::optional<int> level;
+    QueryLimits limits;
     bool first = false, json = false, csv = false;
     std::string pairs_out;
 };
@@ -43,16 +42,9 @@ struct Sums {
         for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
     }
     double mean(std::uint64_t sum) const {
-        return static_cast<double>(sum) / static_cast<double>(frames);
+        return frames == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(frames);
     }
 };
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 std::string csv_header(const std::vector<Stage>& stages) {
     std::string line = "frame,pairs,n_v,n_p,n_u,depth,complete";
@@ -78,17 +70,17 @@ std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
     return line + "\n";
 }
 
-Json json_of(const Options& options, const SceneQuery& query, VolumeKind kind, const Sums& sums,
-             Json frames) {
+Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, Json frames) {
     const auto body = [&](std::size_t i) -> Json {
         return {{"name", query.scene.bodies[i].name},
                 {"triangles", query.mesh(i).triangles.size()}};
     };
     Json result = {{"version", SCB_VERSION},
                    {"scene", query.scene.name},
+                   {"source", utf8_names(options.scene.names)},
                    {"bodies", {body(query.a), body(query.b)}},
-                   {"volume", volume_kind_name(kind)}};
-    if (kind == VolumeKind::scb) {
+                   {"volume", volume_kind_name(query.kind)}};
+    if (query.kind == VolumeKind::scb) {
         result["test"] = options.query.test;
         if (has_threshold(query.options.overlap.test))
             result["threshold"] = options.query.threshold;
@@ -96,7 +88,7 @@ Json json_of(const Options& options, const SceneQuery& query, VolumeKind kind, c
     result["descent"] = options.query.descent;
     result["growth"] = options.hierarchy.growth;
     result["margin"] = options.hierarchy.margin;
-    if (options.level) result["level"] = *options.level;
+    if (options.limits.level) result["level"] = *options.limits.level;
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},
@@ -105,13 +97,13 @@ Json json_of(const Options& options, const SceneQuery& query, VolumeKind kind, c
     return result;
 }
 
-std::string title_of(const Options& options, const SceneQuery& query, VolumeKind kind) {
+std::string title_of(const Options& options, const SceneQuery& query) {
     std::string text = query.scene.name + ": " + query.scene.bodies[query.a].name +
                        format(" (%zu triangles) and ", query.mesh(query.a).triangles.size()) +
                        query.scene.bodies[query.b].name +
                        format(" (%zu triangles), ", query.mesh(query.b).triangles.size()) +
-                       std::string(volume_kind_name(kind)) + " hierarchies";
-    if (kind == VolumeKind::scb) {
+                       std::string(volume_kind_name(query.kind)) + " hierarchies";
+    if (query.kind == VolumeKind::scb) {
         text += ", test " + options.query.test;
         if (has_threshold(query.options.overlap.test) &&
             query.options.overlap.threshold != OverlapOptions{}.threshold)
@@ -121,46 +113,37 @@ std::string title_of(const Options& options, const SceneQuery& query, VolumeKind
     if (options.hierarchy.growth != HierarchyOptions{}.growth)
         text += ", growth " + options.hierarchy.growth;
     if (options.hierarchy.margin != 0) text += format(", margin %g", options.hierarchy.margin);
-    if (options.level) text += format("; pairs of nodes of level %d", *options.level);
+    if (options.limits.level) text += format("; pairs of nodes of level %d", *options.limits.level);
     return text + "\n\n";
 }
 
 int run(const Options& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
-    if (options.max_pairs < 1)
-        throw InputError("--max-pairs " + std::to_string(options.max_pairs) + ": give at least 1.");
-    const VolumeKind kind = options.hierarchy.kind();
-    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, kind, console);
-    const std::vector<int> frames =
-        parse_frames(options.query.frames, query.scene.frames, query.scene.name);
-    query.options.max_pairs = options.first ? 1 : static_cast<std::size_t>(options.max_pairs);
-    const int deepest_level = deepest(query.topologies);
-    if (options.level && (*options.level < 0 || *options.level > deepest_level))
-        throw InputError("--level " + std::to_string(*options.level) +
-                         ": this scene's hierarchies have the levels 0 to " +
-                         std::to_string(deepest_level) + "; give one of these.");
-    query.options.stop_level = options.level.value_or(-1);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    if (options.first) query.options.max_pairs = 1;
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
+    note_doubts(options.scene, options.query, {query.kind}, console);
 
-    warn_of_printed(options.query, console);
-
-    std::vector<Stage> stages = counted_stages(kind, query.options.overlap);
+    std::vector<Stage> stages = counted_stages(query.kind, query.options.overlap);
     // The sixteen of boxes make no table.
     if (!options.json && !options.csv && stages.size() > 8) stages.clear();
     Sums sums;
     std::string text,
-        pairs = options.level ? "frame,node_a,node_b\n" : "frame,triangle_a,triangle_b\n";
+        pairs = options.limits.level ? "frame,node_a,node_b\n" : "frame,triangle_a,triangle_b\n";
     Json json_frames = Json::array();
     if (options.csv)
         text = csv_header(stages);
     else if (!options.json)
-        text = title_of(options, query, kind) + count_table_header(stages);
-    Progress progress(console, frames.size());
-    for (const int frame : frames) {
+        text = title_of(options, query) + count_table_header(stages);
+    const InterruptWatch watch;
+    Progress progress(console, query.frames.size());
+    for (const int frame : query.frames) {
+        if (watch.signal() != 0) break;
         const Collision found = query.collide(frame);
         sums.add(found);
         if (options.json)
-            json_frames.push_back(count_json(frame, found, stages));
+            json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
         else
             text +=
                 options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
@@ -170,20 +153,20 @@ int run(const Options& options, const Console& console) {
         progress.step("frames");
     }
     if (options.json)
-        text = json_of(options, query, kind, sums, std::move(json_frames))
+        text = json_of(options, query, sums, std::move(json_frames))
                    .dump(2, ' ', false, Json::error_handler_t::replace) +
                "\n";
-    else if (!options.csv)
+    else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
-    if (!options.pairs_out.empty())
-        write_file_whole(
-            options.pairs_out,
-            std::span(reinterpret_cast<const std::uint8_t*>(pairs.data()), pairs.size()));
+    if (!options.pairs_out.empty()) write_file_whole(options.pairs_out, pairs);
     print_result(text);
     if (!sums.complete && !options.first)
-        console.note("scb: a query ended at " + std::to_string(options.max_pairs) +
+        console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
                      " pairs (--max-pairs); there may be more.");
-    return exit_done;
+    if (sums.frames == query.frames.size()) return exit_done;
+    console.note("scb: interrupted; " + std::to_string(sums.frames) + " of " +
+                 std::to_string(query.frames.size()) + " frames are finished.");
+    return exit_interrupted(watch.signal());
 }
 
 }  // namespace
@@ -195,15 +178,13 @@ void add_collide(CLI::App& program, const Console& console, Action& action) {
     add_scene_options(*command, options->scene, false);
     add_hierarchy_options(*command, options->hierarchy, false);
     add_query_options(*command, options->query, false);
-    command->add_option("--max-pairs", options->max_pairs, "End a query at this many pairs")
-        ->type_name("K")
-        ->capture_default_str();
+    add_query_limits(*command, options->limits);
     command->add_flag("--first", options->first, "End a query at the first pair");
     command
-        ->add_option("--level", options->level,
-                     "Stop at this level: pairs of nodes, and no triangle tests")
-        ->type_name("K");
-    command->add_option("--pairs-out", options->pairs_out, "Write the pairs to this CSV file")
+        ->add_option(
+            "--pairs-out", options->pairs_out,
+            "Write the pairs to this CSV file: numbers of triangles from 0, in the order of the "
+            "mesh files")
         ->type_name("FILE.csv");
     command->add_flag("--csv", options->csv, "Print CSV instead of a table");
     command->add_flag("--json", options->json, "Print JSON instead of a table");

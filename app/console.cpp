@@ -6,7 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "render/image_file.h"
+#include "render/output_file.h"
+#include "scenes/utf8.h"
 
 namespace scb {
 namespace {
@@ -18,18 +19,22 @@ bool colored(ColorMode mode) {
 
 }  // namespace
 
-void Console::error(std::string_view text) const {
-    // Names from outside may hold anything; a message is one line and does not steer the terminal.
-    std::string sentence(text);
-    for (char& c : sentence)
+std::string printable(std::string text) {
+    text = as_utf8(std::move(text));
+    for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return text;
+}
+
+void Console::error(std::string_view text) const {
+    const std::string sentence = printable(std::string(text));
     const bool red = colored(color);
     std::fprintf(stderr, "%sscb: error:%s %.*s\n", red ? "\033[1;31m" : "", red ? "\033[0m" : "",
                  static_cast<int>(sentence.size()), sentence.data());
 }
 
 void Console::note(std::string_view line) const {
-    if (!quiet) std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+    if (!quiet) std::fprintf(stderr, "%s\n", printable(std::string(line)).c_str());
 }
 
 void Console::progress(std::string_view what, std::size_t done, std::size_t total) const {
@@ -47,7 +52,7 @@ void print_result(std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (written) return;
     throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno) +
-                      "; make room there, or send it elsewhere.");
+                      "; send it elsewhere.");
 }
 
 }  // namespace scb

@@ -1,16 +1,8 @@
 #include "app/count_table.h"
 
-#include <cstdio>
-
+#include "app/text_format.h"
 namespace scb {
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 std::uint64_t tests_at(const Collision& found, Stage stage) {
     return found.stages[static_cast<std::size_t>(stage)];
@@ -18,24 +10,11 @@ std::uint64_t tests_at(const Collision& found, Stage stage) {
 
 unsigned long long wide(std::uint64_t value) { return value; }
 
-std::span<const Stage> rejecting_stages(VolumeKind kind, const OverlapOptions& options) {
-    switch (kind) {
-        case VolumeKind::scb:
-            break;
-        case VolumeKind::ball:
-        case VolumeKind::ritter:
-            return ball_stages();
-        case VolumeKind::obb:
-            return obb_stages();
-    }
-    return stages_of(options.test);
-}
-
 }  // namespace
 
 std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options) {
     std::vector<Stage> stages = {Stage::overlapping};
-    for (const Stage stage : rejecting_stages(kind, options)) stages.push_back(stage);
+    for (const Stage stage : stages_of(kind, options)) stages.push_back(stage);
     return stages;
 }
 
@@ -58,12 +37,17 @@ std::string count_table_row(int frame, const Collision& c, const std::vector<Sta
     return line + (c.complete ? "\n" : "  stopped\n");
 }
 
-nlohmann::ordered_json count_json(int frame, const Collision& c, const std::vector<Stage>& stages) {
-    nlohmann::ordered_json counts;
+nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& c,
+                                  const std::vector<Stage>& stages) {
+    nlohmann::ordered_json counts, pose = nlohmann::ordered_json::array();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) pose.push_back(b_to_a.rotation(row, column));
+        pose.push_back(b_to_a.translation[row]);
+    }
     for (const Stage stage : stages) counts[std::string(stage_name(stage))] = tests_at(c, stage);
-    return {
-        {"frame", frame}, {"pairs", c.pairs.size()}, {"n_v", c.n_v},     {"n_p", c.n_p},
-        {"n_u", c.n_u},   {"depth", c.depth},        {"stages", counts}, {"complete", c.complete}};
+    return {{"frame", frame},   {"pose", pose},     {"pairs", c.pairs.size()},
+            {"n_v", c.n_v},     {"n_p", c.n_p},     {"n_u", c.n_u},
+            {"depth", c.depth}, {"stages", counts}, {"complete", c.complete}};
 }
 
 }  // namespace scb

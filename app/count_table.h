@@ -19,8 +19,8 @@ int stage_column_width(Stage stage);
 std::string count_table_header(const std::vector<Stage>& stages);
 std::string count_table_row(int frame, const Collision& found, const std::vector<Stage>& stages);
 
-/// The same as JSON, in the paper's language.
-nlohmann::ordered_json count_json(int frame, const Collision& found,
+/// The same as JSON, in the paper's language, with the pose of B as A sees it: [R|t] row by row.
+nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
 
 }  // namespace scb

@@ -1,10 +1,10 @@
 #include <cinttypes>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/text_format.h"
 #include "app/trace_input.h"
 #include "app/trace_report.h"
 #include "core/trace_words.h"
@@ -18,13 +18,6 @@ struct Options {
     std::string a, b;
     bool json = false;
 };
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[200];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 /// A count by its name, and how to find it.
 struct CountRow {
@@ -45,11 +38,11 @@ std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b) {
 }
 
 std::string count_table(const TraceCounts& a, const TraceCounts& b) {
-    std::string text = format("%-16s %12s %12s %12s\n", "", "A", "B", "B - A");
+    std::string text = format("%-16s %12s %12s %14s\n", "", "first", "second", "second - first");
     for (const CountRow& row : count_rows(a, b)) {
         const auto change = static_cast<std::int64_t>(row.b - row.a);
         text += format("%-16s %12" PRIu64 " %12" PRIu64, row.name.c_str(), row.a, row.b) +
-                (change == 0 ? format(" %12s\n", "0") : format(" %+12" PRId64 "\n", change));
+                (change == 0 ? format(" %14s\n", "0") : format(" %+14" PRId64 "\n", change));
     }
     return text;
 }
@@ -62,49 +55,79 @@ std::string frame_list(const std::vector<int>& frames) {
     return frames.size() > most ? text + ", ..." : text;
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
+/// "frame 8", "frames 8, 9, 10".
+std::string numbers_of(const std::vector<int>& frames) {
+    return (frames.size() == 1 ? "frame " : "frames ") + frame_list(frames);
+}
+
+std::string plural(std::uint64_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string missing_text(const std::vector<int>& frames, const char* owner) {
     if (frames.empty()) return {};
-    return plural(frames.size(), "frame") + " only in " + owner + ": " + frame_list(frames) + "\n";
+    return plural(frames.size(), "frame") + " only in the " + owner + " (" + numbers_of(frames) +
+           ")\n";
 }
 
 std::string frames_text(const TraceDiff& d) {
     std::string text = plural(d.common, "frame") + " in both";
     if (d.common == 0) return text + "\n";
-    if (d.frames.empty()) return text + ", all of them the same\n";
+    if (d.frames.empty())
+        return text + (d.nodes_comparable ? ", all of them the same\n"
+                                          : ", with equal poses and counts\n");
     std::vector<int> frames, moved;
     for (const FrameDifference& f : d.frames) {
         frames.push_back(f.frame);
         if (f.poses_differ) moved.push_back(f.frame);
     }
-    text += ", " + plural(frames.size(), "frame") +
-            (frames.size() == 1 ? " differs: " : " differ: ") + frame_list(frames) + "\n";
+    text += ", " + std::to_string(frames.size()) + (frames.size() == 1 ? " differs" : " differ") +
+            " (" + numbers_of(frames) + ")\n";
     if (!moved.empty())
-        text += plural(moved.size(), "frame") + " with other poses: " + frame_list(moved) + "\n";
+        text += plural(moved.size(), "frame") + " with other poses (" + numbers_of(moved) + ")\n";
+    return text;
+}
+
+// Which pairs one found and the other did not, and by which test it left them out.
+std::string lost_text(const TraceDiff& d) {
+    if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
+    std::string text = "\n" + plural(d.pairs_only_in_a, "pair") + " only in the first, " +
+                       plural(d.pairs_only_in_b, "pair") + " only in the second";
+    const bool some = d.lost.size() < d.pairs_only_in_a + d.pairs_only_in_b;
+    text += some ? format("; %zu of them:\n", d.lost.size()) : std::string(":\n");
+    for (const LostPair& lost : d.lost) text += "  " + words_of(lost, d.of_nodes, d.bodies) + "\n";
     return text;
 }
 
 std::string text_of(const Options& options, const TraceDiff& d) {
-    std::string text = "A: " + options.a + "\nB: " + options.b + "\n\n";
+    std::string text =
+        "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) + "\n\n";
     if (d.equal()) return text + "equal: " + plural(d.common, "frame") + "\n";
     if (!d.asked.empty()) {
-        text += format("%-10s %-22s %s\n", "asked", "A", "B");
+        std::size_t width = 5;
+        for (const FieldDifference& field : d.asked) width = std::max(width, field.a.size());
+        const auto row = [width](const std::string& name, const std::string& a,
+                                 const std::string& b) {
+            return format("%-10s  ", name.c_str()) + a + std::string(width - a.size(), ' ') + "  " +
+                   b + "\n";
+        };
+        text += row("asked", "first", "second");
         for (const FieldDifference& field : d.asked)
-            text += format("%-10s ", field.name.c_str()) + field.a +
-                    std::string(field.a.size() < 22 ? 22 - field.a.size() : 0, ' ') + " " +
-                    field.b + "\n";
+            text += row(field.name, printable(field.a), printable(field.b));
         text += "\n";
     }
-    text += missing_text(d.only_in_a, "A") + missing_text(d.only_in_b, "B") + frames_text(d);
+    text +=
+        missing_text(d.only_in_a, "first") + missing_text(d.only_in_b, "second") + frames_text(d);
     if (d.common == 0) return text;
-    text += "\n" + count_table(d.sum_a, d.sum_b);
+    text += "\n" +
+            (d.common == 1
+                 ? std::string("Counts of the frame in both:\n")
+                 : "Counts, summed over the " + std::to_string(d.common) + " frames in both:\n") +
+            count_table(d.sum_a, d.sum_b) + lost_text(d);
     if (!d.nodes_comparable)
         text += "\nThe meshes differ, so nodes and triangles cannot be compared.\n";
     else if (d.first)
-        text += "\nThey part at " + words_of(*d.first);
+        text += "\nThey part first at " + words_of(*d.first, d.bodies);
     else
         text += "\nEvery test of the frames in both is the same.\n";
     return text;
@@ -130,11 +153,19 @@ Json json_of(const Options& options, const TraceDiff& d) {
         frames.push_back({{"frame", frame.frame},
                           {"poses_differ", frame.poses_differ},
                           {"counts", counts_json(frame.a, frame.b)}});
+    Json lost = Json::array();
+    for (const LostPair& pair : d.lost)
+        lost.push_back(
+            {{"frame", pair.frame},
+             {"pair", {pair.pair.a, pair.pair.b}},
+             {"found_by", pair.found_by_a ? "a" : "b"},
+             {"test", pair.lost_at ? Json(pair.test) : Json()},
+             {"lost_at", pair.lost_at ? traced_test_json(*pair.lost_at, d.bodies) : Json()}});
     if (d.first)
         first = {{"frame", d.first->frame},
                  {"test", d.first->test},
-                 {"a", d.first->a ? traced_test_json(*d.first->a) : Json()},
-                 {"b", d.first->b ? traced_test_json(*d.first->b) : Json()}};
+                 {"a", d.first->a ? traced_test_json(*d.first->a, d.bodies) : Json()},
+                 {"b", d.first->b ? traced_test_json(*d.first->b, d.bodies) : Json()}};
     return {{"a", options.a},
             {"b", options.b},
             {"equal", d.equal()},
@@ -145,6 +176,9 @@ Json json_of(const Options& options, const TraceDiff& d) {
             {"nodes_comparable", d.nodes_comparable},
             {"sum", counts_json(d.sum_a, d.sum_b)},
             {"frames", frames},
+            {"pairs_only_in_a", d.pairs_only_in_a},
+            {"pairs_only_in_b", d.pairs_only_in_b},
+            {"lost", lost},
             {"first", first}};
 }
 

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/level_cover.h"
 #include "render/any_volume.h"
-#include "render/image_file.h"
+#include "render/output_file.h"
 #include "render/palette.h"
 #include "scenes/mesh_export.h"
 #include "scenes/volume_mesh.h"
@@ -45,6 +45,7 @@ int run(const Options& options, const Console& console) {
     if (kinds.size() != 1)
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
+    check_output(options.output, "-o", options.scene);
     const Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies = build_topologies(scene);
@@ -93,6 +94,7 @@ void add_export(CLI::App& program, const Console& console, Action& action) {
         ->required()
         ->type_name("K");
     command->add_option("--segments", options->segments, "Corners per circle")
+        ->check(decimal_number())
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
         ->required()

@@ -9,7 +9,7 @@
 #include "app/version.h"
 #include "core/error.h"
 #include "render/context.h"
-#include "render/image_file.h"
+#include "render/output_file.h"
 
 namespace scb {
 namespace {
@@ -67,7 +67,8 @@ int run(int argc, char** argv) {
     program.footer(
         "Exit status: 0 done, 2 bad usage or input, 3 the environment failed (disk full, cannot "
         "write),\n"
-        "77 no OpenGL context; 1 is kept for comparisons that find differences.\n\n"
+        "77 no OpenGL context, 130 and 143 interrupted by Ctrl-C and SIGTERM; 1 a comparison found "
+        "differences.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     Console console;
@@ -135,7 +136,8 @@ int run(int argc, char** argv) {
         console.error(std::string(error.what()) + ".");
         return exit_environment;
     } catch (const std::bad_alloc&) {
-        console.error("out of memory; use a smaller mesh, picture or number of levels.");
+        console.error(
+            "out of memory; use a smaller mesh or picture, fewer levels, or --max-pairs.");
         return exit_environment;
     } catch (const std::exception& error) {
         console.error(std::string("unexpected: ") + error.what() + "; please report this.");

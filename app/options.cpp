@@ -1,13 +1,34 @@
 #include "app/options.h"
 
 #include <charconv>
+#include <filesystem>
 #include <sstream>
 
+#include "app/text_format.h"
+#include "app/trace_input.h"
 #include "core/error.h"
+#include "render/output_file.h"
+#include "scenes/utf8.h"
 
 namespace scb {
+namespace {
+
+template <class Number>
+bool parses_as(const std::string& text) {
+    Number value{};
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    return parsed.ec == std::errc() && parsed.ptr == end;
+}
+
+}  // namespace
 
 Scene SceneOptions::load() const {
+    for (const std::string& name : names)
+        if (names_trace(name) && std::filesystem::exists(name))
+            throw InputError(name +
+                             ": this is a trace; print it with `scb trace`, or compare it "
+                             "with `scb diff`.");
     LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
@@ -36,6 +57,32 @@ int SceneOptions::frame_of(const Scene& scene) const {
     throw InputError(sentence.str());
 }
 
+std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
+    std::vector<std::string> result;
+    for (const std::string& name : names) result.push_back(as_utf8(name));
+    return result;
+}
+
+void check_output(const std::string& path, const std::string& option, const SceneOptions& scene) {
+    if (path.empty()) throw InputError(option + ": the file has no name; name one.");
+    if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
+    std::error_code ignored;
+    for (const std::string& name : scene.names)
+        for (const std::filesystem::path& folder :
+             {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
+            if (std::filesystem::equivalent(path, folder / name, ignored))
+                throw InputError(option + " " + path +
+                                 ": the scene is read from this file; name another.");
+    // Before the work, not after it.
+    std::filesystem::path parent = std::filesystem::path(path).parent_path();
+    if (parent.empty()) parent = ".";
+    if (!std::filesystem::is_directory(parent, ignored))
+        throw OutputError(option + " " + path + ": there is no folder " + parent.string() +
+                          "; create it first.");
+    if (std::filesystem::is_directory(path, ignored) || path.back() == '/')
+        throw OutputError(option + " " + path + ": a folder has that name; name a file.");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame) {
     command
         .add_option(
@@ -46,7 +93,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame
         ->type_name("[SCENE]");
     command
         .add_option("--pose", options.pose,
-                    "Pose of the second of two meshes: 12 numbers, [R|t] row by row")
+                    "Pose of the second of two meshes: 12 numbers, [R|t] row by row, with commas")
         ->delimiter(',')
         ->expected(12)
         ->type_name("R00,R01,R02,T0,...");
@@ -56,7 +103,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame
         ->envname("SCB_MODELS")
         ->type_name("DIR");
     if (with_frame)
-        command.add_option("--frame", options.frame, "Frame of the scene")->type_name("N");
+        command.add_option("--frame", options.frame, "Frame of the scene")
+            ->check(decimal_number())
+            ->type_name("N");
 }
 
 FitOptions HierarchyOptions::fit() const {
@@ -66,9 +115,8 @@ FitOptions HierarchyOptions::fit() const {
     else if (growth != "ritter")
         throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
     if (!(margin >= 0 && margin <= 1))
-        throw InputError("--margin " + std::to_string(margin) +
-                         ": give a share of the radius from 0 to 1.");
-    options.margin = margin;
+        throw InputError(format("--margin %g: give a share of the radius from 0 to 1.", margin));
+    options.margin = margin + 0.0;  // -0 is 0
     return options;
 }
 
@@ -103,7 +151,27 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool se
         ->type_name("RULE")
         ->capture_default_str();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
+        ->check(real_number())
         ->capture_default_str();
+}
+
+CLI::Validator decimal_number() {
+    return CLI::Validator(
+        [](std::string& text) -> std::string {
+            const std::size_t sign = text.starts_with('-') ? 1 : 0;
+            const bool padded = text.size() > sign + 1 && text[sign] == '0';
+            if (parses_as<std::int64_t>(text) && !padded) return {};
+            return "'" + text + "' is no whole number";
+        },
+        "");
+}
+
+CLI::Validator real_number() {
+    return CLI::Validator(
+        [](std::string& text) -> std::string {
+            return parses_as<double>(text) ? "" : "'" + text + "' is no number";
+        },
+        "");
 }
 
 std::vector<std::string> split_list(const std::string& text, char separator) {

@@ -23,6 +23,14 @@ struct SceneOptions {
     /// no such frame.
     int frame_of(const Scene& scene) const;
 };
+
+/// The names as UTF-8, for JSON and headers.
+std::vector<std::string> utf8_names(const std::vector<std::string>& names);
+
+/// Throws InputError where `path` names no file or one that the scene is read from, and OutputError
+/// where there cannot be such a file.
+void check_output(const std::string& path, const std::string& option, const SceneOptions& scene);
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);
 
 /// How hierarchies are fitted.
@@ -39,6 +47,12 @@ struct HierarchyOptions {
 };
 /// `several`: whether --volume takes a list.
 void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool several = true);
+
+/// Refuses what is no whole number in decimal: CLI11 alone reads 010 as 8, and holds a number that
+/// is too large for the largest one.
+CLI::Validator decimal_number();
+/// The same for numbers with a fraction.
+CLI::Validator real_number();
 
 /// "1,2,3" cut at the separators; empty parts stay.
 std::vector<std::string> split_list(const std::string& text, char separator = ',');

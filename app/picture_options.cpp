@@ -4,7 +4,7 @@
 
 #include "app/options.h"
 #include "core/error.h"
-#include "render/image_file.h"
+#include "render/output_file.h"
 
 namespace scb {
 namespace {
@@ -26,8 +26,10 @@ void PictureOptions::check() const {
     if (width() < smallest_width || height() < smallest_height || width() > most || height() > most)
         throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
                          std::to_string(smallest_height) + " to " + std::to_string(most) + "x" +
-                         std::to_string(most) + " pixels (with " + std::to_string(samples) +
-                         " samples).");
+                         std::to_string(most) + " pixels" +
+                         (samples == 4 && width() <= largest && height() <= largest
+                              ? ", or twice that with --samples 1."
+                              : "."));
     if (samples != 1 && samples != 4)
         throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
     if (job_count < 0 || job_count > 256)
@@ -56,6 +58,7 @@ std::size_t PictureOptions::jobs() const {
 }
 
 std::filesystem::path PictureOptions::output_folder() const {
+    if (output.empty()) throw InputError("-o: the folder has no name; name one.");
     std::error_code error;
     std::filesystem::create_directories(output, error);
     if (error || !std::filesystem::is_directory(output))
@@ -79,6 +82,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command.add_option("--up", camera.up, "The axis that points up: x, y or z")->type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
+        ->check(decimal_number())
         ->capture_default_str();
     command.add_option("--background", options.background, "light or dark")
         ->type_name("THEME")
@@ -89,6 +93,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command
         .add_option("--jobs", options.job_count,
                     "Threads that compress pictures; 0 is one per core")
+        ->check(decimal_number())
         ->capture_default_str();
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");

@@ -2,9 +2,27 @@
 
 #include <algorithm>
 
+#include "app/text_format.h"
 #include "core/error.h"
 
 namespace scb {
+namespace {
+
+std::string test_names() {
+    std::string names;
+    for (const OverlapTest test : all_overlap_tests())
+        names += (names.empty() ? "" : ", ") + std::string(overlap_test_name(test));
+    return names;
+}
+
+std::string rule_names() {
+    std::string names;
+    for (const DescentRule rule : all_descent_rules())
+        names += (names.empty() ? "" : ", ") + std::string(descent_rule_name(rule));
+    return names;
+}
+
+}  // namespace
 
 std::vector<OverlapTest> QueryOptions::tests() const {
     std::vector<OverlapTest> tests;
@@ -12,8 +30,7 @@ std::vector<OverlapTest> QueryOptions::tests() const {
         const std::optional<OverlapTest> found = overlap_test_of(name);
         if (!found)
             throw InputError("--test " + test + ": '" + name +
-                             "' is no overlap test; give symmetric, corrected, extents, line8 or "
-                             "printed.");
+                             "' is no overlap test; give one of " + test_names() + ".");
         if (std::find(tests.begin(), tests.end(), *found) == tests.end()) tests.push_back(*found);
     }
     return tests;
@@ -26,20 +43,38 @@ CollideOptions QueryOptions::collide() const {
         throw InputError("--test " + test + ": this command takes one overlap test at a time.");
     options.overlap.test = all[0];
     if (!(threshold >= 0 && threshold <= 1))
-        throw InputError("--threshold " + std::to_string(threshold) +
-                         ": give a cosine from 0 to 1.");
-    options.overlap.threshold = threshold;
+        throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
+    options.overlap.threshold = threshold + 0.0;  // -0 is 0
     const std::optional<DescentRule> rule = descent_rule_of(descent);
     if (!rule)
-        throw InputError("--descent " + descent +
-                         ": unknown rule; give radius, area, volume or alternating.");
+        throw InputError("--descent " + descent + ": unknown rule; give one of " + rule_names() +
+                         ".");
     options.descent = *rule;
     return options;
 }
 
-void warn_of_printed(const QueryOptions& options, const Console& console) {
-    const std::vector<OverlapTest> all = options.tests();
-    if (std::find(all.begin(), all.end(), OverlapTest::printed) != all.end())
+void QueryLimits::apply(CollideOptions& options, int deepest_level) const {
+    if (max_pairs < 1)
+        throw InputError("--max-pairs " + std::to_string(max_pairs) + ": give at least 1.");
+    if (level && (*level < 0 || *level > deepest_level))
+        throw InputError("--level " + std::to_string(*level) +
+                         ": this scene's hierarchies have the levels 0 to " +
+                         std::to_string(deepest_level) + "; give one of these.");
+    options.max_pairs = static_cast<std::size_t>(max_pairs);
+    options.stop_level = level.value_or(-1);
+}
+
+void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console) {
+    const QueryOptions defaults;
+    const std::vector<OverlapTest> tests = options.tests();
+    const bool has_scb = std::find(kinds.begin(), kinds.end(), VolumeKind::scb) != kinds.end();
+    if (!has_scb && (options.test != defaults.test || options.threshold != defaults.threshold))
+        console.note("scb: --test and --threshold have no effect: they are for slab cut balls.");
+    else if (options.threshold != defaults.threshold &&
+             std::none_of(tests.begin(), tests.end(), has_threshold))
+        console.note("scb: --threshold has no effect on --test " + options.test + ".");
+    if (has_scb && std::find(tests.begin(), tests.end(), OverlapTest::printed) != tests.end())
         console.note(
             "scb: the test 'printed' rejects some volumes that meet, so pairs may be missing.");
 }
@@ -49,19 +84,19 @@ void add_query_options(CLI::App& command, QueryOptions& options, bool several_te
         .add_option("--test", options.test,
                     std::string(several_tests ? "Overlap tests for slab cut balls: some of "
                                               : "Overlap test for slab cut balls: ") +
-                        "symmetric, corrected, extents, line8, printed (which misses collisions)")
+                        test_names() + " (printed misses collisions)")
         ->type_name(several_tests ? "LIST" : "TEST")
         ->capture_default_str();
     command
         .add_option("--threshold", options.threshold,
                     "The paper's a, of corrected, line8 and printed: cylinders are tested where "
                     "|n0.n1| is above it")
+        ->check(real_number())
         ->type_name("A")
         ->capture_default_str();
     command
         .add_option("--descent", options.descent,
-                    "Which of two nodes is divided: the larger by radius, area or volume, or "
-                    "alternating")
+                    "Which of two nodes is divided, the larger or by turns: " + rule_names())
         ->type_name("RULE")
         ->capture_default_str();
     command.add_option("--frames", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
@@ -71,6 +106,18 @@ void add_query_options(CLI::App& command, QueryOptions& options, bool several_te
         .add_option("--bodies", options.bodies,
                     "Names of the two bodies, where the scene has more than two")
         ->type_name("A,B");
+}
+
+void add_query_limits(CLI::App& command, QueryLimits& limits) {
+    command.add_option("--max-pairs", limits.max_pairs, "End a query at this many pairs")
+        ->check(decimal_number())
+        ->type_name("K")
+        ->capture_default_str();
+    command
+        .add_option("--level", limits.level,
+                    "Stop at this level: pairs of nodes, and no triangle tests")
+        ->check(decimal_number())
+        ->type_name("K");
 }
 
 }  // namespace scb

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,9 @@ namespace scb {
 
 /// What every command that makes collision queries understands, beside the scene and hierarchies.
 struct QueryOptions {
-    std::string test = "symmetric";
+    std::string test{overlap_test_name(OverlapOptions{}.test)};
     double threshold = OverlapOptions{}.threshold;
-    std::string descent = "radius";
+    std::string descent{descent_rule_name(CollideOptions{}.descent)};
     std::string frames = "all";
     std::string bodies;
 
@@ -22,10 +24,23 @@ struct QueryOptions {
     CollideOptions collide() const;
 };
 
-/// Notes that `printed` is among the tests, where it is.
-void warn_of_printed(const QueryOptions& options, const Console& console);
+/// Where a query ends before it has found everything.
+struct QueryLimits {
+    std::int64_t max_pairs = 100'000'000;
+    std::optional<int> level;
+
+    /// Sets CollideOptions::max_pairs and stop_level; throws InputError where the number of pairs
+    /// or the level is none. `deepest_level` is the scene's.
+    void apply(CollideOptions& options, int deepest_level) const;
+};
+
+/// Notes what of the options may surprise: that `printed` is among the tests, and which of them
+/// have no effect on hierarchies of these kinds.
+void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console);
 
 /// `several_tests`: whether --test takes a list.
 void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests);
+void add_query_limits(CLI::App& command, QueryLimits& limits);
 
 }  // namespace scb

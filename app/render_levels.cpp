@@ -11,8 +11,8 @@
 #include "app/scene_hierarchies.h"
 #include "core/error.h"
 #include "render/encode_queue.h"
-#include "render/image_file.h"
 #include "render/level_sheet.h"
+#include "render/output_file.h"
 #include "render/renderer.h"
 
 namespace scb {
@@ -196,8 +196,7 @@ int run(const LevelOptions& options, const Console& console) {
     const std::string text =
         index.text(options, scene, frame, levels, exact_spec(spec, figure.camera, figure.center),
                    context.info());
-    write_file_whole(folder / "index.json",
-                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    write_file_whole(folder / "index.json", text);
     written.push_back("index.json");
     std::string list;
     for (const std::string& name : written) list += (folder / name).string() + "\n";

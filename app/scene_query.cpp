@@ -1,5 +1,6 @@
 #include "app/scene_query.h"
 
+#include "app/number_list.h"
 #include "core/error.h"
 
 namespace scb {
@@ -54,17 +55,26 @@ std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::st
 }
 
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                      const QueryOptions& query, VolumeKind kind, const Console& console) {
+                      const QueryOptions& query, const QueryLimits& limits) {
+    const VolumeKind kind = hierarchy.kind();
     SceneQuery result;
     result.options = query.collide();
     const FitOptions fit = hierarchy.fit();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
-    if (scene.names.size() == 2 && scene.pose.empty())
-        console.note("scb: both bodies are at the same pose; --pose moves the second.");
     result.topologies = build_topologies(result.scene);
+    result.kind = kind;
+    limits.apply(result.options, deepest(result.topologies));
+    result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
     result.hierarchies = fit_meshes(result.topologies, kind, fit);
     return result;
+}
+
+void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+                 const std::vector<VolumeKind>& kinds, const Console& console) {
+    if (scene.names.size() == 2 && scene.pose.empty())
+        console.note("scb: both bodies are at the same pose; --pose moves the second.");
+    note_doubts(query, kinds, console);
 }
 
 }  // namespace scb

@@ -9,6 +9,8 @@ namespace scb {
 /// Two bodies of a scene, ready for queries frame by frame.
 struct SceneQuery {
     Scene scene;
+    VolumeKind kind = VolumeKind::scb;
+    std::vector<int> frames;                ///< those asked for, ascending
     std::size_t a = 0, b = 0;               ///< indices of Scene::bodies
     std::vector<MeshTopology> topologies;   ///< per mesh
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
@@ -26,9 +28,12 @@ struct SceneQuery {
 /// choice, or names no body.
 std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::string& names);
 
-/// Loads the scene and builds hierarchies of `kind`. Throws InputError. Notes where two meshes were
-/// left at the same pose.
+/// Checks everything that was asked, loads the scene and builds its hierarchies. Throws InputError.
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                      const QueryOptions& query, VolumeKind kind, const Console& console);
+                      const QueryOptions& query, const QueryLimits& limits);
+
+/// Notes what may surprise: two meshes left at the same pose, and what note_doubts says.
+void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+                 const std::vector<VolumeKind>& kinds, const Console& console);
 
 }  // namespace scb

@@ -1,11 +1,11 @@
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/options.h"
+#include "app/text_format.h"
 
 namespace scb {
 namespace {
@@ -31,12 +31,6 @@ struct Measured {
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
 };
-
-std::string format(const char* pattern, auto... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 /// The value over that of the level above.
 double ratio(double value, double above) { return above > 0 ? value / above : 0; }

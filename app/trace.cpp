@@ -13,8 +13,7 @@
 #include "app/trace_input.h"
 #include "app/trace_report.h"
 #include "core/error.h"
-#include "render/image_file.h"
-#include "scenes/utf8.h"
+#include "render/output_file.h"
 
 namespace scb {
 namespace {
@@ -23,23 +22,22 @@ struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
-    std::int64_t max_pairs = 100'000'000;
-    std::optional<int> level;
+    QueryLimits limits;
     bool json = false, events = false;
     std::string output;
 };
 
-TraceHeader header_of(const Options& options, const SceneQuery& query, VolumeKind kind) {
+TraceHeader header_of(const Options& options, const SceneQuery& query) {
     TraceHeader header;
     header.scb_version = SCB_VERSION;
-    for (const std::string& name : options.scene.names) header.source.push_back(as_utf8(name));
+    header.source = utf8_names(options.scene.names);
     header.scene = query.scene.name;
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t body = side == 0 ? query.a : query.b;
         header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
     }
     const FitOptions fit = options.hierarchy.fit();
-    header.volume = kind;
+    header.volume = query.kind;
     header.growth = fit.growth;
     header.margin = fit.margin;
     header.options = query.options;
@@ -47,36 +45,27 @@ TraceHeader header_of(const Options& options, const SceneQuery& query, VolumeKin
 }
 
 int record(const Options& options, const Console& console) {
-    if (options.output.empty())
+    if (options.output.empty()) {
+        options.scene.load();  // may say that there is no such scene
         throw InputError("there is nowhere to write the trace; give -o FILE.scbtrace.");
+    }
     if (options.json || options.events)
         throw InputError(std::string(options.json ? "--json" : "--events") +
                          " prints a trace that exists; record it first, then give its file.");
-    if (options.max_pairs < 1)
-        throw InputError("--max-pairs " + std::to_string(options.max_pairs) + ": give at least 1.");
-    const VolumeKind kind = options.hierarchy.kind();
-    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, kind, console);
-    const std::vector<int> frames =
-        parse_frames(options.query.frames, query.scene.frames, query.scene.name);
-    const int deepest_level = deepest(query.topologies);
-    if (options.level && (*options.level < 0 || *options.level > deepest_level))
-        throw InputError("--level " + std::to_string(*options.level) +
-                         ": this scene's hierarchies have the levels 0 to " +
-                         std::to_string(deepest_level) + "; give one of these.");
-    query.options.max_pairs = static_cast<std::size_t>(options.max_pairs);
-    query.options.stop_level = options.level.value_or(-1);
-    warn_of_printed(options.query, console);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    check_output(options.output, "-o", options.scene);
+    note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;
-    TraceWriter writer(header_of(options, query, kind));
-    Progress progress(console, frames.size());
+    TraceWriter writer(header_of(options, query));
+    Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
     EventRecorder recorder;
-    for (; done < frames.size() && watch.signal() == 0; ++done) {
+    for (; done < query.frames.size() && watch.signal() == 0; ++done) {
         recorder.events.volume_tests.clear();
         recorder.events.triangle_tests.clear();
-        TraceFrame frame{frames[done], query.b_to_a(frames[done]), {}, {}};
+        TraceFrame frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
         frame.found = query.collide(frame.frame, recorder);
         std::swap(frame.events, recorder.events);
         writer.add(frame);
@@ -91,10 +80,11 @@ int record(const Options& options, const Console& console) {
                      (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +
                      " volume tests, " + std::to_string(bytes.size()) + " bytes.");
     }
-    if (watch.signal() == 0) return exit_done;
-    console.note("scb: interrupted; " + std::to_string(done) + " of " +
-                 std::to_string(frames.size()) + " frames are in the trace.");
-    return 128 + watch.signal();
+    if (done == query.frames.size()) return exit_done;
+    console.note(done == 0 ? "scb: interrupted before the first frame; no trace was written."
+                           : "scb: interrupted; " + std::to_string(done) + " of " +
+                                 std::to_string(query.frames.size()) + " frames are in the trace.");
+    return exit_interrupted(watch.signal());
 }
 
 /// The frames that were asked for, ascending; all of them where nothing was.
@@ -104,8 +94,13 @@ std::vector<int> chosen_frames(const Options& options) {
     std::vector<int> all;
     while (const TraceFrame* frame = input.reader.next()) all.push_back(frame->frame);
     if (options.query.frames == "all" || all.empty()) return all;
-    const std::vector<int> wanted =
-        parse_frames(options.query.frames, all.back() + 1, input.reader.header().scene);
+    std::vector<int> wanted;
+    for (const std::string& part : split_list(options.query.frames)) {
+        const std::vector<int> numbers =
+            part == "all" ? all : parse_frames(part, most_frames, input.reader.header().scene);
+        wanted.insert(wanted.end(), numbers.begin(), numbers.end());
+    }
+    std::sort(wanted.begin(), wanted.end());
     for (const int frame : wanted)
         if (!std::binary_search(all.begin(), all.end(), frame))
             throw InputError("--frames " + options.query.frames + ": " + path + " has no frame " +
@@ -115,8 +110,14 @@ std::vector<int> chosen_frames(const Options& options) {
     return wanted;
 }
 
-int print(const Options& options) {
+/// `given`: options on the command line that only recording has a use for.
+int print(const Options& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
+    if (!given.empty())
+        throw InputError(
+            given[0] + ": " + path +
+            " is a trace already, of what it says; give a scene to record, or leave out " +
+            given[0] + ".");
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
     // Reads all frames once before anything is printed, so that a bad file gives no half answer.
@@ -139,14 +140,19 @@ int print(const Options& options) {
     while (const TraceFrame* frame = input.reader.next()) {
         if (!std::binary_search(wanted.begin(), wanted.end(), frame->frame)) continue;
         if (options.json) {
-            nlohmann::ordered_json row = count_json(frame->frame, frame->found, stages);
-            if (options.events) row["tests"] = trace_events_json(header, *frame);
-            print_result((printed == 0 ? "\n    " : ",\n    ") + row.dump());
+            std::string row = count_json(frame->frame, frame->b_to_a, frame->found, stages).dump();
+            if (options.events) row.back() = ',';  // the brace that closes it
+            print_result((printed == 0 ? "\n    " : ",\n    ") + row);
+            if (options.events) {
+                print_result("\"tests\": [");
+                print_events_json(header, *frame, "      ");
+                print_result("\n    ]}");
+            }
         } else {
             const std::string row = count_table_row(frame->frame, frame->found, stages);
-            print_result(options.events ? (printed == 0 ? "" : "\n") + table_header + row + "\n" +
-                                              trace_events_text(header, *frame)
+            print_result(options.events ? (printed == 0 ? "" : "\n") + table_header + row + "\n"
                                         : row);
+            if (options.events) print_events(header, *frame);
         }
         ++printed;
     }
@@ -163,13 +169,7 @@ void add_trace(CLI::App& program, const Console& console, Action& action) {
     add_scene_options(*command, options->scene, false);
     add_hierarchy_options(*command, options->hierarchy, false);
     add_query_options(*command, options->query, false);
-    command->add_option("--max-pairs", options->max_pairs, "End a query at this many pairs")
-        ->type_name("K")
-        ->capture_default_str();
-    command
-        ->add_option("--level", options->level,
-                     "Stop at this level: pairs of nodes, and no triangle tests")
-        ->type_name("K");
+    add_query_limits(*command, options->limits);
     command->add_option("-o,--output", options->output, "Write the trace to this file")
         ->type_name("FILE.scbtrace");
     command->add_flag("--events", options->events, "Print every test of the trace");
@@ -183,10 +183,15 @@ void add_trace(CLI::App& program, const Console& console, Action& action) {
         "Examples:\n"
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
         "  scb trace spheres.scbtrace --frames 250 --events");
-    command->callback([&action, &console, options] {
-        action = [&console, options] {
+    command->callback([&action, &console, command, options] {
+        std::vector<std::string> given;
+        for (const char* option :
+             {"--pose", "--volume", "--growth", "--margin", "--test", "--threshold", "--descent",
+              "--bodies", "--max-pairs", "--level"})
+            if (command->count(option) > 0) given.emplace_back(option);
+        action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
-            return names.size() == 1 && names_trace(names[0]) ? print(*options)
+            return names.size() == 1 && names_trace(names[0]) ? print(*options, given)
                                                               : record(*options, console);
         };
     });

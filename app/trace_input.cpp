@@ -14,8 +14,18 @@ std::span<const std::uint8_t> as_bytes(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+// A file that is no trace is refused by its first bytes, however long it is.
+std::string trace_bytes(const std::string& path) {
+    const std::string start = file_bytes(path, 8);
+    return starts_as_trace(as_bytes(start)) ? file_bytes(path) : start;
+}
+
+}  // namespace
+
 TraceInput::TraceInput(const std::string& path)
-    : bytes(file_bytes(path)), reader(as_bytes(bytes), path) {}
+    : bytes(trace_bytes(path)), reader(as_bytes(bytes), path) {}
 
 bool names_trace(const std::string& path) {
     if (path.ends_with(".scbtrace")) return true;

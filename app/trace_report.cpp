@@ -1,7 +1,7 @@
 #include "app/trace_report.h"
 
-#include <cstdio>
-
+#include "app/console.h"
+#include "app/text_format.h"
 #include "core/trace_words.h"
 
 namespace scb {
@@ -9,11 +9,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
+// Prints the text once it is long enough to be worth it, and clears it.
+void print_block(std::string& text) {
+    constexpr std::size_t block = std::size_t{1} << 16;
+    if (text.size() < block) return;
+    print_result(text);
+    text.clear();
 }
 
 }  // namespace
@@ -21,8 +22,11 @@ std::string format(const char* pattern, Values... values) {
 std::string trace_header_text(const TraceHeader& header) {
     std::string text;
     for (const TraceField& field : fields_of(header))
-        text += format("%-10s ", field.name.c_str()) + field.value + "\n";
-    return text + "recorded by scb " + header.scb_version + "\n";
+        text += format("%-10s ", field.name.c_str()) + printable(field.value) + "\n";
+    std::string files;
+    for (const std::string& name : header.source) files += (files.empty() ? "" : " ") + name;
+    text += format("%-10s ", "named") + printable(files) + "\n";
+    return text + "recorded by scb " + printable(header.scb_version) + "\n";
 }
 
 Json trace_header_json(const TraceHeader& header) {
@@ -47,30 +51,31 @@ Json trace_header_json(const TraceHeader& header) {
     }
     result["descent"] = descent_rule_name(header.options.descent);
     result["max_pairs"] = header.options.max_pairs;
-    if (header.options.stop_level >= 0) result["level"] = header.options.stop_level;
+    result["level"] = header.options.stop_level >= 0 ? Json(header.options.stop_level) : Json();
     return result;
 }
 
-Json traced_test_json(const TracedTest& test) {
+Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     const auto nodes = [](const VolumeTest& t) -> Json {
         return {{"nodes", {t.nodes.a, t.nodes.b}}, {"depths", {t.depth_a, t.depth_b}}};
     };
     Json result = nodes(test.test);
     result["stage"] = stage_name(test.test.stage);
-    result["outcome"] = words_of(test);
+    result["outcome"] = words_of(test, bodies);
     if (test.triangles) {
         result["triangles"] = {test.triangles->triangles.a, test.triangles->triangles.b};
         result["intersect"] = test.triangles->intersect;
     }
     if (test.parent) {
         result["parent"] = nodes(*test.parent);
-        result["parent"]["divided"] = test.parent_outcome == Outcome::divided_a ? "A" : "B";
+        result["parent"]["divided"] = bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
     }
     return result;
 }
 
-std::string trace_events_text(const TraceHeader& header, const TraceFrame& frame) {
+void print_events(const TraceHeader& header, const TraceFrame& frame) {
     const TestTree tree = test_tree(header, frame);
+    const BodyNames names = body_names(header), bodies = {printable(names[0]), printable(names[1])};
     std::string text = "   test  parent   node A   node B  depths  outcome\n";
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
         const TracedTest test = traced_test(frame, tree, i);
@@ -78,17 +83,27 @@ std::string trace_events_text(const TraceHeader& header, const TraceFrame& frame
             tree.parents[i] == TestTree::no_parent ? "-" : std::to_string(tree.parents[i]);
         text += format("%7zu %7s %8u %8u %3d %3d  ", i, parent.c_str(), test.test.nodes.a,
                        test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
-                words_of(test) + "\n";
+                words_of(test, bodies) + "\n";
+        print_block(text);
     }
-    return text;
+    print_result(text);
 }
 
-Json trace_events_json(const TraceHeader& header, const TraceFrame& frame) {
+void print_events_json(const TraceHeader& header, const TraceFrame& frame,
+                       const std::string& indent) {
     const TestTree tree = test_tree(header, frame);
-    Json list = Json::array();
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
-        list.push_back(traced_test_json(traced_test(frame, tree, i)));
-    return list;
+    const BodyNames bodies = body_names(header);
+    std::string text;
+    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+        Json row = {{"test", i}};
+        const std::uint32_t parent = tree.parents[i];
+        row["parent_test"] = parent == TestTree::no_parent ? Json() : Json(parent);
+        row.update(traced_test_json(traced_test(frame, tree, i), bodies));
+        text += (i == 0 ? "\n" : ",\n") + indent +
+                row.dump(-1, ' ', false, Json::error_handler_t::replace);
+        print_block(text);
+    }
+    print_result(text);
 }
 
 }  // namespace scb

@@ -12,10 +12,12 @@ std::string trace_header_text(const TraceHeader& header);
 nlohmann::ordered_json trace_header_json(const TraceHeader& header);
 
 /// One test: nodes, depths, stage, and what follows from it.
-nlohmann::ordered_json traced_test_json(const TracedTest& test);
+nlohmann::ordered_json traced_test_json(const TracedTest& test, const BodyNames& bodies);
 
-/// Every test of a frame: a line each, under a line of headings; or a list.
-std::string trace_events_text(const TraceHeader& header, const TraceFrame& frame);
-nlohmann::ordered_json trace_events_json(const TraceHeader& header, const TraceFrame& frame);
+/// Prints every test of a frame, one after the other, since together they may not fit into memory:
+/// a line each, under a line of headings; or elements of a JSON list, without its brackets.
+void print_events(const TraceHeader& header, const TraceFrame& frame);
+void print_events_json(const TraceHeader& header, const TraceFrame& frame,
+                       const std::string& indent);
 
 }  // namespace scb
