@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "render/image_file.h"
+#include "render/output_file.h"
 #include "tests/app/program.h"
 
 namespace scb {

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "render/image_file.h"
+#include "render/output_file.h"
 #include "scenes/mesh_file.h"
 #include "tests/app/program.h"
 

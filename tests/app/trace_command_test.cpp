@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "render/image_file.h"
+#include "render/output_file.h"
 #include "tests/app/program.h"
 
 namespace scb {

@@ -1,4 +1,5 @@
 #include "render/image_file.h"
+#include "render/output_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
