@@ -30,14 +30,14 @@ std::string gltf_of_two(int vertices, const std::string& extra = "") {
 }
 
 TEST(MeshFile, AppliesTheTransformsOfANodeAndOfThoseAboveIt) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string nodes =
         R"([{"children": [1], "scale": [2, 2, 2]}, {"children": [2], "translation": [1, 2, 3]}, {"mesh": 0}])";
     expect_same_triangles(load_mesh(folder.write("a.gltf", gltf(nodes))), Vec3(2, 4, 6), 2);
 }
 
 TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string nodes =
         R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [10, 0, 0]}])";
     const Mesh mesh = load_mesh(folder.write("a.gltf", gltf(nodes)));
@@ -50,14 +50,14 @@ TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
 }
 
 TEST(MeshFile, TakesGltfMeshesInTheOrderOfTheNodes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = load_mesh(folder.write("a.gltf", gltf_of_two(4)));
     ASSERT_EQ(mesh.triangles.size(), 3u);
     EXPECT_EQ(mesh.vertices[mesh.triangles[1][2]], Vec3(0, 0, 3));
 }
 
 TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string sentence = "mesh 1, primitive 0: index 5 names vertex 3, but there are 3 ";
     const std::string text = gltf_of_two(3);
     expect_in(sentence, refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
@@ -85,7 +85,7 @@ TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
 }
 
 TEST(MeshFile, LimitsTheCornersOfAllInstances) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     // 1,000 instances of 100,000 triangles: fewer faces than the limit of 2^28, but more corners.
     const std::size_t indices = 300000;
     const std::string buffer = std::string(36, '\0') + std::string(indices, '\2');
@@ -113,7 +113,7 @@ TEST(MeshFile, LimitsTheCornersOfAllInstances) {
 }
 
 TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     // Lines are dropped, so their indices harm nobody.
     EXPECT_EQ(load_mesh(folder.write("a.gltf", gltf_of_two(3, ", \"mode\": 1"))).triangles.size(),
               1u);

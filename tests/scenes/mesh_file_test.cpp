@@ -85,7 +85,7 @@ std::string binary_stl() {
 }
 
 TEST(MeshFile, KeepsOrderDegenerateAndDuplicateTrianglesInEveryFormat) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::vector<std::pair<std::string, std::string>> files = {
         {"a.ply", text_ply()},
         {"b.ply", binary_ply(false)},
@@ -103,7 +103,7 @@ TEST(MeshFile, KeepsOrderDegenerateAndDuplicateTrianglesInEveryFormat) {
 }
 
 TEST(MeshFile, SharesVerticesWhereTheFileDoes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     EXPECT_EQ(load_mesh(folder.write("a.ply", text_ply())).vertices.size(), 4u);
     EXPECT_EQ(load_mesh(folder.write("a.off", off())).vertices.size(), 4u);
     EXPECT_EQ(load_mesh(folder.write("a.gltf", gltf(R"([{"mesh": 0}])"))).vertices.size(), 4u);
@@ -111,7 +111,7 @@ TEST(MeshFile, SharesVerticesWhereTheFileDoes) {
 }
 
 TEST(MeshFile, JoinsTheObjectsOfOneFile) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = load_mesh(folder.write(
         "two.obj",
         "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n"));
@@ -121,7 +121,7 @@ TEST(MeshFile, JoinsTheObjectsOfOneFile) {
 }
 
 TEST(MeshFile, CutsPolygonsInPlaceAndDropsPointsAndLines) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = load_mesh(folder.write("p.obj",
                                              "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\n"
                                              "l 1 2\nf 1 2 3 4\nf 1 2 5\nf 1 2 3 5\np 1\n"));
@@ -137,7 +137,7 @@ TEST(MeshFile, CutsPolygonsInPlaceAndDropsPointsAndLines) {
 }
 
 TEST(MeshFile, ReadsColladaWithANodeTransformAndLeavesItsAxesAlone) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = load_mesh(folder.write("n.dae", R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
@@ -160,7 +160,7 @@ TEST(MeshFile, ReadsColladaWithANodeTransformAndLeavesItsAxesAlone) {
 }
 
 TEST(MeshFile, ReadsWhatAssimpExports) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string source = folder.write("source.ply", text_ply());
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(source, 0);
@@ -172,7 +172,7 @@ TEST(MeshFile, ReadsWhatAssimpExports) {
                                        {"x", "x.x"}}) {
         SCOPED_TRACE(format);
         Assimp::Exporter exporter;
-        const std::string file = (folder.path / name).string();
+        const std::string file = folder / name;
         ASSERT_EQ(exporter.Export(scene, format, file), aiReturn_SUCCESS)
             << exporter.GetErrorString();
         const Mesh mesh = load_mesh(file);
@@ -184,7 +184,7 @@ TEST(MeshFile, ReadsWhatAssimpExports) {
 }
 
 TEST(MeshFile, ReadsEveryGroupOfARawFile) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = load_mesh(folder.write("a.raw",
                                              "first\n0 0 0 1 0 0 0 1 0\n0 0 0 1 0 0 0 0 1\n"
                                              "second\n0 0 0 1 0 0 0 1 0\n"));
@@ -192,7 +192,7 @@ TEST(MeshFile, ReadsEveryGroupOfARawFile) {
 }
 
 TEST(MeshFile, TakesRemarksInAPlyHeader) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     std::string text = text_ply();
     const std::string remark = "Created by Blender3D 247, source file: \n\nhello\n";
     text.insert(text.find("element"), remark);
@@ -206,7 +206,7 @@ TEST(MeshFile, TakesRemarksInAPlyHeader) {
 }
 
 TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh =
         load_mesh(folder.write("u.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n99 99 99\n3 0 1 2\n"));
     EXPECT_EQ(mesh.vertices.size(), 4u);

@@ -1,40 +1,16 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "core/mesh.h"
+#include "tests/temporary_folder.h"
 
 namespace scb {
-
-/// A folder of a test's own that goes away with it.
-struct TempFolder {
-    std::filesystem::path path;
-
-    TempFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "scb-test-XXXXXX").string();
-        if (mkdtemp(pattern.data())) path = pattern;
-    }
-    ~TempFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-
-    /// Writes a file and returns its path.
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path / name, std::ios::binary) << bytes;
-        return (path / name).string();
-    }
-};
 
 /// The sentence of the InputError that `action` throws; empty, and a failure, where it throws none.
 template <class Action>
