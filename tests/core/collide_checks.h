@@ -7,6 +7,7 @@
 
 #include "core/collide.h"
 #include "tests/core/brute_force.h"
+#include "tests/core/built_mesh.h"
 
 namespace scb {
 

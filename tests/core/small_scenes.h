@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/core/brute_force.h"
+#include "tests/core/built_mesh.h"
 #include "tests/core/volume_pairs.h"
 
 namespace scb {
