@@ -128,10 +128,8 @@ TEST(MeshFile, CutsPolygonsInPlaceAndDropsPointsAndLines) {
     EXPECT_EQ(mesh.triangles.size(), 5u);
     double area2 = 0;
     for (const Triangle& t : mesh.triangles) {
-        const Vec3 u = mesh.vertices[t[1]] - mesh.vertices[t[0]],
-                   v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
-        EXPECT_GE(u[0] * v[1] - u[1] * v[0], 0);
-        area2 += u[0] * v[1] - u[1] * v[0];
+        EXPECT_GE(area2_from_above(mesh, t), 0);
+        area2 += area2_from_above(mesh, t);
     }
     EXPECT_EQ(area2, 8 + 2 + 4);
 }

@@ -42,6 +42,13 @@ inline void expect_closed(const Mesh& mesh) {
     EXPECT_EQ(bad, 0u) << "edges that are not used once in each direction";
 }
 
+/// Twice the triangle's area seen from +z, negative where it is clockwise from there.
+inline double area2_from_above(const Mesh& mesh, const Triangle& t) {
+    const Vec3 u = mesh.vertices[t[1]] - mesh.vertices[t[0]],
+               v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+    return u[0] * v[1] - u[1] * v[0];
+}
+
 /// Six times the volume that a closed mesh encloses, positive where triangles are counterclockwise
 /// from outside.
 inline double signed_volume6(const Mesh& mesh) {
