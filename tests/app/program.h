@@ -20,5 +20,9 @@ ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "")
 
 /// The whole file, as bytes.
 std::string file_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+std::size_t lines_of(const std::string& text);
+std::size_t files_in(const std::filesystem::path& folder);
 
 }  // namespace scb
