@@ -37,11 +37,6 @@ constexpr BaselineCase cases[] = {
 
 const fs::path folder_of_baselines = fs::path(SCB_SOURCE_DIR) / "golden" / "baselines";
 
-void write_text(const fs::path& path, const std::string& text) {
-    write_file_whole(path,
-                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-}
-
 // The first pixels that differ, in words.
 std::string difference(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height) return "the sizes differ";

@@ -32,7 +32,7 @@ TEST(BenchCommand, HasTheCountsOfCollide) {
 
     EXPECT_EQ(json::parse(file_text(folder / "out/bench.json"))["scenes"].size(), 1u);
     const std::string csv = file_text(folder / "out/bench.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2);
+    EXPECT_EQ(lines_of(csv), 1u + 4 * 2);
     const Image picture = read_png(folder / "out/spheres-l1_bench.png");
     EXPECT_EQ(picture.width, 1280);
     EXPECT_EQ(picture.height, 720);

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/temporary_folder.h"
+
 namespace scb {
 
 /// What a run of the program gave.
@@ -18,17 +20,9 @@ ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "")
 
 /// The whole file, as bytes.
 std::string file_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// A new empty folder that is removed at the end.
-struct TemporaryFolder {
-    std::filesystem::path path;
-
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
+std::size_t lines_of(const std::string& text);
+std::size_t files_in(const std::filesystem::path& folder);
 
 }  // namespace scb

@@ -12,20 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::size_t lines_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    write_file_whole(path,
-                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-}
-
-std::size_t files_in(const fs::path& folder) {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
 /// Traces of one scene that differ in the overlap test.
 struct TraceCommand : testing::Test {
     TemporaryFolder folder;

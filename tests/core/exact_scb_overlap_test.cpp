@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "tests/core/point_sets.h"
 #include "tests/core/random_scb_pairs.h"
 
 namespace scb {
@@ -50,7 +49,7 @@ struct FramedPair {
 
 FramedPair random_pair(Random& random, const ScbPairFamily& family) {
     const ScbPair pair = random_scb_pair(random, family);
-    return {pair.a, transformed(pair.b, pair.b_to_a), pair.gap};
+    return {pair.a, moved(pair.b_to_a, pair.b), pair.gap};
 }
 
 TEST(ExactScbOverlap, KnowsTwoBalls) {
@@ -183,18 +182,14 @@ TEST(ExactScbOverlap, IsInvariant) {
     for (const ScbPairFamily& family : scb_pair_families)
         for (int i = 0; i < many / 20; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
-            const auto flipped = [](Scb s) { return Scb{s.c, s.r, -s.n, -s.f, -s.e}; };
             const Pose pose = random_pose(random);
             const double factor = log_uniform(random, 1e-6, 1e6);
-            const auto scaled = [&](const Scb& s) {
-                return Scb{factor * s.c, factor * s.r, s.n, factor * s.e, factor * s.f};
-            };
             const Contact found = exact_overlap(p.a, p.b).contact;
             for (const Contact other :
                  {exact_overlap(p.b, p.a).contact, exact_overlap(flipped(p.a), p.b).contact,
                   exact_overlap(p.a, flipped(p.b)).contact,
-                  exact_overlap(transformed(p.a, pose), transformed(p.b, pose)).contact,
-                  exact_overlap(scaled(p.a), scaled(p.b)).contact}) {
+                  exact_overlap(moved(pose, p.a), moved(pose, p.b)).contact,
+                  exact_overlap(scaled(p.a, factor), scaled(p.b, factor)).contact}) {
                 if (other == found) continue;
                 ++changed;
                 ASSERT_TRUE(other == Contact::undecided || found == Contact::undecided)
@@ -217,9 +212,9 @@ TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
             for (const Vec3& d : {p.a.n, p.b.n, random_unit_vector(random),
                                   random_unit_vector(random), random_unit_vector(random)})
                 for (const double side : {-1.0, 1.0}) {
-                    Scb moved = p.b;
-                    moved.c += 0.999 * side * depth * d;
-                    ASSERT_NE(exact_overlap(p.a, moved).contact, Contact::disjoint)
+                    Scb away = p.b;
+                    away.c += 0.999 * side * depth * d;
+                    ASSERT_NE(exact_overlap(p.a, away).contact, Contact::disjoint)
                         << family.name << " pair " << i;
                 }
         }

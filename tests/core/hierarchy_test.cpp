@@ -149,12 +149,7 @@ TEST(ScbHierarchy, ThicknessShrinksFasterThanDiameterOnASmoothSurface) {
             const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1;
             mesh.vertices.emplace_back(x, y, 0.25 * (x * x + y * y));
         }
-    const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
+    mesh.triangles = grid_triangles(n);
     const std::vector<LevelStatistics> levels = level_statistics(build_hierarchy<Scb>(mesh));
     const double diameters = levels[10].mean_diameter() / levels[4].mean_diameter();
     const double thicknesses = levels[10].mean_thickness() / levels[4].mean_thickness();

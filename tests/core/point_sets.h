@@ -46,6 +46,18 @@ inline Mesh random_soup(std::uint64_t seed, int count, double size) {
     return mesh;
 }
 
+/// Two triangles for each of n x n quads whose corners are numbered row by row.
+inline std::vector<Triangle> grid_triangles(int n) {
+    std::vector<Triangle> triangles;
+    const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return triangles;
+}
+
 /// A bumpy height field of n x n quads over [0, 1]^2, two triangles each, vertices shared.
 inline Mesh height_field(int n) {
     Mesh mesh;
@@ -53,12 +65,7 @@ inline Mesh height_field(int n) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             mesh.vertices.emplace_back(double(i) / n, double(j) / n, 0.3 / n * random.uniform());
-    const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
+    mesh.triangles = grid_triangles(n);
     return mesh;
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/core/point_sets.h"
-
 // Every number is drawn in a statement of its own, or before what else an expression draws: the
 // order in which operands and arguments are evaluated is the compiler's.
 
@@ -26,7 +24,7 @@ Vec3 random_normal(Random& random, const Vec3& other, Normals normals) {
     return normals == Normals::nearly_parallel ? n : Vec3(-n);
 }
 
-Scb random_scb(Random& random, double r, bool centered) {
+Scb random_shape(Random& random, double r, bool centered) {
     Scb s;
     s.c = random_point(random);
     s.r = r;
@@ -34,12 +32,7 @@ Scb random_scb(Random& random, double r, bool centered) {
     s.f = centered ? -tau * random.uniform() : r * random.uniform();
     s.e = std::min(s.f + tau, r);
     s.f = std::max(s.f, -r);
-    if (!centered && random.below(2) == 0) {
-        std::swap(s.e, s.f);
-        s.e = -s.e;
-        s.f = -s.f;
-    }
-    return s;
+    return !centered && random.below(2) == 0 ? mirrored(s) : s;
 }
 
 double rim_radius(const Scb& s, double k) { return std::sqrt((s.r - k) * (s.r + k)); }
@@ -90,9 +83,9 @@ Bodies random_bodies(Random& random, const ScbPairFamily& family) {
     const double larger = random.uniform(0.5, 1), smaller = larger * log_uniform(random, 1e-3, 1);
     const bool a_is_larger = random.below(2) == 0;
     Bodies bodies;
-    bodies.a = random_scb(random, a_is_larger ? larger : smaller, family.centered);
+    bodies.a = random_shape(random, a_is_larger ? larger : smaller, family.centered);
     bodies.a.n = random_unit_vector(random);
-    bodies.b = random_scb(random, a_is_larger ? smaller : larger, family.centered);
+    bodies.b = random_shape(random, a_is_larger ? smaller : larger, family.centered);
     bodies.b.n = random_normal(random, bodies.a.n, family.normals);
     return bodies;
 }
@@ -104,9 +97,9 @@ ScbPair framed(Random& random, const Bodies& bodies, const Vec3& offset, double 
     pair.a = bodies.a;
     Scb b = bodies.b;
     b.c = bodies.a.c + offset;
-    pair.b_to_a = random_pose(random);
+    pair.b_to_a = random_pose(random, 2);
     pair.b_to_a.translation *= spread;
-    pair.b = transformed(b, relative_pose(pair.b_to_a, Pose{}));
+    pair.b = moved(inverse(pair.b_to_a), b);
     pair.gap = gap;
     return pair;
 }
@@ -125,32 +118,6 @@ double log_uniform(Random& random, double lower, double upper) {
     for (double x = lower; x < upper; x *= 2) ++octaves;
     const int octave = static_cast<int>(random.below(std::max(octaves, 1u)));
     return std::min(std::ldexp(lower, octave) * random.uniform(1, 2), upper);
-}
-
-Pose random_pose(Random& random) {
-    // A uniform unit quaternion.
-    double w, x, y, z, squared;
-    do {
-        w = random.uniform(-1, 1);
-        x = random.uniform(-1, 1);
-        y = random.uniform(-1, 1);
-        z = random.uniform(-1, 1);
-        squared = w * w + x * x + y * y + z * z;
-    } while (squared > 1 || squared < 0.01);
-    const double s = 2 / squared;
-    Pose pose;
-    pose.rotation << 1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),
-        s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x), s * (x * z - w * y),
-        s * (y * z + w * x), 1 - s * (x * x + y * y);
-    pose.translation = 2 * random_point(random);
-    return pose;
-}
-
-Scb transformed(const Scb& scb, const Pose& pose) {
-    Scb s = scb;
-    s.c = transform_point(pose, scb.c);
-    s.n = transform_direction(pose, scb.n);
-    return s;
 }
 
 ScbPair random_scb_pair(Random& random, const ScbPairFamily& family) {

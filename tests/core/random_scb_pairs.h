@@ -3,9 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/pose.h"
-#include "core/random.h"
-#include "core/scb.h"
+#include "tests/core/volume_pairs.h"
 
 namespace scb {
 
@@ -34,9 +32,7 @@ inline constexpr std::array<ScbPairFamily, 9> scb_pair_families = {{
 }};
 
 /// A pair, each SCB in a frame of its own.
-struct ScbPair {
-    Scb a, b;
-    Pose b_to_a;
+struct ScbPair : VolumePair<Scb> {
     /// Near contact: how far the two were moved apart, along a common normal, from where they
     /// touch. Positive: their distance. Negative: B need not be moved farther than that to be rid
     /// of A.
@@ -56,12 +52,7 @@ ScbPair random_scb_pair(Random& random, const ScbPairFamily& family);
 /// are `spread` times as far from the origins of their frames as other pairs.
 ScbPair touching_scb_pair(Random& random, const ScbPairFamily& family, double spread);
 
-/// The SCB in the frame that the pose leads to.
-Scb transformed(const Scb& scb, const Pose& pose);
-
 /// Draws positive numbers evenly by order of magnitude (within a factor of 2).
 double log_uniform(Random& random, double lower, double upper);
-
-Pose random_pose(Random& random);
 
 }  // namespace scb

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/trace_diff.h"
-#include "tests/core/brute_force.h"
+#include "tests/core/built_mesh.h"
 
 namespace scb {
 

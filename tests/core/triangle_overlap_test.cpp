@@ -102,11 +102,9 @@ TEST(TrianglesOverlap, IsRightForAMillionPairsInSmallGrids) {
     std::array<int, 2> answers{};
     std::array<int, 4> degenerate{};
     for (int i = 0; i < 1200000 / effort; ++i) {
-        const std::uint32_t size = 2 + random.below(5);
-        const GridTriangle a = random_grid_triangle(random, size),
-                           b = random_grid_triangle(random, size);
-        const TrianglePair pair{as_doubles(a), as_doubles(b)};
-        const bool expected = reference_overlap(a, b);
+        const GridPair grid = random_grid_pair(random, 2 + random.below(5));
+        const TrianglePair pair = as_doubles(grid);
+        const bool expected = reference_overlap(grid.a, grid.b);
         ++answers[expected];
         ++degenerate[static_cast<std::size_t>(is_degenerate(pair.a) + 2 * is_degenerate(pair.b))];
         ASSERT_EQ(triangles_overlap(pair.a, pair.b), expected) << shown(pair);
@@ -118,11 +116,9 @@ TEST(TrianglesOverlap, IsRightForAMillionPairsInSmallGrids) {
 TEST(TrianglesOverlap, DependsOnNoOrder) {
     Random random(2);
     for (int i = 0; i < 20000 / effort; ++i) {
-        const std::uint32_t size = 2 + random.below(4);
-        const GridTriangle a = random_grid_triangle(random, size),
-                           b = random_grid_triangle(random, size);
-        const TrianglePair pair{as_doubles(a), as_doubles(b)};
-        ASSERT_EQ(overlap_in_every_order(pair), reference_overlap(a, b)) << shown(pair);
+        const GridPair grid = random_grid_pair(random, 2 + random.below(4));
+        const TrianglePair pair = as_doubles(grid);
+        ASSERT_EQ(overlap_in_every_order(pair), reference_overlap(grid.a, grid.b)) << shown(pair);
     }
 }
 
@@ -132,11 +128,9 @@ TEST(TrianglesOverlap, DoesNotChangeUnderExactScalingAndTranslation) {
         return static_cast<int>(random.below(static_cast<std::uint32_t>(2 * range + 1))) - range;
     };
     for (int i = 0; i < 200000 / effort; ++i) {
-        const std::uint32_t size = 2 + random.below(4);
-        const GridTriangle a = random_grid_triangle(random, size),
-                           b = random_grid_triangle(random, size);
-        const TrianglePair pair{as_doubles(a), as_doubles(b)};
-        const bool expected = reference_overlap(a, b);
+        const GridPair grid = random_grid_pair(random, 2 + random.below(4));
+        const TrianglePair pair = as_doubles(grid);
+        const bool expected = reference_overlap(grid.a, grid.b);
         // Scaled alike, each axis by itself, and up to the ends of the range of doubles.
         const int range = std::array<int, 3>{200, 500, 950}[random.below(3)];
         const int same = exponent(200);

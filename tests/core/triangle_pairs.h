@@ -45,6 +45,18 @@ inline GridTriangle random_grid_triangle(Random& random, std::uint32_t size) {
     return t;
 }
 
+struct GridPair {
+    GridTriangle a, b;
+};
+
+inline GridPair random_grid_pair(Random& random, std::uint32_t size) {
+    return {random_grid_triangle(random, size), random_grid_triangle(random, size)};
+}
+
+inline TrianglePair as_doubles(const GridPair& pair) {
+    return {as_doubles(pair.a), as_doubles(pair.b)};
+}
+
 /// The double that is `steps` representable ones above x.
 inline double stepped(double x, int steps) {
     const double toward = steps < 0 ? -std::numeric_limits<double>::infinity()

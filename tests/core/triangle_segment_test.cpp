@@ -133,10 +133,7 @@ TEST(TrianglesIntersection, IsInBothTrianglesOfRandomPairs) {
 TEST(TrianglesIntersection, IsInBothTrianglesOfPairsInSmallGrids) {
     Random random(22);
     for (int i = 0; i < 200000 / effort; ++i) {
-        const std::uint32_t size = 2 + random.below(5);
-        expect_segment_in_both({as_doubles(random_grid_triangle(random, size)),
-                                as_doubles(random_grid_triangle(random, size))},
-                               1e-15);
+        expect_segment_in_both(as_doubles(random_grid_pair(random, 2 + random.below(5))), 1e-15);
         if (HasFatalFailure()) return;
     }
 }
@@ -175,9 +172,7 @@ TEST(TrianglesIntersection, IsTheWholeIntersectionOrItsLongestEdge) {
     Random random(25);
     int crossing = 0, coplanar = 0;
     for (int i = 0; i < 40000 / effort; ++i) {
-        const std::uint32_t size = 3 + random.below(4);
-        const TrianglePair pair{as_doubles(random_grid_triangle(random, size)),
-                                as_doubles(random_grid_triangle(random, size))};
+        const TrianglePair pair = as_doubles(random_grid_pair(random, 3 + random.below(4)));
         const auto segment = triangles_intersection(pair.a, pair.b);
         if (!segment) continue;
         PairSides sides{};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/ball.h"
 #include "core/obb.h"
 #include "core/pose.h"
 #include "core/scb.h"
@@ -22,11 +23,22 @@ inline Pose compose(const Pose& outer, const Pose& inner) {
     return {outer.rotation * inner.rotation, transform_point(outer, inner.translation)};
 }
 
+/// Made by operations that IEEE 754 fixes only, so that it is the same on every machine.
 inline Mat3 random_rotation(Random& random) {
-    const Vec3 x = random_unit_vector(random);
-    const Vec3 y = cross(x, random_unit_vector(random)).normalized();
+    // From a uniform unit quaternion.
+    double w, x, y, z, squared;
+    do {
+        w = random.uniform(-1, 1);
+        x = random.uniform(-1, 1);
+        y = random.uniform(-1, 1);
+        z = random.uniform(-1, 1);
+        squared = w * w + x * x + y * y + z * z;
+    } while (squared > 1 || squared < 0.01);
+    const double s = 2 / squared;
     Mat3 rotation;
-    rotation << x, y, cross(x, y);
+    rotation << 1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),
+        s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x), s * (x * z - w * y),
+        s * (y * z + w * x), 1 - s * (x * x + y * y);
     return rotation;
 }
 
@@ -52,6 +64,9 @@ inline Obb moved(const Pose& pose, Obb box) {
 /// The same set of points.
 inline Scb flipped(const Scb& s) { return {s.c, s.r, -s.n, -s.f, -s.e}; }
 
+/// The slab on the other side of the center.
+inline Scb mirrored(const Scb& s) { return {s.c, s.r, s.n, -s.f, -s.e}; }
+
 inline Scb grown(Scb s, double by) {
     s.r += by;
     s.e += by;
@@ -67,8 +82,8 @@ inline Scb scaled(Scb s, double factor) {
     return s;
 }
 
-/// A slab cut ball with the center at the origin; one in four has a slab that leaves it out.
-inline Scb random_scb(Random& random, const Vec3& normal) {
+/// A slab cut ball with the center at the origin and in its slab.
+inline Scb random_centered_scb(Random& random, const Vec3& normal) {
     Scb s;
     s.r = random.uniform(0.25, 1);
     s.n = normal;
@@ -78,11 +93,19 @@ inline Scb random_scb(Random& random, const Vec3& normal) {
         s.e /= 8;
         s.f /= 8;
     }
-    if (random.below(4) == 0) {
-        s.f = s.e * random.uniform();
-        if (random.below(2) == 0) s = Scb{s.c, s.r, s.n, -s.f, -s.e};
-    }
     return s;
+}
+
+/// Draws a slab on either side of the center instead, no higher than the one that held it.
+inline Scb with_center_left_out(Random& random, Scb s) {
+    s.f = s.e * random.uniform();
+    return random.below(2) == 0 ? mirrored(s) : s;
+}
+
+/// Of either kind; one in four has a slab that leaves the center out.
+inline Scb random_scb(Random& random, const Vec3& normal) {
+    const Scb s = random_centered_scb(random, normal);
+    return random.below(4) == 0 ? with_center_left_out(random, s) : s;
 }
 
 /// Two slab cut balls of about unit size, each in a frame of its own, that overlap a little or are

@@ -16,7 +16,7 @@ struct CountingObserver {
 
 template void detail::traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,
                                                     const Placement&,
-                                                    const ScbTest<OverlapTest::corrected>&,
+                                                    const ScbTest<OverlapOptions{}.test>&,
                                                     const CollideOptions&, SCB_OBSERVER&,
                                                     Collision&);
 

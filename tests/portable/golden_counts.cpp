@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/any_collide.h"
-#include "core/leaf_order.h"
 #include "scenes/builtin.h"
+#include "tests/core/built_mesh.h"
 
 namespace scb {
 namespace {
@@ -117,26 +116,11 @@ std::string collision_text(const Collision& found) {
     return text;
 }
 
-/// A mesh and its hierarchies, one per volume kind.
-struct Model {
-    const Mesh* mesh;
-    std::vector<AnyHierarchy> hierarchies;
-};
-
-Model model_of(const Mesh& mesh) {
-    Model model{&mesh, {}};
-    const auto topology = std::make_shared<const Topology>(build_topology(mesh));
-    const LeafOrder points = leaf_order(mesh, *topology);
-    for (const VolumeKind kind : all_volume_kinds())
-        model.hierarchies.push_back(fit_any(kind, topology, points));
-    return model;
-}
-
-std::string model_lines(const std::string& scene, const std::string& name, const Model& model) {
+std::string model_lines(const std::string& scene, const std::string& name, const BuiltMesh& model) {
     const std::string start = scene + " " + name + " ";
-    std::string lines = start + "mesh:" + count("vertices", model.mesh->vertices.size()) +
-                        count("triangles", model.mesh->triangles.size()) + " " +
-                        hash_of(*model.mesh) + "\n";
+    std::string lines = start + "mesh:" + count("vertices", model.mesh.vertices.size()) +
+                        count("triangles", model.mesh.triangles.size()) + " " +
+                        hash_of(model.mesh) + "\n";
     for (const VolumeKind kind : all_volume_kinds()) {
         const AnyHierarchy& hierarchy = model.hierarchies[static_cast<std::size_t>(kind)];
         lines += start + std::string(volume_kind_name(kind)) + ":" +
@@ -147,8 +131,8 @@ std::string model_lines(const std::string& scene, const std::string& name, const
 }
 
 /// The queries of one volume kind in one frame.
-std::string query_lines(const std::string& start, VolumeKind kind, const Model& a, const Model& b,
-                        const Pose& b_to_a) {
+std::string query_lines(const std::string& start, VolumeKind kind, const BuiltMesh& a,
+                        const BuiltMesh& b, const Pose& b_to_a) {
     std::string lines;
     const auto index = static_cast<std::size_t>(kind);
     for (const OverlapTest test : all_overlap_tests()) {
@@ -161,8 +145,8 @@ std::string query_lines(const std::string& start, VolumeKind kind, const Model& 
             lines += start + " " + std::string(volume_kind_name(kind));
             if (kind == VolumeKind::scb) lines += " " + std::string(overlap_test_name(test));
             lines += " " + std::string(descent_rule_name(rule)) + ":" +
-                     collision_text(collide(a.hierarchies[index], *a.mesh, b.hierarchies[index],
-                                            *b.mesh, b_to_a, options)) +
+                     collision_text(collide(a.hierarchies[index], a.mesh, b.hierarchies[index],
+                                            b.mesh, b_to_a, options)) +
                      "\n";
         }
     }
@@ -171,10 +155,10 @@ std::string query_lines(const std::string& start, VolumeKind kind, const Model& 
 
 std::string scene_lines(const Frames& chosen) {
     const Scene scene = load_builtin(*find_builtin(chosen.scene));
-    std::vector<Model> models;
+    std::vector<BuiltMesh> models;
     std::string lines;
     for (const NamedMesh& named : scene.meshes) {
-        models.push_back(model_of(named.mesh));
+        models.emplace_back(named.mesh);
         lines += model_lines(scene.name, named.name, models.back());
     }
     const Body &a = scene.bodies[0], &b = scene.bodies[1];

@@ -9,7 +9,7 @@
 namespace scb {
 namespace {
 
-const char* const stored_path = SCB_SOURCE_DIR "/tests/portable/golden_counts.txt";
+const char* const stored_path = SCB_SOURCE_DIR "/golden/baselines/counts.txt";
 
 TEST(GoldenCounts, AreTheSameForEveryCompilerBuildTypeAndCpu) {
     const std::string found = golden_counts();

@@ -21,7 +21,7 @@ const char* const three = "0 0 0\n1 0 0\n0 1 0\n";
 
 /// Loads bytes under a name; the refusal must name the file and be one line.
 std::string refused(const std::string& name, const std::string& bytes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.write(name, bytes);
     const std::string sentence = refusal([&] { load_mesh(file); });
     EXPECT_EQ(sentence.rfind(file + ": ", 0), 0u) << sentence;
@@ -31,7 +31,7 @@ std::string refused(const std::string& name, const std::string& bytes) {
 }
 
 TEST(BadMeshFile, ThatIsMissingOrNoFileIsNamed) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     EXPECT_EQ(refusal([] { load_mesh("gone/horse.ply"); }),
               "gone/horse.ply: there is no such file; check the path.");
     EXPECT_EQ(refusal([&] { load_mesh(folder.path); }),
@@ -143,7 +143,7 @@ TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {
         refused("cut.ply", text.substr(0, length));
     std::string bytes = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
     for (int face = 0; face < 2; ++face) bytes += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
-    const TempFolder folder;
+    const TemporaryFolder folder;
     EXPECT_EQ(load_mesh(folder.write("whole.ply", bytes)).triangles.size(), 2u);
     for (std::size_t length = 1; length < bytes.size(); length += 3)
         refused("cut.ply", bytes.substr(0, length));
@@ -167,7 +167,7 @@ TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
     Random random(7);
     std::string good = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
     for (int face = 0; face < 2; ++face) good += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
-    const TempFolder folder;
+    const TemporaryFolder folder;
     int loaded = 0;
     for (int round = 0; round < 500; ++round) {
         std::string bytes = good;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scenes/builtin.h"
+#include "tests/core/built_mesh.h"
 #include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
@@ -90,14 +91,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BruteForce, testing::ValuesIn(small_scenes), []
 struct PairSum {
     std::size_t pairs = 0, degenerate = 0;
 };
-
-/// Whether the corners are collinear, up to rounding: no pair of these scenes is near that.
-bool is_degenerate(const Mesh& mesh, std::uint32_t triangle) {
-    const TriangleCorners t = corners(mesh, triangle);
-    const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[2] - t[1];
-    const double longest = std::max({squared_norm(u), squared_norm(v), squared_norm(w)});
-    return squared_norm(cross(u, v)) <= 1e-28 * longest * longest;
-}
 
 PairSum sum_of_pairs(const Scene& scene, VolumeKind kind, OverlapTest test, int step) {
     std::vector<AnyHierarchy> hierarchies;

@@ -85,7 +85,7 @@ TEST(BuiltinMeshes, AreNamedWithCountsAndPublicationWhereTheyAreMissing) {
               "and 96966 triangles; published: Large Geometric Models Archive of Georgia Tech, "
               "horse, a Cyberware scan)" +
                   advice);
-    const TempFolder models;
+    const TemporaryFolder models;
     const LoadOptions options{models.path, {}};
     EXPECT_EQ(refusal([&] { load_scene({"hands"}, options); }),
               "built-in hands: models[0].file: there is no mesh file skeleton_hand.ply in " +
@@ -105,7 +105,7 @@ TEST(BuiltinMeshes, AreNamedWithCountsAndPublicationWhereTheyAreMissing) {
 }
 
 TEST(BuiltinMeshes, AreRefusedWhereAnotherMeshHasTheirName) {
-    const TempFolder models;
+    const TemporaryFolder models;
     const std::string file = models.write("horse.ply",
                                           "ply\nformat ascii 1.0\nelement vertex 3\n"
                                           "property float x\nproperty float y\nproperty float z\n"

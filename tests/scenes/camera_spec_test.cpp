@@ -47,7 +47,7 @@ TEST(CameraJson, ComesBackAsItWasWritten) {
 }
 
 TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string good = folder.write("camera.json", R"({"azimuth": 10, "field_of_view": 50})");
     EXPECT_EQ(parse_camera(good).azimuth, 10);
     EXPECT_EQ(parse_camera(good).field_of_view, 50);
@@ -61,7 +61,7 @@ TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
 }
 
 TEST(CameraJson, IsTakenOutOfAnIndex) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string good = folder.write(
         "index.json",
         R"({"program": "scb", "camera": {"azimuth": 10, "distance": 2}, "levels": [1]})");

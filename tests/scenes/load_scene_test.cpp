@@ -14,14 +14,14 @@ TEST(LoadScene, TakesABuiltInName) {
 }
 
 TEST(LoadScene, TakesASceneFile) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.write("mine.json", R"({"scb_scene": 1, "name": "mine",
         "models": [{"name": "m", "box": {}}], "bodies": [{"name": "A", "model": "m"}]})");
     EXPECT_EQ(load_scene({file}).name, "mine");
 }
 
 TEST(LoadScene, MakesASceneOfOneFrameFromOneMesh) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const Scene scene = load_scene({folder.write("my horse.v2.obj", triangle)});
     EXPECT_EQ(scene.name, "my-horse.v2");
     EXPECT_EQ(scene.meshes[0].name, "my horse.v2");
@@ -31,7 +31,7 @@ TEST(LoadScene, MakesASceneOfOneFrameFromOneMesh) {
 }
 
 TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string a = folder.write("a.obj", triangle), b = folder.write("b.obj", triangle);
     Pose pose;
     pose.rotation = rotation_about(Vec3::UnitZ(), 90);
@@ -47,7 +47,7 @@ TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
 }
 
 TEST(LoadScene, SharesTheMeshOfAFileNamedTwice) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string a = folder.write("a.obj", triangle);
     const Scene scene = load_scene({a, (folder.path / "." / "a.obj").string()});
     EXPECT_EQ(scene.meshes.size(), 1u);
@@ -69,30 +69,30 @@ TEST(LoadScene, SaysWhatCanBeNamed) {
     expect_in("--pose: it places the second", refusal([] {
                   load_scene({"spheres-l1"}, {{}, Pose{}});
               }));
-    const TempFolder folder;
+    const TemporaryFolder folder;
     expect_in("this is a directory", refusal([&] { load_scene({folder.path.string()}); }));
 }
 
 TEST(LoadScene, LooksForMeshesInTheFolderOfModelsToo) {
-    const TempFolder models;
+    const TemporaryFolder models;
     models.write("only-there.obj", triangle);
     const LoadOptions options{models.path, {}};
     EXPECT_EQ(load_scene({"only-there.obj"}, options).name, "only-there");
     EXPECT_EQ(load_scene({"only-there.obj", "only-there.obj"}, options).meshes.size(), 1u);
     EXPECT_EQ(refusal([&] { load_scene({"gone.obj"}, options); }),
-              "gone.obj: there is no such file, nor is there " +
-                  (models.path / "gone.obj").string() + "; check the path.");
+              "gone.obj: there is no such file, nor is there " + (models / "gone.obj") +
+                  "; check the path.");
     EXPECT_EQ(refusal([&] { load_scene({"/gone.obj"}, options); }),
               "/gone.obj: there is no such file; check the path.");
     expect_in("there is no such scene or file", refusal([&] { load_scene({"zebra"}, options); }));
 
-    const TempFolder here;
+    const TemporaryFolder here;
     const std::string near = here.write("only-there.obj", std::string(triangle) + "f 3 2 1\n");
     EXPECT_EQ(load_scene({near}, options).meshes[0].mesh.triangles.size(), 2u);
 }
 
 TEST(LoadScene, KeepsBytesThatAreNotUtf8OutOfNames) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::pair<const char*, const char*> names[] = {
         {"h\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80", "h\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80"},
         {"a\xff\xfe", "a??"},

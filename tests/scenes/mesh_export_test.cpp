@@ -20,7 +20,7 @@ std::string encoded(const std::vector<ExportPart>& parts, const std::string& fil
 }
 
 TEST(MeshExport, IsReadBackInEveryFormat) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     for (const char* name : {"a.ply", "a.obj", "a.glb", "a.stl"}) {
         SCOPED_TRACE(name);
         const Mesh mesh =

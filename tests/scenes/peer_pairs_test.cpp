@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
-#include <memory>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
-#include "core/any_collide.h"
-#include "core/leaf_order.h"
 #include "scenes/mesh_file.h"
+#include "tests/core/brute_force.h"
+#include "tests/core/built_mesh.h"
 #include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
@@ -70,14 +72,6 @@ std::string fnv1a(const std::vector<IndexPair>& pairs) {
     return text;
 }
 
-/// Whether the corners are collinear, up to rounding: no pair that is left out for it is near that.
-bool is_degenerate(const Mesh& mesh, std::uint32_t triangle) {
-    const TriangleCorners t = corners(mesh, triangle);
-    const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[2] - t[1];
-    const double longest = std::max({squared_norm(u), squared_norm(v), squared_norm(w)});
-    return squared_norm(cross(u, v)) <= 1e-28 * longest * longest;
-}
-
 /// The exact library left exactly degenerate triangles out. They are segments and points here and
 /// may intersect, so they are left out of both for comparing.
 std::vector<IndexPair> without_degenerate(const std::vector<IndexPair>& pairs, const Mesh& a,
@@ -88,69 +82,42 @@ std::vector<IndexPair> without_degenerate(const std::vector<IndexPair>& pairs, c
     return kept;
 }
 
-struct PeerMesh {
-    Mesh mesh;
-    std::vector<AnyHierarchy> hierarchies;  // one per volume kind
-};
-
-PeerMesh peer_mesh(const std::string& name) {
-    PeerMesh result;
-    result.mesh = load_mesh(models_folder() / (name + ".ply"));
-    const auto topology = std::make_shared<const Topology>(build_topology(result.mesh));
-    const LeafOrder points = leaf_order(result.mesh, *topology);
-    for (const VolumeKind kind : all_volume_kinds())
-        result.hierarchies.push_back(fit_any(kind, topology, points));
-    return result;
-}
-
 class PeerPairs : public testing::TestWithParam<std::string> {};
 
 // Every scene of the recorded answers, in every hierarchy, by every test but the one with line 8 as
 // printed, and by every descent rule.
 TEST_P(PeerPairs, AreFoundByEveryHierarchyTestAndDescentRule) {
     if (!has_model_file("peer_counts.tsv", "pairs against other libraries'")) GTEST_SKIP();
-    std::map<std::string, PeerMesh> meshes;
+    std::map<std::string, BuiltMesh> meshes;
     for (const PeerScene& scene : peer_scenes()) {
         if (scene.mesh_a != GetParam()) continue;
         for (const std::string& name : {scene.mesh_a, scene.mesh_b})
-            if (!meshes.contains(name)) meshes[name] = peer_mesh(name);
+            if (!meshes.contains(name))
+                meshes.emplace(name, load_mesh(models_folder() / (name + ".ply")));
+        const BuiltMesh &a = meshes.at(scene.mesh_a), &b = meshes.at(scene.mesh_b);
 #ifdef SCB_SANITIZED
-        if (meshes[scene.mesh_a].mesh.triangles.size() > 30'000) continue;
+        if (a.mesh.triangles.size() > 30'000) continue;
 #endif
-        const PeerMesh &a = meshes[scene.mesh_a], &b = meshes[scene.mesh_b];
         std::optional<std::vector<IndexPair>> first;
-        for (std::size_t k = 0; k < a.hierarchies.size(); ++k)
-            for (const OverlapTest test : all_overlap_tests())
-                for (const DescentRule rule : all_descent_rules()) {
+        for (const QueryVariant& variant : all_query_variants()) {
 #ifdef SCB_SANITIZED
-                    if (rule != DescentRule::radius) continue;
+            if (variant.options.descent != DescentRule::radius) continue;
 #endif
-                    const bool is_scb = all_volume_kinds()[k] == VolumeKind::scb;
-                    if (is_scb ? test == OverlapTest::printed : test != OverlapTest::corrected)
-                        continue;
-                    CollideOptions options;
-                    options.overlap.test = test;
-                    options.descent = rule;
-                    const Collision found = collide(a.hierarchies[k], a.mesh, b.hierarchies[k],
-                                                    b.mesh, scene.pose, options);
-                    const std::string what = "scene " + std::to_string(scene.id) + " (" +
-                                             scene.mesh_a + ", " + scene.mesh_b + ", " +
-                                             scene.kind + "), " +
-                                             std::string(volume_kind_name(all_volume_kinds()[k])) +
-                                             ", " + std::string(overlap_test_name(test)) + ", " +
-                                             std::string(descent_rule_name(rule));
-                    if (!first) {
-                        first = found.pairs;
-                        const std::vector<IndexPair> kept =
-                            without_degenerate(*first, a.mesh, b.mesh);
-                        EXPECT_EQ(kept.size(), scene.pairs) << what;
-                        EXPECT_EQ(fnv1a(kept), scene.hash) << what;
-                        if (kept.size() != first->size())
-                            std::cerr << what << ": " << first->size() - kept.size()
-                                      << " pairs with a degenerate triangle besides\n";
-                    }
-                    ASSERT_EQ(found.pairs, *first) << what;
-                }
+            const Collision found = query(a, b, scene.pose, variant);
+            const std::string what = "scene " + std::to_string(scene.id) + " (" + scene.mesh_a +
+                                     ", " + scene.mesh_b + ", " + scene.kind + "), " +
+                                     variant.name();
+            if (!first) {
+                first = found.pairs;
+                const std::vector<IndexPair> kept = without_degenerate(*first, a.mesh, b.mesh);
+                EXPECT_EQ(kept.size(), scene.pairs) << what;
+                EXPECT_EQ(fnv1a(kept), scene.hash) << what;
+                if (kept.size() != first->size())
+                    std::cerr << what << ": " << first->size() - kept.size()
+                              << " pairs with a degenerate triangle besides\n";
+            }
+            ASSERT_EQ(found.pairs, *first) << what;
+        }
     }
 }
 

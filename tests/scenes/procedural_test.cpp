@@ -58,10 +58,8 @@ TEST(PlaneMesh, IsAGridThatFacesUp) {
     EXPECT_EQ(mesh.triangles.size(), 48u);
     double area2 = 0;
     for (const Triangle& t : mesh.triangles) {
-        const Vec3 u = mesh.vertices[t[1]] - mesh.vertices[t[0]],
-                   v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
-        EXPECT_GT(u[0] * v[1] - u[1] * v[0], 0);
-        area2 += u[0] * v[1] - u[1] * v[0];
+        EXPECT_GT(area2_from_above(mesh, t), 0);
+        area2 += area2_from_above(mesh, t);
     }
     EXPECT_NEAR(area2, 16, 1e-12);
     expect_in("triangles", refusal([] { plane_mesh({1, 1, 8000000, 8000000}); }));

@@ -225,7 +225,7 @@ TEST(SceneFile, NormalizesScalesAndStoresRotatedInThisOrder) {
 }
 
 TEST(SceneFile, LooksForMeshesBesideItAndThenInTheFolderOfModels) {
-    const TempFolder scenes, models;
+    const TemporaryFolder scenes, models;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string text =
         R"({"scb_scene": 1, "name": "x", "models": [{"name": "m", "file": "m.obj"}],
@@ -276,7 +276,7 @@ TEST(SceneFile, SaysOfAMissingMeshWhatItsModelDoes) {
 }
 
 TEST(SceneFile, RefusesAMeshOfOtherCountsThanItsModelStates) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const std::string mesh =
         folder.write("m.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n");
     const auto load = [&](const json& fields) {
@@ -290,7 +290,7 @@ TEST(SceneFile, RefusesAMeshOfOtherCountsThanItsModelStates) {
     };
     EXPECT_EQ(load({{"vertices", 4}, {"triangles", 2}}).meshes[0].mesh.triangles.size(), 2u);
     EXPECT_EQ(load({{"published", "An Archive"}}).meshes[0].mesh.vertices.size(), 4u);
-    const std::string start = (folder.path / "x.json").string() + ": models[0].file: " + mesh +
+    const std::string start = (folder / "x.json") + ": models[0].file: " + mesh +
                               " has 4 vertices and 2 triangles, but the scene was made for ";
     const std::string end = "; give that mesh, or a scene file with the counts of this one.";
     EXPECT_EQ(refusal([&] { load({{"vertices", 5}}); }), start + "5 vertices" + end);
@@ -305,7 +305,7 @@ TEST(SceneFile, RefusesAMeshOfOtherCountsThanItsModelStates) {
 }
 
 TEST(SceneFile, ExpressesTheHandsOfTheBenchmark) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     folder.write("hand.obj", "v 0 0 0\nv 4 0 0\nv 0 2 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
     const std::string file =
         folder.write("hands.json", R"({"scb_scene": 1, "name": "hands", "frames": 500,

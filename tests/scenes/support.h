@@ -1,40 +1,16 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "core/mesh.h"
+#include "tests/temporary_folder.h"
 
 namespace scb {
-
-/// A folder of a test's own that goes away with it.
-struct TempFolder {
-    std::filesystem::path path;
-
-    TempFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "scb-test-XXXXXX").string();
-        if (mkdtemp(pattern.data())) path = pattern;
-    }
-    ~TempFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-
-    /// Writes a file and returns its path.
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path / name, std::ios::binary) << bytes;
-        return (path / name).string();
-    }
-};
 
 /// The sentence of the InputError that `action` throws; empty, and a failure, where it throws none.
 template <class Action>
@@ -64,6 +40,13 @@ inline void expect_closed(const Mesh& mesh) {
         if (count != 1 || opposite == edges.end()) ++bad;
     }
     EXPECT_EQ(bad, 0u) << "edges that are not used once in each direction";
+}
+
+/// Twice the triangle's area seen from +z, negative where it is clockwise from there.
+inline double area2_from_above(const Mesh& mesh, const Triangle& t) {
+    const Vec3 u = mesh.vertices[t[1]] - mesh.vertices[t[0]],
+               v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+    return u[0] * v[1] - u[1] * v[0];
 }
 
 /// Six times the volume that a closed mesh encloses, positive where triangles are counterclockwise
