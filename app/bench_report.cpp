@@ -121,6 +121,7 @@ BenchFigure bench_figure(const SceneBench& bench) {
         series.n_v = doubles(subject.n_v);
         series.n_p = doubles(subject.n_p);
         series.ms = subject.ms;
+        series.pairs = doubles(subject.pairs);
         figure.series.push_back(std::move(series));
     }
     // Where the two spheres' surfaces pass each other (Section 5).

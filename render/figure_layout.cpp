@@ -75,6 +75,30 @@ std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle
     return shown;
 }
 
+std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
+                                      const TextStyle& style, int width) {
+    std::vector<std::string> lines;
+    std::string line;
+    const auto flush = [&] {
+        if (!line.empty()) lines.push_back(line);
+        line.clear();
+    };
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        const std::string longer =
+            line.empty() ? std::string(word) : line + " " + std::string(word);
+        if (overlay.measure(longer, style).width <= width) {
+            line = longer;
+        } else {
+            flush();
+            line = fitted_text(overlay, word, style, width);
+        }
+    }
+    flush();
+    return lines;
+}
+
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
                     const Theme& theme, int unit) {
     const double scale = pixels_per_unit(camera, at, view.height);

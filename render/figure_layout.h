@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/camera.h"
 #include "render/font_face.h"
@@ -38,6 +39,10 @@ void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& the
 
 /// The text, cut to what fits into `width` pixels, with an ellipsis where it was cut.
 std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width);
+
+/// The text in lines of at most that width, broken at spaces; a word that is wider is cut.
+std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
+                                      const TextStyle& style, int width);
 
 /// A length bar in the lower left corner of a view: what a round number of scene units spans at
 /// `at`.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/statistics.h"
 #include "render/figure_layout.h"
 #include "render/font_face.h"
 #include "render/line_thinning.h"
@@ -15,10 +16,7 @@ namespace {
 // From here on a linear scale would hide most lines in its lowest twentieth.
 constexpr double peak_to_median = 20;
 
-// Larger magnitudes cannot be subtracted, let alone read.
-constexpr double largest_value = 1e290;
-
-bool drawable(double value) { return std::abs(value) <= largest_value; }
+bool drawable(double value) { return std::abs(value) <= largest_plot_value; }
 
 /// The values that are drawn at all.
 struct DataRange {
@@ -52,17 +50,15 @@ DataRange range_of(const LinePlot& plot) {
     return range;
 }
 
-PlotScale chosen_scale(const LinePlot& plot, DataRange& range) {
+PlotScale chosen_scale(const LinePlot& plot, const DataRange& range) {
     const bool possible = !range.positive.empty();
     if (plot.scale != PlotScale::automatic) return possible ? plot.scale : PlotScale::linear;
     if (!possible || range.y_low < 0) return PlotScale::linear;
-    const auto middle =
-        range.positive.begin() + static_cast<std::ptrdiff_t>((range.positive.size() - 1) / 2);
-    std::nth_element(range.positive.begin(), middle, range.positive.end());
-    return range.y_high / peak_to_median > *middle ? PlotScale::log10 : PlotScale::linear;
+    return range.y_high / peak_to_median > median(range.positive) ? PlotScale::log10
+                                                                  : PlotScale::linear;
 }
 
-PlotAxis y_axis(const LinePlot& plot, DataRange& range, int most_ticks) {
+PlotAxis y_axis(const LinePlot& plot, const DataRange& range, int most_ticks) {
     if (chosen_scale(plot, range) == PlotScale::log10)
         return log_axis(range.y_low_positive, range.y_high, most_ticks, range.has_zero);
     double low = range.y_low, high = range.y_high;
@@ -71,17 +67,6 @@ PlotAxis y_axis(const LinePlot& plot, DataRange& range, int most_ticks) {
         high = std::max(high, 0.0);
     }
     return linear_axis(low, high, most_ticks, AxisEnds::ticks);
-}
-
-int stroke_width(const FigureStyle& style) { return std::max(2, style.unit / 8); }
-
-void draw_stroke(Overlay& overlay, const std::vector<ScreenPosition>& points, Rgba8 color,
-                 LineStroke stroke, const FigureStyle& style) {
-    const double thickness = stroke_width(style);
-    if (points.size() == 1) return draw_smooth_line(overlay, points, color, 3 * thickness);
-    if (stroke == LineStroke::solid) return draw_smooth_line(overlay, points, color, thickness);
-    for (const auto& dash : dashes(points, 2.5 * thickness, 2.5 * thickness))
-        draw_smooth_line(overlay, dash, color, thickness);
 }
 
 /// The pieces of a line between its gaps, in pixels.
@@ -111,58 +96,94 @@ struct EndLabel {
     int y = 0;           ///< of the name's middle
 };
 
-// Moves names apart, each as little as their order allows, within the rows from top to bottom.
+int name_height(const FigureStyle& style) { return small_size(style.unit) * 6 / 5; }
+
+// Moves names apart, all together as little as their order allows, within the rows from top to
+// bottom.
 void spread(std::vector<EndLabel>& labels, int height, int top, int bottom) {
     std::stable_sort(labels.begin(), labels.end(),
                      [](const EndLabel& a, const EndLabel& b) { return a.end.y < b.end.y; });
+    // Names that touch move as one block, whose middle is the mean of their ends.
+    struct Block {
+        double first;  // the row of its first name, as wished
+        int count;
+    };
+    std::vector<Block> blocks;
+    for (const EndLabel& label : labels) {
+        blocks.push_back({label.end.y, 1});
+        while (blocks.size() > 1) {
+            const Block below = blocks.back();
+            Block& above = blocks[blocks.size() - 2];
+            if (above.first + above.count * height <= below.first) break;
+            above.first =
+                (above.first * above.count + (below.first - above.count * height) * below.count) /
+                (above.count + below.count);
+            above.count += below.count;
+            blocks.pop_back();
+        }
+    }
+    std::size_t i = 0;
     const int count = static_cast<int>(labels.size());
-    int next = top + height / 2;
-    for (int i = 0; i < count; ++i) {
-        EndLabel& label = labels[static_cast<std::size_t>(i)];
-        label.y = std::max(next, static_cast<int>(std::lround(label.end.y)));
-        next = label.y + height;
-    }
-    next = bottom - height / 2;
-    for (int i = count; i-- > 0;) {
-        EndLabel& label = labels[static_cast<std::size_t>(i)];
-        label.y = std::min(next, label.y);
-        next = label.y - height;
-    }
+    for (const Block& block : blocks)
+        for (int k = 0; k < block.count; ++k, ++i) {
+            const int above = static_cast<int>(i), below = count - 1 - above;
+            labels[i].y =
+                std::clamp(static_cast<int>(std::lround(block.first)) + k * height,
+                           top + height / 2 + above * height, bottom - height / 2 - below * height);
+        }
 }
 
 TextStyle name_style(const FigureStyle& style) {
     return {small_size(style.unit), FontWeight::medium, style.theme.text};
 }
 
-void draw_end_labels(Overlay& overlay, std::vector<EndLabel> labels, const PixelRect& area,
-                     int room, const FigureStyle& style) {
-    const int small = small_size(style.unit), height = small * 6 / 5;
-    const int indent = style.unit;
-    // Where the last line ends, which may be far from the right end: a single point is in the
-    // middle.
-    double right = area.x;
+/// Where the last line ends, which may be far from the right end: a single point is in the middle.
+double last_end(const std::vector<EndLabel>& labels) {
+    double right = 0;
     for (const EndLabel& label : labels) right = std::max(right, label.end.x);
-    if (static_cast<int>(labels.size()) * height > area.height) return;
+    return right;
+}
+
+/// The names in their places, or none where one could not stand next to its own line's end.
+std::vector<EndLabel> placed_labels(const LinePlot& plot, const PlotFrame& frame,
+                                    const PixelRect& area, const FigureStyle& style) {
+    std::vector<EndLabel> labels;
+    for (const PlotSeries& series : plot.series) {
+        if (series.name.empty()) continue;
+        const auto pieces = pieces_of(series, area, frame.x, frame.y);
+        if (!pieces.empty()) labels.push_back({&series, pieces.back().back()});
+    }
+    const int height = name_height(style);
+    if (static_cast<int>(labels.size()) * height > area.height) return {};
     spread(labels, height, area.y, area.y + area.height);
+    const double right = last_end(labels);
+    for (const EndLabel& label : labels)
+        if (right - label.end.x > style.unit || std::abs(label.y - label.end.y) >= height)
+            return {};
+    return labels;
+}
+
+void draw_end_labels(Overlay& overlay, const std::vector<EndLabel>& labels, const PixelRect& area,
+                     const FigureStyle& style) {
+    const int small = small_size(style.unit), indent = style.unit;
+    const double right = last_end(labels);
     for (const EndLabel& label : labels) {
         const double x = std::round(right) + indent;
         const std::vector<ScreenPosition> leader = {
             {label.end.x + style.unit / 6.0, label.end.y},
             {x - indent * 0.35, label.y + 0.5},
         };
-        // A longer one could be mistaken for data.
-        if (right - label.end.x < 2 * indent)
-            draw_smooth_line(overlay, leader, with_opacity(label.series->color, 0.7),
-                             std::max(1.0, style.unit / 16.0));
+        draw_smooth_line(overlay, leader, with_opacity(label.series->color, 0.7),
+                         std::max(1.0, style.unit / 16.0));
         TextStyle text = name_style(style);
         text.color = mix(label.series->color, style.theme.text, 0.35);
-        const std::string name = fitted_text(overlay, label.series->name, text, room - indent - 1);
         const int left = static_cast<int>(x), top = label.y - small / 2;
         // Among the data, no grid line goes through a name.
         if (left < area.x + area.width)
-            overlay.rectangle({left - 2, top, overlay.measure(name, text).width + 4, small},
-                              style.theme.background);
-        overlay.text(left, top, name, text);
+            overlay.rectangle(
+                {left - 2, top, overlay.measure(label.series->name, text).width + 4, small},
+                style.theme.background);
+        overlay.text(left, top, label.series->name, text);
     }
 }
 
@@ -172,7 +193,7 @@ int legend_rows(Overlay& overlay, const PixelRect& rect, const std::vector<PlotS
                 const FigureStyle& style, bool draw) {
     const TextStyle name = name_style(style);
     const TextStyle remark{small_size(style.unit), FontWeight::regular, style.theme.faint_text};
-    const int height = style.unit * 5 / 4, sample = 3 * style.unit / 2, gap = style.unit / 2;
+    const int height = style.unit * 5 / 4, sample = line_sample_width(style), gap = style.unit / 2;
     int x = rect.x, y = rect.y + style.unit / 4;
     for (const PlotSeries& s : series) {
         const std::string shown = fitted_text(overlay, s.name, name, rect.width - sample - gap);
@@ -203,13 +224,6 @@ PlotScale chosen_scale(const LinePlot& plot) {
     return chosen_scale(plot, range);
 }
 
-void draw_line_sample(Overlay& overlay, int x, int y, int width, Rgba8 color, LineStroke stroke,
-                      const FigureStyle& style) {
-    const double inset = stroke_width(style) / 2.0;
-    draw_stroke(overlay, {{x + inset, y + 0.5}, {x + width - inset, y + 0.5}}, color, stroke,
-                style);
-}
-
 PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot& plot,
                          const FigureStyle& style) {
     DataRange range = range_of(plot);
@@ -229,33 +243,33 @@ PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot
     } else {
         frame.ranges.clear();
     }
-    // Names at the lines take at most a third of the width.
-    int names = 0;
-    if (plot.legend == PlotLegend::at_lines && !range.empty())
+    // A dot is three strokes wide.
+    const int least_right = 2 * stroke_width(style);
+    std::vector<EndLabel> labels;
+    if (plot.legend == PlotLegend::at_lines && !range.empty()) {
+        int names = 0;
         for (const PlotSeries& series : plot.series)
             names = std::max(
                 names, style.unit + 1 + overlay.measure(series.name, name_style(style)).width);
-    // A dot is three strokes wide.
-    frame.right = std::max(2 * stroke_width(style), std::min(names, rect.width / 3));
+        frame.right = std::max(least_right, names);
+        // They are not cut, but leave the data two thirds of the width.
+        if (names <= rect.width / 3)
+            labels = placed_labels(plot, frame, plot_area(overlay, box, frame, style), style);
+    }
+    if (labels.empty()) frame.right = least_right;
 
     const PixelRect area = draw_plot_frame(overlay, box, frame, style);
     if (area.width == 0) return area;
-    std::vector<EndLabel> labels;
-    for (const PlotSeries& series : plot.series) {
-        const auto pieces = pieces_of(series, area, frame.x, frame.y);
-        for (const auto& piece : pieces)
-            draw_stroke(overlay, piece, series.color, series.stroke, style);
-        if (!pieces.empty() && !series.name.empty())
-            labels.push_back({&series, pieces.back().back()});
-    }
+    for (const PlotSeries& series : plot.series)
+        for (const auto& piece : pieces_of(series, area, frame.x, frame.y))
+            draw_stroke(overlay, piece, series.color, series.stroke, stroke_width(style));
     if (range.empty()) {
         const TextStyle text{style.unit, FontWeight::regular, style.theme.faint_text,
                              Align::center};
         overlay.text(area.x + area.width / 2, area.y + (area.height - style.unit) / 2,
                      fitted_text(overlay, plot.empty_text, text, area.width), text);
     }
-    if (plot.legend == PlotLegend::at_lines)
-        draw_end_labels(overlay, labels, area, frame.right, style);
+    draw_end_labels(overlay, labels, area, style);
     if (plot.legend == PlotLegend::below)
         legend_rows(overlay, {rect.x, box.y + box.height, rect.width, legend_height}, plot.series,
                     style, true);

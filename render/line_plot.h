@@ -3,11 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "render/line_stroke.h"
 #include "render/plot_frame.h"
 
 namespace scb {
-
-enum class LineStroke { solid, dashed };
 
 /// One line of a plot.
 struct PlotSeries {
@@ -27,7 +26,9 @@ struct PlotSeries {
 enum class PlotScale { automatic, linear, log10 };
 
 /// How a reader learns which line is whose: from names at the right ends of the lines, from a row
-/// of names and remarks below the plot, or from elsewhere.
+/// of names and remarks below the plot, or from elsewhere. Names stand at the lines only where each
+/// can, whole and next to its own line's end; else at none, for a name that was pushed away points
+/// at the wrong line. So there should be a legend elsewhere, too.
 enum class PlotLegend { none, at_lines, below };
 
 /// Values over an axis, several series in one plot.
@@ -53,9 +54,5 @@ PlotScale chosen_scale(const LinePlot& plot);
 /// small for a plot; then nothing is drawn.
 PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot& plot,
                          const FigureStyle& style);
-
-/// A short piece of a series' line, as legends show it: its left end and its middle.
-void draw_line_sample(Overlay& overlay, int x, int y, int width, Rgba8 color, LineStroke stroke,
-                      const FigureStyle& style);
 
 }  // namespace scb

@@ -55,6 +55,12 @@ Rgba8 hierarchy_color(VolumeKind kind) {
     return category_color(7);
 }
 
+Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme) {
+    if (i == 0 || count < 2) return color;
+    const double at = static_cast<double>(std::min(i, count - 1));
+    return mix(color, theme.text, std::min(0.4 * at, 0.8 * at / static_cast<double>(count - 1)));
+}
+
 Rgba8 viridis(double magnitude) {
     const double t = magnitude > 0 ? std::min(magnitude, 1.0) * (viridis_stops.size() - 1) : 0;
     const std::size_t below = std::min(static_cast<std::size_t>(t), viridis_stops.size() - 2);
@@ -79,7 +85,8 @@ const Theme light_theme = {.background = {255, 255, 255},
                            .text = {28, 32, 38},
                            .faint_text = {96, 103, 112},
                            .mesh = {176, 180, 186},
-                           .accent = {0xD5, 0x5E, 0x00}};
+                           .accent = {0xD5, 0x5E, 0x00},
+                           .warning = {0xB4, 0x00, 0x3C}};
 
 const Theme dark_theme = {.background = {22, 25, 30},
                           .panel = {22, 25, 30, 224},
@@ -87,6 +94,7 @@ const Theme dark_theme = {.background = {22, 25, 30},
                           .text = {236, 239, 243},
                           .faint_text = {160, 168, 178},
                           .mesh = {122, 128, 136},
-                          .accent = {0xF0, 0xE4, 0x42}};
+                          .accent = {0xF0, 0xE4, 0x42},
+                          .warning = {0xFF, 0x7A, 0x90}};
 
 }  // namespace scb

@@ -21,6 +21,12 @@ inline constexpr Rgba8 body_b_color{0xE6, 0x9F, 0x00};
 /// among the farthest apart for color-blind readers, yet legible on white and on black.
 Rgba8 hierarchy_color(VolumeKind kind);
 
+struct Theme;
+
+/// The i-th shade of a color of which `count` are needed: the first is the color itself, the others
+/// step towards the theme's text (darker on white, lighter on black), so that all stay legible.
+Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme);
+
 /// Smith and van der Walt's viridis: a magnitude from 0 (dark violet) to 1 (yellow), clamped; NaN
 /// counts as 0.
 Rgba8 viridis(double magnitude);
@@ -40,6 +46,7 @@ struct Theme {
     Rgba8 faint_text;  ///< units, remarks
     Rgba8 mesh;        ///< a mesh that is not the subject
     Rgba8 accent;      ///< what the reader should look at first
+    Rgba8 warning;     ///< text about what is wrong; always with words that say so
 };
 
 extern const Theme light_theme;

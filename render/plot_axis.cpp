@@ -12,9 +12,6 @@
 namespace scb {
 namespace {
 
-// Beyond this, differences of values overflow.
-constexpr double largest_value = 1e300;
-
 // Steps of a range are counted up to this share of one.
 constexpr double rounding = 1e-9;
 
@@ -79,7 +76,7 @@ std::string log_label(RoundNumber n) {
 }
 
 double finite(double value) {
-    return std::isfinite(value) ? std::clamp(value, -largest_value, largest_value) : 0;
+    return std::isfinite(value) ? std::clamp(value, -largest_plot_value, largest_plot_value) : 0;
 }
 
 }  // namespace
@@ -121,8 +118,8 @@ PlotAxis linear_axis(double low, double high, int most_ticks, AxisEnds ends, boo
 
 PlotAxis log_axis(double low, double high, int most_ticks, bool with_zero) {
     // Smaller and larger ones have no neighbors to end at.
-    low = std::clamp(std::isfinite(low) ? low : 1, 1e-290, 1e290);
-    high = std::clamp(std::isfinite(high) ? high : 1, low, 1e290);
+    low = std::clamp(std::isfinite(low) ? low : 1, 1 / largest_plot_value, largest_plot_value);
+    high = std::clamp(std::isfinite(high) ? high : 1, low, largest_plot_value);
     if (!(high > low * (1 + rounding))) {
         low /= 2;
         high *= 2;

@@ -5,6 +5,10 @@
 
 namespace scb {
 
+/// Values beyond it (in either direction) have no place on an axis: differences of larger ones
+/// overflow.
+inline constexpr double largest_plot_value = 1e300;
+
 /// A place on an axis that is marked. Minor marks have no label.
 struct AxisTick {
     double value = 0;

@@ -138,6 +138,13 @@ int most_y_ticks(const PixelRect& rect, const FigureStyle& style) {
     return std::clamp((rect.height - 5 * style.unit) / (2 * style.unit), 3, 9);
 }
 
+PixelRect plot_area(Overlay& overlay, const PixelRect& rect, const PlotFrame& frame,
+                    const FigureStyle& style) {
+    FramePainter painter{overlay, rect, frame, style};
+    painter.lay_out();
+    return painter.area;
+}
+
 PixelRect draw_plot_frame(Overlay& overlay, const PixelRect& rect, const PlotFrame& frame,
                           const FigureStyle& style) {
     FramePainter painter{overlay, rect, frame, style};

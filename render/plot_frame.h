@@ -30,6 +30,10 @@ struct PlotFrame {
 int most_x_ticks(const PixelRect& rect, const FigureStyle& style);
 int most_y_ticks(const PixelRect& rect, const FigureStyle& style);
 
+/// Where draw_plot_frame puts the data.
+PixelRect plot_area(Overlay& overlay, const PixelRect& rect, const PlotFrame& frame,
+                    const FigureStyle& style);
+
 /// Draws title, axes, grid and shaded ranges into the rectangle. Returns where the data go, which
 /// is empty (width or height 0) where the rectangle is too small for a plot; then nothing is drawn.
 PixelRect draw_plot_frame(Overlay& overlay, const PixelRect& rect, const PlotFrame& frame,

@@ -88,29 +88,11 @@ struct PanelPainter {
     void draw(const PanelNote& note) {
         const int small = small_size(unit);
         const TextStyle text{small, FontWeight::regular, theme.faint_text};
-        std::string line;
-        const auto flush = [&] {
-            if (!line.empty() && fits(small)) {
-                overlay.text(box.x, y, line, text);
-                y += small * 5 / 4;
-            }
-            line.clear();
-        };
-        std::size_t start = 0;
-        while (start < note.text.size()) {
-            std::size_t end = note.text.find(' ', start);
-            if (end == std::string::npos) end = note.text.size();
-            const std::string word = note.text.substr(start, end - start);
-            const std::string longer = line.empty() ? word : line + " " + word;
-            if (overlay.measure(longer, text).width <= box.width) {
-                line = longer;
-            } else {
-                flush();
-                line = fitted_text(overlay, word, text, box.width);
-            }
-            start = end + 1;
+        for (const std::string& line : wrapped_text(overlay, note.text, text, box.width)) {
+            if (!fits(small)) return;
+            overlay.text(box.x, y, line, text);
+            y += small * 5 / 4;
         }
-        flush();
     }
 };
 

@@ -152,14 +152,13 @@ void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, 
     }
 }
 
-std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points, double on,
-                                                double off) {
+std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points,
+                                                std::span<const double> pattern) {
     std::vector<std::vector<ScreenPosition>> result;
-    if (points.empty()) return result;
-    on = std::max(on, 1.0);
-    off = std::max(off, 1.0);
+    if (points.empty() || pattern.empty()) return result;
+    std::size_t turn = 0;
     bool drawing = true;
-    double left = on;
+    double left = std::max(pattern[0], 1.0);
     result.push_back({points[0]});
     for (std::size_t i = 1; i < points.size(); ++i) {
         ScreenPosition from = points[i - 1];
@@ -179,7 +178,8 @@ std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> 
             else
                 result.push_back({from});
             drawing = !drawing;
-            left = drawing ? on : off;
+            turn = (turn + 1) % pattern.size();
+            left = std::max(pattern[turn], 1.0);
         }
     }
     return result;

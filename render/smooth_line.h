@@ -15,8 +15,9 @@ namespace scb {
 void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, Rgba8 color,
                       double thickness);
 
-/// The line cut into dashes of length `on` with gaps of length `off` (pixels, both at least 1).
-std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points, double on,
-                                                double off);
+/// The line cut into dashes. The pattern has the lengths of dashes and gaps by turns, beginning
+/// with a dash (pixels, at least 1 each, an even number of them).
+std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points,
+                                                std::span<const double> pattern);
 
 }  // namespace scb

@@ -106,5 +106,24 @@ TEST(OrbitAxes, TurnWithTheAxisThatIsUp) {
     EXPECT_EQ(orbit_axes(30, 20, Vec3::UnitZ()), orbit_axes(30, 20));
 }
 
+TEST(WrappedText, BreaksAtSpacesAndLosesNoWord) {
+    Overlay overlay;
+    const TextStyle style{14, FontWeight::regular, {0, 0, 0}};
+    const std::string text = "Compiled by GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off. One thread.";
+    const std::vector<std::string> lines = wrapped_text(overlay, text, style, 150);
+    EXPECT_GT(lines.size(), 2u);
+    std::string together;
+    for (const std::string& line : lines) {
+        EXPECT_LE(overlay.measure(line, style).width, 150);
+        together += (together.empty() ? "" : " ") + line;
+    }
+    EXPECT_EQ(together, text);
+    EXPECT_TRUE(wrapped_text(overlay, "", style, 150).empty());
+    // A word that is wider is cut.
+    for (const std::string& line :
+         wrapped_text(overlay, "a " + std::string(99, 'W') + " b", style, 150))
+        EXPECT_LE(overlay.measure(line, style).width, 150);
+}
+
 }  // namespace
 }  // namespace scb

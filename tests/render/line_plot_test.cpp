@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/bar_plot.h"
 #include "render/line_thinning.h"
 #include "render/smooth_line.h"
 #include "tests/render/gl_fixture.h"
@@ -97,13 +98,14 @@ TEST(SmoothLine, IsTheSameFromEitherEndAndOverStrips) {
 }
 
 TEST(Dashes, HaveTheirLengths) {
-    const auto cut = dashes(std::vector<ScreenPosition>{{0, 0}, {3, 0}, {20, 0}}, 5, 2);
+    const auto cut =
+        dashes(std::vector<ScreenPosition>{{0, 0}, {3, 0}, {20, 0}}, std::vector<double>{5, 2});
     ASSERT_EQ(cut.size(), 3u);
     EXPECT_NEAR(cut[0].back().x, 5, 1e-9);
     EXPECT_NEAR(cut[1].front().x, 7, 1e-9);
     EXPECT_NEAR(cut[1].back().x, 12, 1e-9);
     EXPECT_NEAR(cut[2].back().x, 19, 1e-9);
-    EXPECT_TRUE(dashes({}, 5, 2).empty());
+    EXPECT_TRUE(dashes({}, std::vector<double>{5, 2}).empty());
 }
 
 TEST(ChosenScale, IsLogarithmicWhereAPeakHidesTheRest) {
@@ -206,6 +208,112 @@ TEST(LinePlot, AGapIsNotDrawn) {
     EXPECT_TRUE(drawn(0.1));
     EXPECT_FALSE(drawn(0.5));
     EXPECT_TRUE(drawn(0.9));
+}
+
+// What names at the lines take from the width of the data: 0 where there are none.
+int width_of_names(const std::vector<std::vector<double>>& values,
+                   const std::string& name = "a name") {
+    LinePlot plot;
+    plot.scale = PlotScale::linear;
+    for (const std::vector<double>& y : values) {
+        plot.series.push_back(series_of(y));
+        plot.series.back().name = name;
+    }
+    const auto width = [&](PlotLegend legend) {
+        Overlay overlay;
+        plot.legend = legend;
+        return draw_line_plot(overlay, {0, 0, 400, 300}, plot, {light_theme, 16}).width;
+    };
+    return width(PlotLegend::none) - width(PlotLegend::at_lines);
+}
+
+TEST(LinePlot, HasNamesAtTheLinesOnlyWhereEachCanStandThere) {
+    EXPECT_GT(width_of_names({{1, 2, 5}}), 40);
+    EXPECT_GT(width_of_names({{1, 2, 5}, {1, 2, 9}}), 40);
+    // Two next to each other, both moved a little.
+    EXPECT_GT(width_of_names({{1, 2, 5}, {1, 2, 5}, {1, 2, 9}}), 40);
+    // Three at the same end, or two at the bottom: one of them would stand beside another's line.
+    EXPECT_EQ(width_of_names({{1, 2, 5}, {1, 3, 5}, {1, 4, 5}, {1, 2, 9}}), 0);
+    EXPECT_EQ(width_of_names({{1, 2, 0}, {1, 5, 0}}), 0);
+    // A line that ends elsewhere, and a name that would have to be cut.
+    EXPECT_EQ(width_of_names({{1, 2, 5}, {1, 9, NAN}}), 0);
+    EXPECT_EQ(width_of_names({{1, 2, 5}}, std::string(40, 'W')), 0);
+}
+
+TEST(LinePlot, DrawsNoNameWhereNotAllCanBe) {
+    Drawing drawing;
+    LinePlot plot;
+    plot.series = {series_of({1, 2, 0}), series_of({1, 5, 0}), series_of({1, 9, 0})};
+    const auto image = [&](PlotLegend legend) {
+        Overlay overlay;
+        plot.legend = legend;
+        draw_line_plot(overlay, {0, 0, 400, 300}, plot, {light_theme, 16});
+        return drawing.renderer.draw(empty_picture(400, 300), &overlay).image;
+    };
+    EXPECT_EQ(image(PlotLegend::at_lines), image(PlotLegend::none));
+}
+
+TEST(LineStroke, CanBeToldApartInASample) {
+    Drawing drawing;
+    const FigureStyle style{light_theme, 13};
+    std::vector<Image> samples;
+    for (std::size_t i = 0; i < line_stroke_count; ++i) {
+        Overlay overlay;
+        draw_line_sample(overlay, 10, 10, line_sample_width(style), {0, 0, 0}, stroke_of_line(i),
+                         style);
+        samples.push_back(drawing.renderer.draw(empty_picture(100, 20), &overlay).image);
+        // A good part of it differs from any other.
+        for (std::size_t k = 0; k < i; ++k) {
+            int different = 0;
+            for (int x = 0; x < 100; ++x)
+                different += std::abs(pixel(samples[i], x, 10).r - pixel(samples[k], x, 10).r) > 64;
+            EXPECT_GE(different, line_sample_width(style) / 10) << i << " " << k;
+        }
+    }
+}
+
+BarPlot bars_of(const std::vector<double>& values) {
+    BarPlot plot{"Time, with a long title (jgÄ)", "ms in frame 0", {}};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        plot.bars.push_back({"name " + std::to_string(i), category_color(i), values[i], "12,345"});
+    return plot;
+}
+
+TEST(BarPlot, HasBarsAsLongAsTheirValues) {
+    Drawing drawing;
+    Overlay overlay;
+    const PixelRect area =
+        draw_bar_plot(overlay, {10, 10, 480, 300}, bars_of({50, 100, 25}), {light_theme, 16});
+    const Image image = drawing.renderer.draw(empty_picture(500, 320), &overlay).image;
+    const double shares[] = {0.5, 1, 0.25};
+    for (int i = 0; i < 3; ++i) {
+        int length = 0;
+        for (int x = area.x; x < area.x + area.width; ++x)
+            length += pixel(image, x, area.y + (2 * i + 1) * area.height / 6) ==
+                      category_color(static_cast<std::size_t>(i));
+        EXPECT_NEAR(length, shares[i] * area.width, 2) << i;
+    }
+}
+
+TEST(BarPlot, StaysInItsRectangleWhateverTheData) {
+    Drawing drawing;
+    Overlay overlay;
+    const PixelRect rect{40, 30, 420, 260};
+    BarPlot long_names = bars_of({1, 2});
+    for (PlotBar& bar : long_names.bars) bar.name = std::string(80, 'W');
+    for (const BarPlot& plot :
+         {bars_of({}), bars_of({0}), bars_of({NAN, NAN}), bars_of({1e300, 1e-300, NAN, -4}),
+          bars_of({INFINITY, 3}), bars_of(std::vector<double>(12, 7)), long_names}) {
+        overlay.begin();
+        EXPECT_GT(draw_bar_plot(overlay, rect, plot, {light_theme, 16}).width, 50);
+        const Picture picture = empty_picture(500, 320);
+        const auto [inside, outside] = inside_and_outside(
+            drawing.renderer.draw(picture, &overlay).image, rect, picture.background);
+        EXPECT_GT(inside, 100);
+        EXPECT_EQ(outside, 0);
+    }
+    for (const auto& [width, height] : {std::pair{0, 0}, {30, 200}, {300, 40}, {-5, -5}})
+        EXPECT_EQ(draw_bar_plot(overlay, {5, 5, width, height}, bars_of({1, 2}), {}).width, 0);
 }
 
 }  // namespace
