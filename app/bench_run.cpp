@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace scb {
 namespace {
@@ -15,23 +14,7 @@ double thread_milliseconds() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-template <class T>
-double mean_of_values(const std::vector<T>& values) {
-    if (values.empty()) return 0;
-    return static_cast<double>(std::accumulate(values.begin(), values.end(), T{})) /
-           static_cast<double>(values.size());
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 }  // namespace
-
-double mean(const std::vector<double>& values) { return mean_of_values(values); }
-double mean(const std::vector<std::uint64_t>& values) { return mean_of_values(values); }
 
 std::string BenchSubject::title() const {
     switch (kind) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene_query.h"
+#include "core/statistics.h"
 
 namespace scb {
 
@@ -25,9 +26,6 @@ struct SubjectBench {
 
     double mean_ms() const;
 };
-
-double mean(const std::vector<double>& values);
-double mean(const std::vector<std::uint64_t>& values);
 
 struct SceneBench {
     std::string scene;

@@ -127,6 +127,11 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --max-pairs -1", "give at least 1"},
              {"spheres-l1 --level -1", "have the levels 0 to"},
              {"spheres-l1 --json --csv", "exclude each other"},
+             {"spheres-l1 --max-pairs 010", "'010' is no whole number"},
+             {"spheres-l1 --level ''", "'' is no whole number"},
+             {"spheres-l1 --margin ''", "'' is no number"},
+             {"spheres-l1 --pairs-out -", "standard output"},
+             {"spheres-l1 --pairs-out ''", "has no name"},
              {"horses --models " + (folder / "nowhere"), "48485 vertices"}}) {
         const ProgramRun run = run_scb("collide " + arguments);
         EXPECT_EQ(run.status, 2) << arguments;
@@ -138,6 +143,68 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
         run_scb("collide spheres-l1 --frames 100 --pairs-out " + (folder / "no/such/file.csv"));
     EXPECT_EQ(unwritable.status, 3);
     EXPECT_EQ(unwritable.out, "");
+}
+
+TEST(CollideCommand, TellsThePosesInJson) {
+    const Scene scene = load_scene({"spheres-l1"});
+    const json frame =
+        json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0];
+    const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, 100),
+                                    pose_at(scene.bodies[1].motion, 100));
+    ASSERT_EQ(frame["pose"].size(), 12u);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            EXPECT_EQ(frame["pose"][static_cast<std::size_t>(4 * row + column)],
+                      pose.rotation(row, column));
+        EXPECT_EQ(frame["pose"][static_cast<std::size_t>(4 * row + 3)], pose.translation[row]);
+    }
+}
+
+TEST(CollideCommand, SaysWhichOptionsHaveNoEffect) {
+    const std::string start = "collide spheres-l1 --frames 0 ";
+    EXPECT_NE(run_scb(start + "--volume ball --test extents").err.find("have no effect"),
+              std::string::npos);
+    EXPECT_NE(run_scb(start + "--threshold 0.5").err.find("--threshold has no effect"),
+              std::string::npos);
+    EXPECT_EQ(run_scb(start + "--threshold 0.5 --test corrected").err, "");
+    EXPECT_EQ(run_scb(start + "--volume ball").err, "");
+}
+
+TEST(CollideCommand, AnInterruptLeavesTheFinishedFrames) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "pairs.csv";
+    const ProgramRun run = run_scb("collide spheres-l2 --volume ball --csv --pairs-out " + file,
+                                   "timeout --preserve-status -s INT 2");
+    ASSERT_EQ(run.status, 130) << run.err;
+    EXPECT_NE(run.err.find("of 500 frames are finished"), std::string::npos) << run.err;
+    const std::vector<std::string> rows = lines(run.out), pairs = lines(file_text(file));
+    ASSERT_GE(rows.size(), 1u);
+    EXPECT_LT(rows.size(), 501u);
+    EXPECT_EQ(pairs[0], "frame,triangle_a,triangle_b");
+    // Every frame of the list is one of the table.
+    if (pairs.size() > 1)
+        EXPECT_LT(std::stoi(pairs.back()), static_cast<int>(rows.size()) - 1);
+}
+
+// Sent to a file, the list and the table follow each other in it.
+TEST(CollideCommand, ListsPairsToStandardOutputThatIsAFile) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_scb("collide spheres-l1 --frames 100 --csv --pairs-out /dev/stdout >" + (folder / "out"));
+    EXPECT_EQ(run.status, 0) << run.err;
+    const std::vector<std::string> text = lines(file_text(folder / "out"));
+    EXPECT_EQ(text[0], "frame,triangle_a,triangle_b");
+    EXPECT_EQ(text[text.size() - 2].substr(0, 12), "frame,pairs,");
+}
+
+TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder / "m.off", bytes = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    write_text(mesh, bytes);
+    const ProgramRun run = run_scb("collide " + mesh + " " + mesh + " --pairs-out " + mesh);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+    EXPECT_EQ(file_text(mesh), bytes);
 }
 
 }  // namespace

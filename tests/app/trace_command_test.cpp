@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "render/output_file.h"
 #include "tests/app/program.h"
 
 namespace scb {
@@ -89,7 +88,7 @@ TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
     EXPECT_EQ(first["a"]["nodes"], first["b"]["nodes"]);
     EXPECT_NE(first["a"]["stage"], first["b"]["stage"]);
     std::ostringstream place;
-    place << "They part at frame " << first["frame"] << ", test " << first["test"];
+    place << "They part first at frame " << first["frame"] << ", test " << first["test"];
     EXPECT_NE(text.out.find(place.str()), std::string::npos) << text.out;
     for (const char* side : {"a", "b"})
         EXPECT_NE(text.out.find(first[side]["outcome"].get<std::string>()), std::string::npos);
@@ -106,8 +105,22 @@ TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
         EXPECT_EQ(a[i]["nodes"], b[i]["nodes"]);
         EXPECT_EQ(a[i]["stage"], b[i]["stage"]);
     }
-    EXPECT_EQ(a[at], first["a"]);
-    EXPECT_EQ(b[at], first["b"]);
+    const auto without_numbers = [](json test) {
+        test.erase("test");
+        test.erase("parent_test");
+        return test;
+    };
+    EXPECT_EQ(a[at]["test"], at);
+    EXPECT_EQ(a[a[at]["parent_test"].get<std::size_t>()]["nodes"], a[at]["parent"]["nodes"]);
+    EXPECT_EQ(without_numbers(a[at]), first["a"]);
+    EXPECT_EQ(without_numbers(b[at]), first["b"]);
+    // And so is where the other test lost pairs.
+    const std::size_t lost = d["pairs_only_in_a"];
+    EXPECT_GT(lost, 0u);
+    EXPECT_EQ(d["pairs_only_in_b"], 0);
+    EXPECT_EQ(d["sum"]["pairs"]["a"].get<std::size_t>() - lost, d["sum"]["pairs"]["b"]);
+    EXPECT_EQ(d["lost"].size(), std::min<std::size_t>(lost, 5));
+    EXPECT_EQ(d["lost"][0]["lost_at"]["stage"], "ball-slab");
     // The sums are collide's.
     const json live =
         json::parse(run_scb("collide spheres-l1 --json --test printed --frames 0:20:5,200").out);
@@ -125,7 +138,8 @@ TEST_F(TraceCommand, DiffOfEqualTracesAndOfOtherFrames) {
     EXPECT_NE(equal.out.find("equal: 5 frames"), std::string::npos) << equal.out;
     const ProgramRun run = run_scb("diff " + (folder / "a") + " " + (folder / "c"));
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.out.find("2 frames only in A: 0, 5\n1 frame only in B: 25\n3 frames in both"),
+    EXPECT_NE(run.out.find("2 frames only in the first (frames 0, 5)\n1 frame only in the second (frame 25)\n"
+                           "3 frames in both"),
               std::string::npos)
         << run.out;
 }
@@ -152,6 +166,20 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace " + (folder / "none.scbtrace"), "there is no such file"},
         {"trace " + corrected + out, "is a trace already"},
         {"trace " + corrected + " --frames 7", "has no frame 7"},
+        {"trace " + corrected + " --frames all,7", "has no frame 7"},
+        {"trace " + corrected + " --test printed", "--test"},
+        {"trace " + corrected + " --level 3", "--level"},
+        {"trace none", "there is no such scene or file"},
+        {"trace spheres-l1 -o ''", "-o: the file has no name"},
+        {"trace spheres-l1 -o -", "standard output"},
+        {"trace spheres-l1 --max-pairs 010" + out, "--max-pairs: '010'"},
+        {"trace spheres-l1 --max-pairs 99999999999999999999" + out, "--max-pairs"},
+        {"trace spheres-l1 --level ''" + out, "--level: ''"},
+        {"trace spheres-l1 --threshold 0x1p-1 --test corrected" + out, "--threshold: '0x1p-1'"},
+        {"trace " + (folder / "one.off") + " " + (folder / "one.off") + " -o " +
+             (folder / "one.off"),
+         "the scene is read from this file"},
+        {"collide " + corrected, "this is a trace"},
         {"trace spheres-l1", "-o FILE"},
         {"trace spheres-l1 --events" + out, "--events"},
         {"trace spheres-l1 --frames 500" + out, "frames 0 to 499"},

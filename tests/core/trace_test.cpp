@@ -139,10 +139,10 @@ TEST(TraceDiff, TwoOverlapTestsPartWhereTheirStagesFirstDo) {
     for (const TraceFrame& f : b.frames) n_v += f.found.n_v;
     EXPECT_EQ(d.sum_b.n_v, n_v);
 
-    const std::string text = words_of(*d.first);
+    const std::string text = words_of(*d.first, d.bodies);
     expect_in("frame " + std::to_string(d.first->frame) + ", test " + std::to_string(d.first->test),
               text);
-    expect_in(words_of(*d.first->a), text);
+    expect_in(words_of(*d.first->a, d.bodies), text);
     expect_in("reached from the nodes", text);
 }
 
@@ -158,7 +158,7 @@ TEST(TraceDiff, FindsAnEventThatWasChanged) {
         ASSERT_TRUE(d.first);
         EXPECT_EQ(d.first->frame, 4);
         EXPECT_EQ(d.first->test, index);
-        expect_in("rejected at center-line", words_of(*d.first->b));
+        expect_in("rejected at center-line", words_of(*d.first->b, d.bodies));
         EXPECT_EQ(d.frames.size(), 1u);
     }
 }
@@ -177,7 +177,7 @@ TEST(TraceDiff, FindsATriangleTestThatWasChanged) {
     EXPECT_EQ(d.first->test, triangles[5].after);
     ASSERT_TRUE(d.first->a->triangles && d.first->b->triangles);
     EXPECT_NE(d.first->a->triangles->intersect, d.first->b->triangles->intersect);
-    EXPECT_NE(words_of(*d.first->a), words_of(*d.first->b));
+    EXPECT_NE(words_of(*d.first->a, d.bodies), words_of(*d.first->b, d.bodies));
 }
 
 TEST(TraceDiff, FindsATriangleTestThatOneLacks) {
@@ -195,17 +195,94 @@ TEST(TraceDiff, FindsATriangleTestThatOneLacks) {
     }
 }
 
-TEST(TraceDiff, AQueryThatEndsEarlierHasNothingThere) {
+TEST(TraceDiff, AQueryThatEndsEarlierLeavesPairsOver) {
     TraceHeader first = asking(VolumeKind::scb, OverlapTest::symmetric);
     first.options.max_pairs = 1;
     const Trace a = slide(OverlapTest::symmetric),
                 b = record_trace(mesh_a(), mesh_b(), first, three_frames);
     const TraceDiff d = diff(a, b);
+    // They part where the second leaves over what the first divides, not where it ends.
+    ASSERT_TRUE(d.first && d.first->b);
+    EXPECT_LT(d.first->test, b.frames[0].events.volume_tests.size());
+    EXPECT_EQ(d.first->b->outcome, Outcome::left_over);
+    EXPECT_NE(d.first->a->outcome, Outcome::left_over);
+    EXPECT_EQ(d.first->a->test, d.first->b->test);
+    // Of the pairs that it lacks it left the nodes over, or had ended.
+    EXPECT_EQ(d.pairs_only_in_b, 0u);
+    EXPECT_EQ(d.pairs_only_in_a, d.sum_a.pairs - d.sum_b.pairs);
+    ASSERT_FALSE(d.lost.empty());
+    for (const LostPair& lost : d.lost)
+        EXPECT_TRUE(!lost.lost_at || lost.lost_at->outcome == Outcome::left_over);
+}
+
+TEST(TraceDiff, OneThatEndsEarlierHasNothingThere) {
+    const Trace a = slide(OverlapTest::symmetric);
+    Trace b = a;
+    // The second child of the last pair that was divided, which led to nothing.
+    b.frames[2].events.volume_tests.pop_back();
+    const TraceDiff d = diff(a, b);
     ASSERT_TRUE(d.first);
-    EXPECT_EQ(d.first->test, b.frames[0].events.volume_tests.size());
+    EXPECT_EQ(d.first->test, b.frames[2].events.volume_tests.size());
     EXPECT_TRUE(d.first->a);
     EXPECT_FALSE(d.first->b);
-    expect_in("B had ended", words_of(*d.first));
+    expect_in("the second had ended", words_of(*d.first, d.bodies));
+}
+
+// The test that lost a pair is a rejection, of nodes above both triangles.
+TEST(TraceDiff, SaysWhereAPairWasLost) {
+    for (const DescentRule descent : {DescentRule::radius, DescentRule::alternating}) {
+        TraceHeader asked = asking(VolumeKind::scb, OverlapTest::printed);
+        asked.options.descent = descent;
+        const Trace a = slide(OverlapTest::corrected),
+                    b = record_trace(mesh_a(), mesh_b(), asked, three_frames);
+        const TraceDiff d = diff(a, b);
+        std::size_t only_a = 0;
+        for (std::size_t f = 0; f < a.frames.size(); ++f) {
+            const auto &pairs = a.frames[f].found.pairs, &others = b.frames[f].found.pairs;
+            for (const IndexPair& pair : pairs)
+                only_a += !std::binary_search(others.begin(), others.end(), pair);
+        }
+        ASSERT_GT(only_a, 0u) << "the test needs a pair that `printed` misses";
+        EXPECT_EQ(d.pairs_only_in_a, only_a);
+        EXPECT_EQ(d.pairs_only_in_b, 0u);
+        EXPECT_EQ(d.lost.size(), std::min(only_a, TraceDiff::most_lost));
+        for (const LostPair& lost : d.lost) {
+            EXPECT_TRUE(lost.found_by_a);
+            ASSERT_TRUE(lost.lost_at);
+            EXPECT_EQ(lost.lost_at->outcome, Outcome::rejected);
+            const auto frame = std::find_if(b.frames.begin(), b.frames.end(), [&](const auto& f) {
+                return f.frame == lost.frame;
+            });
+            EXPECT_EQ(frame->events.volume_tests[lost.test], lost.lost_at->test);
+            const auto holds = [](const BuiltMesh& mesh, std::uint32_t node,
+                                  std::uint32_t triangle) {
+                const Topology& topology = topology_of(mesh.hierarchies[0]);
+                const TopologyNode& n = topology.nodes[node];
+                const auto first = topology.order.begin() + n.first;
+                return std::find(first, first + n.count, triangle) != first + n.count;
+            };
+            EXPECT_TRUE(holds(mesh_a(), lost.lost_at->test.nodes.a, lost.pair.a));
+            EXPECT_TRUE(holds(mesh_b(), lost.lost_at->test.nodes.b, lost.pair.b));
+            expect_in("the second left them out at test", words_of(lost, false, d.bodies));
+        }
+        EXPECT_EQ(diff(b, a).pairs_only_in_b, only_a);
+        EXPECT_FALSE(diff(b, a).lost[0].found_by_a);
+    }
+}
+
+TEST(TraceDiff, LevelsToStopAtPartWhereOneGoesOn) {
+    const auto to_level = [](int level) {
+        TraceHeader asked = asking(VolumeKind::scb, OverlapTest::symmetric);
+        asked.options.stop_level = level;
+        return record_trace(mesh_a(), mesh_b(), asked, three_frames);
+    };
+    const TraceDiff d = diff(to_level(2), to_level(3));
+    EXPECT_FALSE(d.pairs_comparable);
+    EXPECT_EQ(d.pairs_only_in_a, 0u);
+    ASSERT_TRUE(d.first && d.first->a && d.first->b);
+    EXPECT_EQ(d.first->a->test, d.first->b->test);
+    EXPECT_EQ(d.first->a->outcome, Outcome::found);
+    EXPECT_NE(d.first->b->outcome, Outcome::found);
 }
 
 TEST(TraceDiff, FramesThatOnlyOneHas) {

@@ -117,6 +117,36 @@ TEST_F(ImageFile, AFileHasThePermissionsOfAnyNewFile) {
     EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0640});
 }
 
+TEST_F(ImageFile, ALinkStaysAndWhatItLeadsToIsReplaced) {
+    std::ofstream(folder / "file") << "replaced";
+    fs::create_symlink("file", folder / "link");
+    write_file_whole(folder / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(fs::file_size(folder / "file"), 3u);
+    EXPECT_EQ(file_count(), 2);
+}
+
+TEST_F(ImageFile, NamesMayBeAsLongAsNamesCan) {
+    write_file_whole(folder / std::string(250, 'x'), "text");
+    EXPECT_EQ(file_count(), 1);
+}
+
+// While a file is written it has no name, so that nothing can leave a part of it behind.
+TEST_F(ImageFile, AnUnfinishedFileHasNoName) {
+    const int probe = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
+    ::close(probe);
+    EXPECT_EXIT(
+        {
+            const rlimit most = {4096, 4096};
+            ::setrlimit(RLIMIT_FSIZE, &most);  // the signal comes in the middle of the write
+            std::signal(SIGXFSZ, SIG_DFL);
+            write_file_whole(folder / "file", std::vector<std::uint8_t>(10000, 1));
+        },
+        testing::KilledBySignal(SIGXFSZ), "");
+    EXPECT_EQ(file_count(), 0);
+}
+
 TEST_F(ImageFile, NoOtherFileIsTouched) {
     const fs::path other = folder / ("file.part-" + std::to_string(::getpid()));
     std::ofstream(other) << "kept";

@@ -308,11 +308,16 @@ TEST(TraceFile, LengthsThatNobodyWroteAreRefusedAtOnce) {
 }
 
 /// A frame of these symbols (0: divided, 1: leaves, 2: leaves that meet, 3: rejected; 128 more
-/// where B's node was divided) and the differences of indices that come after them.
-Bytes made_up(const Bytes& symbols, const Bytes& indices) {
+/// where B's node was divided) and the differences of indices that come after them. `more_n_u` is
+/// what its N_u is off by.
+Bytes made_up(const Bytes& symbols, const Bytes& indices, int more_n_u = 0) {
+    constexpr std::uint8_t ball_ball = 3, slab_ball = 4;  // without B's normal
     ByteWriter block;
     block.varint(1);
-    block.varint(1);
+    int n_u = more_n_u;
+    for (const std::uint8_t symbol : symbols)
+        n_u += (symbol & 127) == ball_ball || (symbol & 127) == slab_ball ? 1 : 2;
+    block.varint(static_cast<std::uint64_t>(n_u));
     for (const double d : {1., 0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0.}) block.real(d);
     block.text(std::string(symbols.begin(), symbols.end()));
     for (const std::uint8_t index : indices) block.signed_varint(index);
@@ -321,7 +326,11 @@ Bytes made_up(const Bytes& symbols, const Bytes& indices) {
 
 TEST(TraceFile, ContradictionsAreNamed) {
     const TraceHeader header = small_trace().header;
-    TraceHeader first = header, level = header, no_triangles = header;
+    TraceHeader first = header, level = header, root = header, no_triangles = header,
+                margin = header, threshold = header;
+    root.options.stop_level = 0;
+    margin.margin = -0.5;
+    threshold.options.overlap.threshold = 1.5;
     first.options.max_pairs = 1;
     level.options.stop_level = 3;
     no_triangles.bodies[1].mesh.triangles = 0;
@@ -344,7 +353,7 @@ TEST(TraceFile, ContradictionsAreNamed) {
         {header, made_up({0, 3, 3, 3, 3}, {1}), "tests after the last one"},
         {header, made_up({0, 0, 3}, {1}), "tests end before the query did"},
         {header, made_up({0, 3}, {1}), "tests end before the query did"},
-        {header, made_up({0, 26, 3}, {1}), "a stage is unknown"},
+        {header, made_up({0, 26, 3}, {1}), "a stage is none of its overlap test"},
         {header, made_up({0, 1, 2}, {1, 0, 0, 1}), ""},
         {header, made_up({0, 1, 2}, {1, 0, 0, 0}), "share a child or a triangle"},
         {header, made_up({0, 1, 2}, {1, 119, 0, 1}), "out of range"},
@@ -355,6 +364,12 @@ TEST(TraceFile, ContradictionsAreNamed) {
         {first, made_up({0, 2}, {1, 0, 0}), ""},
         {first, made_up({0, 2, 2}, {1, 0, 0, 1}), "tests after the last pair"},
         {level, made_up({0, 2, 2}, {1}), ""},
+        {root, made_up({2}, {}), ""},
+        {root, made_up({0, 2, 2}, {1}), "below the level to stop at"},
+        {header, made_up({0, 8, 3}, {1}), "a stage is none of its overlap test"},
+        {header, made_up({0, 3, 3}, {1}, 1), "its counts are not those of its tests"},
+        {margin, made_up({3}, {}), "its header cannot be read"},
+        {threshold, made_up({3}, {}), "its header cannot be read"},
         {level, made_up({0, 2, 1}, {1}), "triangles where no leaves are"},
         {no_triangles, made_up({3}, {}), "its header cannot be read"},
     };
