@@ -214,6 +214,7 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
     command
         ->add_option("-o,--output", options->picture.output,
                      "Folder for bench.csv, bench.json and a picture per scene")
+        ->check(has_name())
         ->type_name("DIR");
     command->add_option("--size", options->picture.size, "Size of a picture in pixels")
         ->type_name("WxH")

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "render/volume_titles.h"
+
 namespace scb {
 namespace {
 
@@ -17,17 +19,8 @@ double thread_milliseconds() {
 }  // namespace
 
 std::string BenchSubject::title() const {
-    switch (kind) {
-        case VolumeKind::ball:
-            return "ball";
-        case VolumeKind::ritter:
-            return "ball (Ritter)";
-        case VolumeKind::obb:
-            return "OBB";
-        case VolumeKind::scb:
-            break;
-    }
-    return "SCB " + std::string(overlap_test_name(test));
+    if (kind != VolumeKind::scb) return std::string(volume_title(kind));
+    return std::string(volume_title(kind)) + " " + std::string(overlap_test_name(test));
 }
 
 double SubjectBench::mean_ms() const { return mean(ms); }

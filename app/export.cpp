@@ -97,6 +97,7 @@ void add_export(CLI::App& program, const Console& console, Action& action) {
         ->check(decimal_number())
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
+        ->check(has_name())
         ->required()
         ->type_name("FILE");
     command->footer("Example:\n  scb export spheres-l1 --level 7 -o level-7.ply");

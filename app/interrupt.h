@@ -8,7 +8,7 @@ namespace scb {
 
 /// While one of these exists, Ctrl-C (SIGINT) and SIGTERM do not end the program but are
 /// remembered, so that a long run can stop between two results and leave what it has finished. A
-/// second one ends the program.
+/// second one, 0.3 s later or more, ends the program.
 class InterruptWatch {
   public:
     InterruptWatch();

@@ -64,7 +64,6 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
 }
 
 void check_output(const std::string& path, const std::string& option, const SceneOptions& scene) {
-    if (path.empty()) throw InputError(option + ": the file has no name; name one.");
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
     for (const std::string& name : scene.names)
@@ -153,6 +152,14 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool se
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
         ->check(real_number())
         ->capture_default_str();
+}
+
+CLI::Validator has_name() {
+    return CLI::Validator(
+        [](std::string& text) -> std::string {
+            return text.empty() ? "the name is empty; give one" : "";
+        },
+        "");
 }
 
 CLI::Validator decimal_number() {

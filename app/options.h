@@ -48,6 +48,9 @@ struct HierarchyOptions {
 /// `several`: whether --volume takes a list.
 void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool several = true);
 
+/// Refuses an empty name.
+CLI::Validator has_name();
+
 /// Refuses what is no whole number in decimal: CLI11 alone reads 010 as 8, and holds a number that
 /// is too large for the largest one.
 CLI::Validator decimal_number();

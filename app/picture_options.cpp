@@ -58,7 +58,6 @@ std::size_t PictureOptions::jobs() const {
 }
 
 std::filesystem::path PictureOptions::output_folder() const {
-    if (output.empty()) throw InputError("-o: the folder has no name; name one.");
     std::error_code error;
     std::filesystem::create_directories(output, error);
     if (error || !std::filesystem::is_directory(output))
@@ -69,6 +68,7 @@ std::filesystem::path PictureOptions::output_folder() const {
 
 void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
     command.add_option("-o,--output", options.output, "Folder for the pictures")
+        ->check(has_name())
         ->type_name("DIR")
         ->capture_default_str();
     command.add_option("--size", options.size, "Size of a picture in pixels")

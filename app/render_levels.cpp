@@ -14,23 +14,10 @@
 #include "render/level_sheet.h"
 #include "render/output_file.h"
 #include "render/renderer.h"
+#include "render/volume_titles.h"
 
 namespace scb {
 namespace {
-
-const char* title_of(VolumeKind kind) {
-    switch (kind) {
-        case VolumeKind::scb:
-            return "SCB";
-        case VolumeKind::ball:
-            return "ball";
-        case VolumeKind::ritter:
-            return "Ritter's ball";
-        case VolumeKind::obb:
-            return "OBB";
-    }
-    return "";
-}
 
 std::string level_title(int level) {
     return level == leaf_level ? "leaves" : "level " + std::to_string(level);
@@ -155,7 +142,8 @@ int run(const LevelOptions& options, const Console& console) {
     const std::size_t total = kinds.size() * levels.size();
     for (std::size_t k = 0; k < kinds.size(); ++k)
         for (const int level : levels) {
-            figure.title = scene.name + " · " + title_of(kinds[k]) + " · " + level_title(level);
+            figure.title = scene.name + " · " + std::string(volume_title(kinds[k])) + " · " +
+                           level_title(level);
             figure.bodies = bodies[k];
             figure.level = level;
             const Picture picture =
@@ -183,7 +171,7 @@ int run(const LevelOptions& options, const Console& console) {
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             std::vector<LevelSheetCell>& row = sheet.rows.emplace_back();
             for (const int level : levels)
-                row.push_back({std::string(title_of(kinds[k])) + " · " + level_title(level),
+                row.push_back({std::string(volume_title(kinds[k])) + " · " + level_title(level),
                                bodies[k], level});
         }
         const Picture picture = compose(sheet, options.picture.samples, overlay);

@@ -171,6 +171,7 @@ void add_trace(CLI::App& program, const Console& console, Action& action) {
     add_query_options(*command, options->query, false);
     add_query_limits(*command, options->limits);
     command->add_option("-o,--output", options->output, "Write the trace to this file")
+        ->check(has_name())
         ->type_name("FILE.scbtrace");
     command->add_flag("--events", options->events, "Print every test of the trace");
     command->add_flag("--json", options->json, "Print the trace as JSON");

@@ -131,7 +131,7 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --level ''", "'' is no whole number"},
              {"spheres-l1 --margin ''", "'' is no number"},
              {"spheres-l1 --pairs-out -", "standard output"},
-             {"spheres-l1 --pairs-out ''", "has no name"},
+             {"spheres-l1 --pairs-out ''", "--pairs-out: the name is empty"},
              {"horses --models " + (folder / "nowhere"), "48485 vertices"}}) {
         const ProgramRun run = run_scb("collide " + arguments);
         EXPECT_EQ(run.status, 2) << arguments;
@@ -149,8 +149,8 @@ TEST(CollideCommand, TellsThePosesInJson) {
     const Scene scene = load_scene({"spheres-l1"});
     const json frame =
         json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0];
-    const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, 100),
-                                    pose_at(scene.bodies[1].motion, 100));
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 100), pose_at(scene.bodies[1].motion, 100));
     ASSERT_EQ(frame["pose"].size(), 12u);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
@@ -182,15 +182,16 @@ TEST(CollideCommand, AnInterruptLeavesTheFinishedFrames) {
     EXPECT_LT(rows.size(), 501u);
     EXPECT_EQ(pairs[0], "frame,triangle_a,triangle_b");
     // Every frame of the list is one of the table.
-    if (pairs.size() > 1)
+    if (pairs.size() > 1) {
         EXPECT_LT(std::stoi(pairs.back()), static_cast<int>(rows.size()) - 1);
+    }
 }
 
 // Sent to a file, the list and the table follow each other in it.
 TEST(CollideCommand, ListsPairsToStandardOutputThatIsAFile) {
     const TemporaryFolder folder;
-    const ProgramRun run =
-        run_scb("collide spheres-l1 --frames 100 --csv --pairs-out /dev/stdout >" + (folder / "out"));
+    const ProgramRun run = run_scb(
+        "collide spheres-l1 --frames 100 --csv --pairs-out /dev/stdout >" + (folder / "out"));
     EXPECT_EQ(run.status, 0) << run.err;
     const std::vector<std::string> text = lines(file_text(folder / "out"));
     EXPECT_EQ(text[0], "frame,triangle_a,triangle_b");

@@ -6,9 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <span>
 
-#include "render/image_file.h"
+#include "render/output_file.h"
 
 namespace scb {
 
@@ -18,8 +17,7 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
-    write_file_whole(path,
-                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    write_file_whole(path, text);
 }
 
 std::size_t lines_of(const std::string& text) {

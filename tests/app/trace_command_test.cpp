@@ -138,9 +138,11 @@ TEST_F(TraceCommand, DiffOfEqualTracesAndOfOtherFrames) {
     EXPECT_NE(equal.out.find("equal: 5 frames"), std::string::npos) << equal.out;
     const ProgramRun run = run_scb("diff " + (folder / "a") + " " + (folder / "c"));
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.out.find("2 frames only in the first (frames 0, 5)\n1 frame only in the second (frame 25)\n"
-                           "3 frames in both"),
-              std::string::npos)
+    EXPECT_NE(
+        run.out.find(
+            "2 frames only in the first (frames 0, 5)\n1 frame only in the second (frame 25)\n"
+            "3 frames in both"),
+        std::string::npos)
         << run.out;
 }
 
@@ -170,7 +172,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace " + corrected + " --test printed", "--test"},
         {"trace " + corrected + " --level 3", "--level"},
         {"trace none", "there is no such scene or file"},
-        {"trace spheres-l1 -o ''", "-o: the file has no name"},
+        {"trace spheres-l1 -o ''", "the name is empty"},
         {"trace spheres-l1 -o -", "standard output"},
         {"trace spheres-l1 --max-pairs 010" + out, "--max-pairs: '010'"},
         {"trace spheres-l1 --max-pairs 99999999999999999999" + out, "--max-pairs"},

@@ -1,6 +1,7 @@
 #include "render/image_file.h"
 #include "render/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -136,14 +138,13 @@ TEST_F(ImageFile, AnUnfinishedFileHasNoName) {
     const int probe = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
     if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
     ::close(probe);
-    EXPECT_EXIT(
-        {
-            const rlimit most = {4096, 4096};
-            ::setrlimit(RLIMIT_FSIZE, &most);  // the signal comes in the middle of the write
-            std::signal(SIGXFSZ, SIG_DFL);
-            write_file_whole(folder / "file", std::vector<std::uint8_t>(10000, 1));
-        },
-        testing::KilledBySignal(SIGXFSZ), "");
+    const auto interrupted = [&] {
+        const rlimit most = {4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &most);  // the signal comes in the middle of the write
+        std::signal(SIGXFSZ, SIG_DFL);
+        write_file_whole(folder / "file", std::vector<std::uint8_t>(10000, 1));
+    };
+    EXPECT_EXIT(interrupted(), testing::KilledBySignal(SIGXFSZ), "");
     EXPECT_EQ(file_count(), 0);
 }
 
