@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -88,7 +89,8 @@ Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, 
     result["descent"] = options.query.descent;
     result["growth"] = options.hierarchy.growth;
     result["margin"] = options.hierarchy.margin;
-    if (options.limits.level) result["level"] = *options.limits.level;
+    result["max_pairs"] = query.options.max_pairs;
+    result["level"] = options.limits.level ? Json(*options.limits.level) : Json();
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},
@@ -120,9 +122,9 @@ std::string title_of(const Options& options, const SceneQuery& query) {
 int run(const Options& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     if (options.first) query.options.max_pairs = 1;
-    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     std::vector<Stage> stages = counted_stages(query.kind, query.options.overlap);
@@ -158,7 +160,7 @@ int run(const Options& options, const Console& console) {
                "\n";
     else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
-    if (!options.pairs_out.empty()) write_file_whole(options.pairs_out, pairs);
+    if (!options.pairs_out.empty() && sums.frames > 0) write_file_whole(options.pairs_out, pairs);
     print_result(text);
     if (!sums.complete && !options.first)
         console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
@@ -196,7 +198,9 @@ void add_collide(CLI::App& program, const Console& console, Action& action) {
         "added; then the volume\n"
         "tests by how they ended: overlapping, or rejected, by a part of A and a part of B: "
         "slab-ball is A's slab, B's ball\n"
-        "(boxes: with --csv or --json). The same counts on every machine.\n\n"
+        "(boxes: with --csv or --json). The same counts on every machine. Ctrl-C leaves the frames "
+        "that "
+        "were finished, and exits with 130.\n\n"
         "Example:\n  scb collide spheres-l1 --frames 0:499:50");
     command->callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

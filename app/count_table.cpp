@@ -1,5 +1,8 @@
 #include "app/count_table.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "app/text_format.h"
 namespace scb {
 namespace {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cinttypes>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -88,14 +90,21 @@ std::string frames_text(const TraceDiff& d) {
     return text;
 }
 
+BodyNames printable_names(const BodyNames& names) {
+    return {printable(names[0]), printable(names[1])};
+}
+
 // Which pairs one found and the other did not, and by which test it left them out.
 std::string lost_text(const TraceDiff& d) {
+    if (d.nodes_comparable && !d.pairs_comparable)
+        return "\nThey stop at different levels, so their pairs cannot be compared.\n";
     if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
     std::string text = "\n" + plural(d.pairs_only_in_a, "pair") + " only in the first, " +
                        plural(d.pairs_only_in_b, "pair") + " only in the second";
     const bool some = d.lost.size() < d.pairs_only_in_a + d.pairs_only_in_b;
     text += some ? format("; %zu of them:\n", d.lost.size()) : std::string(":\n");
-    for (const LostPair& lost : d.lost) text += "  " + words_of(lost, d.of_nodes, d.bodies) + "\n";
+    for (const LostPair& lost : d.lost)
+        text += "  " + words_of(lost, d.of_nodes, printable_names(d.bodies)) + "\n";
     return text;
 }
 
@@ -127,7 +136,7 @@ std::string text_of(const Options& options, const TraceDiff& d) {
     if (!d.nodes_comparable)
         text += "\nThe meshes differ, so nodes and triangles cannot be compared.\n";
     else if (d.first)
-        text += "\nThey part first at " + words_of(*d.first, d.bodies);
+        text += "\nThey part first at " + words_of(*d.first, printable_names(d.bodies));
     else
         text += "\nEvery test of the frames in both is the same.\n";
     return text;
@@ -176,6 +185,7 @@ Json json_of(const Options& options, const TraceDiff& d) {
             {"nodes_comparable", d.nodes_comparable},
             {"sum", counts_json(d.sum_a, d.sum_b)},
             {"frames", frames},
+            {"pairs_comparable", d.pairs_comparable},
             {"pairs_only_in_a", d.pairs_only_in_a},
             {"pairs_only_in_b", d.pairs_only_in_b},
             {"lost", lost},

@@ -2,28 +2,30 @@
 
 #include <time.h>
 
+#include <atomic>
 #include <csignal>
+#include <cstdint>
 
 namespace scb {
 namespace {
 
-// What a signal handler may write. The time is read by handlers alone.
+// What a signal handler may write.
 volatile sig_atomic_t received = 0;
-timespec received_at{};
+std::atomic<std::int64_t> received_at = 0;  // nanoseconds
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 void remember(int signal) {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
+    const std::int64_t time = std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
     if (received == 0) {
-        received_at = now;
+        received_at = time;
         received = signal;
         return;
     }
     // Some programs send one signal to the process and to its group: that is one, not two.
-    constexpr double one_signal = 0.3;  // seconds
-    const double apart = static_cast<double>(now.tv_sec - received_at.tv_sec) +
-                         1e-9 * static_cast<double>(now.tv_nsec - received_at.tv_nsec);
-    if (apart < one_signal) return;
+    constexpr std::int64_t one_signal = 300'000'000;
+    if (time - received_at < one_signal) return;
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -36,6 +38,9 @@ InterruptWatch::InterruptWatch() {
     received = 0;
     struct sigaction action {};
     action.sa_handler = remember;
+    // What is being printed goes on being printed.
+    action.sa_flags = SA_RESTART;
+    for (const int signal : signals) sigaddset(&action.sa_mask, signal);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         sigaction(signals[i], nullptr, &before_[i]);
         // A program that was told to ignore it goes on doing so.

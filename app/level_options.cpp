@@ -7,6 +7,9 @@ namespace scb {
 void LevelOptions::check() const {
     picture.check();
     camera.check();
+    if (camera.follows_contact())
+        throw InputError(
+            "--camera contact: levels have no contact; give fit, orbit:... or a file.");
     hierarchy.kinds();
     hierarchy.fit();
     if (opacity && !(*opacity >= 0 && *opacity <= 1))

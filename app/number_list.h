@@ -18,6 +18,9 @@ struct NumberRange {
 /// the option, where it is no such part or leaves the range.
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range);
 
+/// In place of a list: the frame that the scene itself wishes to show.
+inline constexpr const char* auto_frames = "auto";
+
 /// The frames that a list names, "all" or "5,7,0:499:10": ascending, each once. Throws InputError.
 std::vector<int> parse_frames(const std::string& text, int frame_count,
                               const std::string& scene_name);

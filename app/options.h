@@ -27,8 +27,8 @@ struct SceneOptions {
 /// The names as UTF-8, for JSON and headers.
 std::vector<std::string> utf8_names(const std::vector<std::string>& names);
 
-/// Throws InputError where `path` names no file or one that the scene is read from, and OutputError
-/// where there cannot be such a file.
+/// Throws InputError where `path` is standard output or one of the files that name the scene, and
+/// OutputError where there cannot be such a file.
 void check_output(const std::string& path, const std::string& option, const SceneOptions& scene);
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);

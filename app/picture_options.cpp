@@ -1,5 +1,6 @@
 #include "app/picture_options.h"
 
+#include <algorithm>
 #include <thread>
 
 #include "app/options.h"

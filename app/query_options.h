@@ -16,7 +16,7 @@ struct QueryOptions {
     double threshold = OverlapOptions{}.threshold;
     std::string descent{descent_rule_name(CollideOptions{}.descent)};
     std::string frames = "all";
-    std::string bodies;
+    std::string bodies{};
 
     /// The overlap tests named, each once; throws InputError for an unknown name.
     std::vector<OverlapTest> tests() const;

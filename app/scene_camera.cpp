@@ -23,7 +23,7 @@ double azimuth_for(const Scene& scene, const Vec3& up) {
 }  // namespace
 
 void CameraOptions::check() const {
-    if (!camera.empty()) parse_camera(camera);
+    if (!camera.empty() && !follows_contact()) parse_camera(camera);
     up_vector();
 }
 
@@ -36,7 +36,7 @@ Vec3 CameraOptions::up_vector() const {
 
 CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene) {
     CameraSpec spec;
-    if (!options.camera.empty())
+    if (!options.camera.empty() && !options.follows_contact())
         spec = parse_camera(options.camera);
     else if (scene.camera)
         spec = *scene.camera;

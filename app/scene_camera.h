@@ -15,6 +15,9 @@ struct CameraOptions {
     bool orthographic = false;
     std::string up;  ///< x, y or z; empty: the camera's own, or z
 
+    /// Whether the camera is to follow the contact: `--camera contact`.
+    bool follows_contact() const { return camera == "contact"; }
+
     void check() const;      ///< throws InputError where one of them makes no sense
     Vec3 up_vector() const;  ///< throws InputError
 };

@@ -65,9 +65,30 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.topologies = build_topologies(result.scene);
     result.kind = kind;
     limits.apply(result.options, deepest(result.topologies));
-    result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
+    if (query.frames == auto_frames)
+        result.frames = {result.scene.default_frame};
+    else
+        result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
     result.hierarchies = fit_meshes(result.topologies, kind, fit);
     return result;
+}
+
+TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                         const SceneQuery& query) {
+    TraceHeader header;
+    header.scb_version = SCB_VERSION;
+    header.source = utf8_names(scene.names);
+    header.scene = query.scene.name;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t body = side == 0 ? query.a : query.b;
+        header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
+    }
+    const FitOptions fit = hierarchy.fit();
+    header.volume = query.kind;
+    header.growth = fit.growth;
+    header.margin = fit.margin;
+    header.options = query.options;
+    return header;
 }
 
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,

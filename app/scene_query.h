@@ -3,6 +3,7 @@
 #include "app/query_options.h"
 #include "app/scene_hierarchies.h"
 #include "core/any_collide.h"
+#include "core/trace.h"
 
 namespace scb {
 
@@ -31,6 +32,10 @@ std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::st
 /// Checks everything that was asked, loads the scene and builds its hierarchies. Throws InputError.
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                       const QueryOptions& query, const QueryLimits& limits);
+
+/// What such queries are asked, as a trace says it.
+TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                         const SceneQuery& query);
 
 /// Notes what may surprise: two meshes left at the same pose, and what note_doubts says.
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,

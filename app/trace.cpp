@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -27,23 +28,6 @@ struct Options {
     std::string output;
 };
 
-TraceHeader header_of(const Options& options, const SceneQuery& query) {
-    TraceHeader header;
-    header.scb_version = SCB_VERSION;
-    header.source = utf8_names(options.scene.names);
-    header.scene = query.scene.name;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t body = side == 0 ? query.a : query.b;
-        header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
-    }
-    const FitOptions fit = options.hierarchy.fit();
-    header.volume = query.kind;
-    header.growth = fit.growth;
-    header.margin = fit.margin;
-    header.options = query.options;
-    return header;
-}
-
 int record(const Options& options, const Console& console) {
     if (options.output.empty()) {
         options.scene.load();  // may say that there is no such scene
@@ -52,12 +36,12 @@ int record(const Options& options, const Console& console) {
     if (options.json || options.events)
         throw InputError(std::string(options.json ? "--json" : "--events") +
                          " prints a trace that exists; record it first, then give its file.");
-    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o", options.scene);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;
-    TraceWriter writer(header_of(options, query));
+    TraceWriter writer(trace_header(options.scene, options.hierarchy, query));
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
@@ -87,29 +71,6 @@ int record(const Options& options, const Console& console) {
     return exit_interrupted(watch.signal());
 }
 
-/// The frames that were asked for, ascending; all of them where nothing was.
-std::vector<int> chosen_frames(const Options& options) {
-    const std::string& path = options.scene.names[0];
-    TraceInput input(path);
-    std::vector<int> all;
-    while (const TraceFrame* frame = input.reader.next()) all.push_back(frame->frame);
-    if (options.query.frames == "all" || all.empty()) return all;
-    std::vector<int> wanted;
-    for (const std::string& part : split_list(options.query.frames)) {
-        const std::vector<int> numbers =
-            part == "all" ? all : parse_frames(part, most_frames, input.reader.header().scene);
-        wanted.insert(wanted.end(), numbers.begin(), numbers.end());
-    }
-    std::sort(wanted.begin(), wanted.end());
-    for (const int frame : wanted)
-        if (!std::binary_search(all.begin(), all.end(), frame))
-            throw InputError("--frames " + options.query.frames + ": " + path + " has no frame " +
-                             std::to_string(frame) + "; it has " + std::to_string(all.size()) +
-                             " from " + std::to_string(all.front()) + " to " +
-                             std::to_string(all.back()) + ".");
-    return wanted;
-}
-
 /// `given`: options on the command line that only recording has a use for.
 int print(const Options& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
@@ -121,7 +82,7 @@ int print(const Options& options, const std::vector<std::string>& given) {
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
     // Reads all frames once before anything is printed, so that a bad file gives no half answer.
-    const std::vector<int> wanted = chosen_frames(options);
+    const std::vector<int> wanted = frames_in_trace(path, options.query.frames);
     TraceInput input(path);
     const TraceHeader& header = input.reader.header();
     std::vector<Stage> stages = counted_stages(header.volume, header.options.overlap);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scenes/trace_file.h"
 
@@ -16,6 +17,10 @@ struct TraceInput {
     TraceInput(const TraceInput&) = delete;
     TraceInput& operator=(const TraceInput&) = delete;
 };
+
+/// The frames of a trace that the list names, see parse_frames; all of them where it says so.
+/// Throws InputError where the file is no valid trace or has no such frame.
+std::vector<int> frames_in_trace(const std::string& path, const std::string& list);
 
 /// Whether a command that takes a scene or a trace was given a trace: by its ending `.scbtrace`, or
 /// by its first bytes.

@@ -43,12 +43,6 @@ std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options)
     return stages_of(options.test);
 }
 
-std::span<const Stage> stages_of(const AnyHierarchy& hierarchy, const OverlapOptions& options) {
-    if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return ball_stages();
-    if (std::holds_alternative<Hierarchy<Obb>>(hierarchy)) return obb_stages();
-    return stages_of(options.test);
-}
-
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options) {
     switch (kind) {

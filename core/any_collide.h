@@ -16,9 +16,8 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                   EventRecorder& recorder);
 
-/// The stages at which a query on these volumes, or on this hierarchy, can reject.
+/// The stages at which a query on these volumes can reject.
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);
-std::span<const Stage> stages_of(const AnyHierarchy& hierarchy, const OverlapOptions& options);
 
 /// transform_count for a kind of volume.
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,

@@ -28,7 +28,8 @@ double volume(const Scb& scb);
 /// Whether the point is inside or on the surface.
 bool contains(const Scb& scb, const Vec3& point);
 
-/// Whether all is finite, n is a unit vector as far as rounding goes, f <= e and both are within the radius.
+/// Whether all is finite, n is a unit vector as far as rounding goes, f <= e and both are within
+/// the radius.
 bool is_well_formed(const Scb& scb);
 
 /// How far the SCB reaches from c in the unit direction `direction`: max of direction.(x - c) over

@@ -1,6 +1,7 @@
 #include "core/trace_diff.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <set>
 
@@ -35,11 +36,17 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const TestTree& tre
         const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
         return static_cast<std::size_t>(first.first - of_a.begin());
     };
-    const std::size_t test = std::min(differ(a.events.volume_tests, b.events.volume_tests),
-                                      differ(tree_a.outcomes, tree_b.outcomes));
-    const std::size_t tests = tree_a.outcomes.size();
-    if (test == tests && tests == tree_b.outcomes.size()) return std::nullopt;
-    return test;
+    std::size_t test = std::min(differ(a.events.volume_tests, b.events.volume_tests),
+                                differ(tree_a.outcomes, tree_b.outcomes));
+    const auto& triangles_a = a.events.triangle_tests;
+    const auto& triangles_b = b.events.triangle_tests;
+    const std::size_t triangles = differ(triangles_a, triangles_b);
+    if (triangles < triangles_a.size())
+        test = std::min<std::size_t>(test, triangles_a[triangles].after);
+    if (triangles < triangles_b.size())
+        test = std::min<std::size_t>(test, triangles_b[triangles].after);
+    const bool same = test == tree_a.outcomes.size() && test == tree_b.outcomes.size();
+    return same ? std::nullopt : std::optional(test);
 }
 
 std::optional<TracedTest> traced(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
@@ -53,21 +60,20 @@ bool same_pose(const Pose& a, const Pose& b) {
 
 /// The volume test from which the pair came.
 std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes, IndexPair pair) {
-    if (of_nodes) {
-        std::size_t i = 0;
-        while (tree.outcomes[i] != Outcome::found || frame.events.volume_tests[i].nodes != pair)
-            ++i;
-        return i;
-    }
+    if (of_nodes)
+        for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
+            if (tree.outcomes[i] == Outcome::found && frame.events.volume_tests[i].nodes == pair)
+                return i;
     for (const TriangleTest& t : frame.events.triangle_tests)
         if (t.intersect && t.triangles == pair) return t.after;
+    assert(false && "a pair was found by a test");
     return 0;
 }
 
 /// Looks for the test of `other` that left out the pair which `finder` found.
 LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const TraceFrame& other,
                    const TestTree& other_tree, bool of_nodes, IndexPair pair) {
-    LostPair lost{finder.frame, pair, false, std::nullopt, 0};
+    LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
     std::set<std::uint32_t> ancestors_a, ancestors_b;
     for (std::size_t i = test_of(finder, finder_tree, of_nodes, pair);;

@@ -50,9 +50,10 @@ struct Parting {
 struct LostPair {
     int frame = 0;
     IndexPair pair;
-    bool found_by_a = false;  ///< else by B
+    bool found_by_a = false;   ///< else by B
+    bool other_ended = false;  ///< the other query had its pairs before it was through
     /// The test by which the other query left it out, and its number: what that test was about
-    /// contains the pair. Nothing where it had ended before.
+    /// contains the pair. Nothing where it had ended before, or has other nodes.
     std::optional<TracedTest> lost_at;
     std::size_t test = 0;
 };
@@ -77,7 +78,8 @@ struct TraceDiff {
     std::vector<LostPair> lost;  ///< of these, the first ones
 
     bool equal() const {
-        return asked.empty() && only_in_a.empty() && only_in_b.empty() && frames.empty();
+        return asked.empty() && only_in_a.empty() && only_in_b.empty() && frames.empty() &&
+               pairs_only_in_a == 0 && pairs_only_in_b == 0;
     }
 };
 

@@ -63,7 +63,8 @@ std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodie
     const std::string what =
         "frame " + std::to_string(lost.frame) + ", the " + (of_nodes ? "nodes " : "triangles ") +
         pair_text(lost.pair.a, lost.pair.b) + ": the " + (lost.found_by_a ? "second" : "first");
-    if (!lost.lost_at) return what + " had ended";
+    if (!lost.lost_at)
+        return what + (lost.other_ended ? " had ended" : " has no test that contains them");
     return what + " left them out at test " + std::to_string(lost.test) + ", " +
            words_of(lost.lost_at->test) + ": " + words_of(*lost.lost_at, bodies);
 }

@@ -22,7 +22,7 @@ std::string words_of_parent(const TracedTest& test, const BodyNames& bodies);
 std::string words_of(const Parting& parting, const BodyNames& bodies);
 
 /// "frame 8, the triangles (17, 4): the second left them out at test 2287, the nodes (20475, 3792)
-/// at depths (12, 11), rejected at ball-slab". `of_nodes` where the pair is one of nodes.
+/// at depths (12, 11): rejected at ball-slab". `of_nodes` where the pair is one of nodes.
 std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies);
 
 }  // namespace scb

@@ -79,8 +79,7 @@ struct FrameBuilder {
 
     std::uint32_t triangle_of(std::size_t body, std::uint32_t node) {
         TraceNodes& n = nodes[body];
-        if (n.left.contains(node))
-            failure = "a node is a leaf and is divided";
+        if (n.left.contains(node)) failure = "a node is a leaf and is divided";
         return learn(n.triangle, n.triangles, node, n.last_triangle, 0,
                      header.bodies[body].mesh.triangles);
     }

@@ -40,7 +40,7 @@ struct TraceNodes {
     std::map<std::uint32_t, std::uint32_t> left;      ///< of nodes that were divided
     std::map<std::uint32_t, std::uint32_t> triangle;  ///< of leaves
     std::set<std::uint32_t> lefts, triangles;         ///< a reader's: those taken
-    std::uint32_t last_left = 0, last_triangle = 0;             ///< what came last
+    std::uint32_t last_left = 0, last_triangle = 0;   ///< what came last
 };
 
 /// Turns a trace into the bytes of a file, frame by frame: memory holds these bytes and one frame.
@@ -69,7 +69,7 @@ class TraceWriter {
 /// themselves. All but the last is known after construction; contradictions, which only a made-up
 /// file has, may show in `next`. What is read can be trusted: node and triangle indices are within
 /// the meshes of the header, frames ascend, the tests are those of a traversal. A file of n bytes
-/// takes O(n) time and memory, and no block unpacks to more than 16 times its size.
+/// takes O(n log n) time and O(n) memory, and no block unpacks to more than 16 times its size.
 class TraceReader {
   public:
     /// `bytes` must outlive the reader.

@@ -41,4 +41,11 @@ ProgramRun run_scb(const std::string& arguments, const std::string& prefix) {
     return run;
 }
 
+const char* const endless_scene = R"({
+  "scb_scene": 1, "name": "endless", "frames": 1000000,
+  "models": [{"name": "m", "icosphere": {"subdivisions": 3, "radius": 1}}],
+  "bodies": [{"name": "left", "model": "m"},
+             {"name": "right", "model": "m", "position": [1.98, 0, 0]}]
+})";
+
 }  // namespace scb

@@ -25,4 +25,8 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 std::size_t lines_of(const std::string& text);
 std::size_t files_in(const std::filesystem::path& folder);
 
+/// A scene file of two spheres, "left" and "right", that meet a little in each of its 1,000,000
+/// frames: far more than a test waits for.
+extern const char* const endless_scene;
+
 }  // namespace scb

@@ -33,7 +33,7 @@ TEST(CollideOptions, PassTheThresholdOn) {
 TEST(CollideOptions, ChooseTheTestWhoseStagesAreCounted) {
     const SmallScene s = small_scene(3);
     for (const QueryVariant& variant : all_query_variants()) {
-        const auto stages = stages_of(s.a.hierarchies[variant.kind], variant.options.overlap);
+        const auto stages = stages_of(variant.volume_kind(), variant.options.overlap);
         const Collision found = query(s.a, s.b, s.pose, variant);
         for (std::size_t k = 1; k < stage_count; ++k) {
             if (std::find(stages.begin(), stages.end(), static_cast<Stage>(k)) != stages.end())

@@ -180,6 +180,29 @@ TEST(TraceDiff, FindsATriangleTestThatWasChanged) {
     EXPECT_NE(words_of(*d.first->a, d.bodies), words_of(*d.first->b, d.bodies));
 }
 
+// Other triangles in the same leaves: what another version's topology would give.
+TEST(TraceDiff, FindsTrianglesThatWereChanged) {
+    const Trace a = slide(OverlapTest::symmetric);
+    Trace b = a;
+    TraceFrame& frame = b.frames[1];
+    const auto met =
+        std::find_if(frame.events.triangle_tests.begin(), frame.events.triangle_tests.end(),
+                     [](const TriangleTest& t) { return t.intersect; });
+    ASSERT_NE(met, frame.events.triangle_tests.end());
+    auto& pairs = frame.found.pairs;
+    const auto pair = std::find(pairs.begin(), pairs.end(), met->triangles);
+    met->triangles.a += 1000;
+    pair->a += 1000;
+    std::sort(pairs.begin(), pairs.end());
+    const TraceDiff d = diff(a, b);
+    EXPECT_FALSE(d.equal());
+    ASSERT_TRUE(d.first);
+    EXPECT_EQ(d.first->test, met->after);
+    EXPECT_EQ(d.pairs_only_in_a, 1u);
+    EXPECT_EQ(d.pairs_only_in_b, 1u);
+    for (const LostPair& lost : d.lost) EXPECT_FALSE(lost.other_ended);
+}
+
 TEST(TraceDiff, AQueryThatEndsEarlierLeavesPairsOver) {
     TraceHeader first = asking(VolumeKind::scb, OverlapTest::symmetric);
     first.options.max_pairs = 1;
@@ -300,7 +323,8 @@ TEST(TraceDiff, OtherVolumesOfTheSameMeshAreComparedNodeByNode) {
     EXPECT_TRUE(d.nodes_comparable);
     ASSERT_EQ(d.asked.size(), 3u);
     EXPECT_EQ(d.asked[0].name, "volume");
-    for (std::size_t i : {1, 2}) EXPECT_EQ(d.asked[i].b, "-");  // margin and test mean nothing there
+    for (std::size_t i : {1, 2})
+        EXPECT_EQ(d.asked[i].b, "-");  // margin and test mean nothing there
     EXPECT_TRUE(d.first);
 }
 

@@ -1,0 +1,51 @@
+#include "app/picture_run.h"
+
+#include "app/version.h"
+#include "render/output_file.h"
+
+namespace scb {
+
+using Json = nlohmann::ordered_json;
+
+PictureRun::PictureRun(const PictureOptions& options)
+    : options_(options),
+      context_(options.backend()),
+      renderer_(context_),
+      folder_(options.output_folder()),
+      queue_(8, options.jobs()) {
+    // An index of other pictures must not stand beside these if this run does not finish.
+    std::error_code ignored;
+    std::filesystem::remove(folder_ / "index.json", ignored);
+}
+
+void PictureRun::draw(const std::string& name, const Picture& picture, Json entry, bool with_ids) {
+    Rendering rendering = renderer_.draw(picture, &overlay_, options_.ids && with_ids);
+    Json files = {{"file", name + ".png"}};
+    queue_.push(folder_ / (name + ".png"), std::move(rendering.image));
+    written_.push_back(name + ".png");
+    if (rendering.ids) {
+        files["ids"] = name + "_ids.png";
+        queue_.push(folder_ / (name + "_ids.png"), std::move(*rendering.ids));
+        written_.push_back(name + "_ids.png");
+    }
+    files.update(entry);
+    files_.push_back(std::move(files));
+}
+
+void PictureRun::finish(Json head) {
+    queue_.finish();
+    Json versions_json;
+    const GlInfo info = context_.info();
+    for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
+    head["versions"] = std::move(versions_json);
+    head["files"] = std::move(files_);
+    // File names and names in scene files need not be UTF-8.
+    const std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file_whole(folder_ / "index.json", text);
+    written_.push_back("index.json");
+    std::string list;
+    for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    print_result(options_.json ? text : list);
+}
+
+}  // namespace scb

@@ -1,0 +1,176 @@
+#include "app/query_view.h"
+
+#include "app/count_table.h"
+#include "app/text_format.h"
+#include "app/trace_report.h"
+#include "core/error.h"
+#include "render/volume_titles.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json range_json(const char* what, const std::string& body, std::uint32_t first, std::size_t count) {
+    return {{"what", what}, {"body", body}, {"first", first}, {"count", count}};
+}
+
+double bounding_diameter(const AnyVolume& volume) {
+    return std::visit([](const auto& v) { return diameter(v); }, volume);
+}
+
+}  // namespace
+
+void QueryViewOptions::check() const {
+    picture.check();
+    camera.check();
+    hierarchy.kind();
+    hierarchy.fit();
+    query.collide();
+}
+
+void add_query_view_options(CLI::App& command, QueryViewOptions& options) {
+    add_scene_options(command, options.scene, false);
+    command.get_option("SCENE")->description(
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
+        "trace`)");
+    add_hierarchy_options(command, options.hierarchy, false);
+    add_query_options(command, options.query, false);
+    add_query_limits(command, options.limits);
+    add_picture_options(command, options.picture, options.camera);
+    command.get_option("--camera")
+        ->description(
+            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), or "
+            "a "
+            "JSON file; else the scene's own");
+    command.get_option("--frames")
+        ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
+}
+
+QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer)
+    : options_(options), source_(source) {
+    const SceneQuery& query = source.query();
+    for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
+    std::size_t ids = 1;
+    for (const std::size_t body : {query.a, query.b})
+        ids += topology_of(query.hierarchy(body)).nodes.size() + query.mesh(body).triangles.size();
+    if (ids >= 0x80000000u)
+        throw InputError("the scene has more nodes and triangles than ids; use smaller meshes.");
+    first_free_id_ = static_cast<std::uint32_t>(ids);
+    spec_ = camera_spec_for(options.camera, query.scene);
+    for (const int frame : source.frames())
+        for (const QueryBody& body : bodies(frame)) roots_.push_back(volume_of(body, 0));
+    support_ = support_of(roots_);
+    center_ = center_of(support_);
+}
+
+QueryBodies QueryView::bodies(int frame) const {
+    const SceneQuery& query = source_.query();
+    QueryBodies bodies;
+    std::uint32_t next_id = 1;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t index = side == 0 ? query.a : query.b;
+        const Body& body = query.scene.bodies[index];
+        QueryBody& b = bodies[side];
+        b.name = body.name;
+        b.mesh = &query.mesh(index);
+        b.hierarchy = &query.hierarchy(index);
+        b.handle = meshes_[body.mesh];
+        b.pose = pose_at(body.motion, frame);
+        b.first_node_id = next_id;
+        next_id += static_cast<std::uint32_t>(topology_of(*b.hierarchy).nodes.size());
+    }
+    for (QueryBody& b : bodies) {
+        b.first_triangle_id = next_id;
+        next_id += static_cast<std::uint32_t>(b.mesh->triangles.size());
+    }
+    return bodies;
+}
+
+Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
+    const double aspect =
+        aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+    if (!follows_contact() || region.empty()) return camera_for(spec_, support_, aspect);
+    // Not so close that a single small triangle fills the view.
+    std::vector<AnyVolume> wide = region;
+    const Support of_region = support_of(region);
+    const Vec3 middle = center_of(of_region);
+    CameraSpec spec = spec_;
+    spec.target.reset();
+    spec.distance.reset();
+    spec.view_height.reset();
+    const double smaller = std::min(bounding_diameter(roots_[0]), bounding_diameter(roots_[1]));
+    wide.emplace_back(Ball{middle, smaller / 50});
+    Camera camera = camera_for(spec, support_of(wide), aspect);
+    set_depth_range(camera, support_);
+    return camera;
+}
+
+std::string QueryView::title(const std::string& what) const {
+    return source_.query().scene.name + " · " + std::string(volume_title(source_.query().kind)) +
+           " · " + what;
+}
+
+std::string QueryView::subtitle(int frame) const {
+    const TraceHeader& header = source_.header();
+    const Scene& scene = source_.query().scene;
+    std::string text;
+    const auto add = [&text](const std::string& part) {
+        text += (text.empty() ? "" : ", ") + part;
+    };
+    if (scene.frames > 1)
+        add("frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1));
+    if (header.volume == VolumeKind::scb) {
+        add("test " + std::string(overlap_test_name(header.options.overlap.test)));
+        if (has_threshold(header.options.overlap.test) &&
+            header.options.overlap.threshold != OverlapOptions{}.threshold)
+            add(format("threshold %g", header.options.overlap.threshold));
+    }
+    if (header.options.descent != CollideOptions{}.descent)
+        add("descent by " + std::string(descent_rule_name(header.options.descent)));
+    if (header.growth != FitOptions{}.growth) add("growth radius");
+    if (header.margin != 0) add(format("margin %g", header.margin));
+    if (header.options.stop_level >= 0)
+        add("to level " + std::to_string(header.options.stop_level));
+    if (spec_.orthographic.value_or(false)) add("orthographic");
+    return text;
+}
+
+std::string QueryView::picture_name(const std::string& what, int frame) const {
+    return source_.query().scene.name + "_" + std::string(volume_kind_name(source_.query().kind)) +
+           "_" + what + format("_frame-%04d", frame);
+}
+
+Json QueryView::index_head(const std::string& command) const {
+    const TraceHeader& header = source_.header();
+    const QueryBodies both = bodies(source_.frames().front());
+    Json head = {{"command", command}};
+    Json asked = trace_header_json(header);
+    asked.erase("version");
+    head.update(asked);
+    head["frames"] = source_.frames();
+    head["ids"] = Json::array();
+    for (const QueryBody& b : both)
+        head["ids"].push_back(
+            range_json("node", b.name, b.first_node_id, topology_of(*b.hierarchy).nodes.size()));
+    for (const QueryBody& b : both)
+        head["ids"].push_back(
+            range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
+    head["options"] = {{"size", {options_.picture.width(), options_.picture.height()}},
+                       {"samples", options_.picture.samples},
+                       {"background", options_.picture.background}};
+    if (!follows_contact())
+        head["camera"] = Json::parse(camera_json(exact_spec(spec_, camera({}), center_)));
+    return head;
+}
+
+Json QueryView::index_entry(const TraceFrame& frame, const Camera& camera) const {
+    const TraceHeader& header = source_.header();
+    Json entry = count_json(frame.frame, frame.b_to_a, frame.found,
+                            counted_stages(header.volume, header.options.overlap));
+    if (follows_contact())
+        entry["camera"] = Json::parse(camera_json(exact_spec(spec_, camera, center_)));
+    return entry;
+}
+
+}  // namespace scb

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/number_list.h"
+#include "app/picture_run.h"
+#include "app/query_source.h"
+#include "app/scene_camera.h"
+#include "render/query_body.h"
+#include "render/scene_figure.h"
+
+namespace scb {
+
+/// What every command that draws queries understands.
+struct QueryViewOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query{.frames = auto_frames};
+    QueryLimits limits;
+    PictureOptions picture;
+    CameraOptions camera;
+
+    /// Refuses what makes no sense before any work is done; throws InputError.
+    void check() const;
+};
+/// `view`: whether there is a camera.
+void add_query_view_options(CLI::App& command, QueryViewOptions& options);
+
+/// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
+class QueryView {
+  public:
+    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer);
+
+    /// The bodies at a frame.
+    QueryBodies bodies(int frame) const;
+    /// The camera for the view of a picture of the options' size: one for all frames, or, where it
+    /// follows the contact and there is one, fitted to `region`.
+    Camera camera(const std::vector<AnyVolume>& region) const;
+    const Vec3& center() const { return center_; }
+    /// The id of the first of what a picture has beside nodes and triangles.
+    std::uint32_t first_free_id() const { return first_free_id_; }
+    bool follows_contact() const { return options_.camera.follows_contact(); }
+
+    /// "spheres-l1 · SCB · " and what the picture shows.
+    std::string title(const std::string& what) const;
+    /// The frame, and every option that changes what is drawn but cannot be seen.
+    std::string subtitle(int frame) const;
+    /// SCENE_VOLUME_WHAT_frame-0250.
+    std::string picture_name(const std::string& what, int frame) const;
+
+    /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
+    nlohmann::ordered_json index_head(const std::string& command) const;
+    /// What it says of one picture: the query's counts, and the camera where it moves.
+    nlohmann::ordered_json index_entry(const TraceFrame& frame, const Camera& camera) const;
+
+  private:
+    const QueryViewOptions& options_;
+    const QuerySource& source_;
+    std::vector<MeshHandle> meshes_;
+    CameraSpec spec_;
+    Support support_;
+    Vec3 center_ = Vec3::Zero();
+    std::vector<AnyVolume> roots_;  ///< of both bodies at all frames: what support_ is of
+    std::uint32_t first_free_id_ = 1;
+};
+
+}  // namespace scb
