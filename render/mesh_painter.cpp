@@ -53,6 +53,7 @@ int corner_count(std::size_t triangle_count) {
 
 MeshPainter::MeshPainter(const Gl& gl)
     : gl_(gl),
+      chosen_corners_(gl),
       program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(mesh_vert)},
                {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(mesh_frag)}) {}
 
@@ -97,7 +98,8 @@ MeshHandle MeshPainter::upload(const Mesh& mesh) {
 
 void MeshPainter::release(MeshHandle handle) { meshes_.erase(handle.index); }
 
-void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const EyeView& view,
+                                                 Rgba8 background, double opacity) {
     const auto found = meshes_.find(draw.mesh.index);
     assert(found != meshes_.end() && "the mesh was uploaded to this renderer and not released");
     const GpuMesh& gpu = found->second;
@@ -125,6 +127,7 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
     program_.set("color", channel(draw.color.r), channel(draw.color.g), channel(draw.color.b), 1);
     program_.set("fade", channel(background.r), channel(background.g), channel(background.b),
                  f(draw.dim));
+    program_.set("opacity", f(opacity));
     program_.set("edges", draw.edges ? 1 : 0);
     program_.set("first_id", draw.first_id);
     program_.set("colored", draw.triangle_colors.empty() ? 0 : 1);
@@ -144,7 +147,36 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
         gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgba8), nullptr);
         gl_.EnableVertexAttribArray(2);
     }
-    gl_.DrawArrays(GL_TRIANGLES, 0, gpu.corner_count);
+    return gpu;
+}
+
+void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    gl_.DrawArrays(GL_TRIANGLES, 0, prepare(draw, view, background, 1).corner_count);
+}
+
+void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    if (draw.shown_through.empty()) return;
+    constexpr double opacity = 0.6;
+    prepare(draw, view, background, opacity);
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t triangle : draw.shown_through)
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            corners.push_back(3 * triangle + corner);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, chosen_corners_.name());
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(corners.size() * sizeof(std::uint32_t)), corners.data(),
+                   GL_STREAM_DRAW);
+    gl_.DepthMask(GL_FALSE);
+    gl_.DepthFunc(GL_GREATER);
+    gl_.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(corners.size()), GL_UNSIGNED_INT,
+                               nullptr, 0);
+    gl_.Disable(GL_BLEND);
+    gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
 }
 
 }  // namespace scb

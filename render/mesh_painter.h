@@ -24,6 +24,8 @@ class MeshPainter {
 
     /// `background` is what a dimmed mesh fades into. Asserts that the handle is one of its own.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
+    /// Of the triangles that are to show through, what lies behind what was drawn before.
+    void draw_shown_through(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
   private:
     /// Corner by corner, in units of `scale` about `origin`, so that single precision serves meshes
@@ -37,7 +39,12 @@ class MeshPainter {
         GlVertexArray attributes;
     };
 
+    /// Sets what the program needs for the mesh, its colors among it.
+    const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background,
+                           double opacity);
+
     const Gl& gl_;
+    GlBuffer chosen_corners_;
     GlProgram program_;
     std::map<std::uint32_t, GpuMesh> meshes_;
     std::uint32_t next_index_ = 1;

@@ -62,7 +62,8 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
         MeshDraw mesh = mesh_draw(body, dimmed_body_color(side, *style.theme));
         if (!stops_at_level(header) && !frame.found.pairs.empty()) {
             mesh.triangle_colors.assign(body.mesh->triangles.size(), mesh.color);
-            for (const std::uint32_t triangle : side_of(frame.found.pairs, side))
+            mesh.shown_through = side_of(frame.found.pairs, side);
+            for (const std::uint32_t triangle : mesh.shown_through)
                 mesh.triangle_colors[triangle] = body_color(side);
         }
         pane.meshes.push_back(std::move(mesh));

@@ -42,6 +42,9 @@ struct MeshDraw {
     bool edges = false;                  ///< draw the triangles' edges, about one pixel wide
     std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
     double dim = 0;              ///< 0 to 1: how far the colors fade into the background
+    /// Triangles that also show, faintly and without ids, where something opaque hides them. Each
+    /// index once, ascending.
+    std::vector<std::uint32_t> shown_through;
 };
 
 /// A straight line in the world, of constant width in the picture. It faces the viewer at the depth
@@ -65,7 +68,8 @@ struct PixelRect {
 };
 
 /// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
-/// order: opaque meshes, volumes and segments by depth; then translucent volumes from far to near
+/// order: opaque meshes, volumes and segments by depth; what shows through these of meshes, in the
+/// order of the list; then translucent volumes from far to near
 /// (by the distance of their centers along the view axis, ties by id, then by position in the
 /// list), their back sides before their fronts; then the segments that are on top.
 struct Pane {

@@ -109,6 +109,7 @@ struct Renderer::Parts {
         for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
         volumes.draw_opaque(pane.volumes, view);
         segments.draw(pane.segments, view, false);
+        for (const MeshDraw& mesh : pane.meshes) meshes.draw_shown_through(mesh, view, background);
         volumes.draw_translucent(pane.volumes, view);
         segments.draw(pane.segments, view, true);
     }

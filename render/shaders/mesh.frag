@@ -1,5 +1,6 @@
 uniform int edges;
 uniform uint first_id;
+uniform float opacity;
 uniform vec4 fade;  // a color, and how far to fade into it
 
 flat in vec3 v_normal;
@@ -24,7 +25,7 @@ void main() {
         float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
-    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
+    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), opacity);
     gl_FragDepth = buffer_depth(-v_eye.z, 0.0);
     out_id = first_id == 0u ? 0u : first_id + uint(gl_PrimitiveID);
 }
