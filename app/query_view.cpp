@@ -4,6 +4,7 @@
 #include "app/text_format.h"
 #include "app/trace_report.h"
 #include "core/error.h"
+#include "core/level_cover.h"
 #include "render/volume_titles.h"
 
 namespace scb {
@@ -15,8 +16,22 @@ Json range_json(const char* what, const std::string& body, std::uint32_t first, 
     return {{"what", what}, {"body", body}, {"first", first}, {"count", count}};
 }
 
-double bounding_diameter(const AnyVolume& volume) {
-    return std::visit([](const auto& v) { return diameter(v); }, volume);
+double root_diameter(const AnyHierarchy& hierarchy) {
+    return std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy);
+}
+
+/// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or, since a
+/// volume may stick out of its parent's, all of the upper levels, below which they stick out
+/// little.
+std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown) {
+    constexpr int levels = 6;
+    const Topology& topology = topology_of(hierarchy);
+    if (shown == Shown::meshes) return level_cover(topology, levels);
+    std::vector<std::uint32_t> nodes;
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    for (std::uint32_t node = 0; node < depths.size(); ++node)
+        if (depths[node] <= levels) nodes.push_back(node);
+    return nodes;
 }
 
 }  // namespace
@@ -47,7 +62,8 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options) {
         ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
 }
 
-QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer)
+QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer,
+                     Shown shown)
     : options_(options), source_(source) {
     const SceneQuery& query = source.query();
     for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
@@ -58,9 +74,16 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source,
         throw InputError("the scene has more nodes and triangles than ids; use smaller meshes.");
     first_free_id_ = static_cast<std::uint32_t>(ids);
     spec_ = camera_spec_for(options.camera, query.scene);
-    for (const int frame : source.frames())
-        for (const QueryBody& body : bodies(frame)) roots_.push_back(volume_of(body, 0));
-    support_ = support_of(roots_);
+    std::array<std::vector<std::uint32_t>, 2> nodes;
+    for (std::size_t side = 0; side < 2; ++side)
+        nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), shown);
+    for (const int frame : source.frames()) {
+        const QueryBodies at_frame = bodies(frame);
+        for (std::size_t side = 0; side < 2; ++side)
+            for (const std::uint32_t node : nodes[side])
+                held_.push_back(volume_of(at_frame[side], node));
+    }
+    support_ = support_of(held_);
     center_ = center_of(support_);
 }
 
@@ -99,7 +122,9 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     spec.target.reset();
     spec.distance.reset();
     spec.view_height.reset();
-    const double smaller = std::min(bounding_diameter(roots_[0]), bounding_diameter(roots_[1]));
+    const SceneQuery& query = source_.query();
+    const double smaller =
+        std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
     Camera camera = camera_for(spec, support_of(wide), aspect);
     set_depth_range(camera, support_);

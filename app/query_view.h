@@ -28,10 +28,14 @@ struct QueryViewOptions {
 /// `view`: whether there is a camera.
 void add_query_view_options(CLI::App& command, QueryViewOptions& options);
 
+/// What of the bodies a picture shows, and a camera therefore has to hold.
+enum class Shown { meshes, volumes };
+
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
 class QueryView {
   public:
-    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer);
+    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer,
+              Shown shown);
 
     /// The bodies at a frame.
     QueryBodies bodies(int frame) const;
@@ -62,7 +66,7 @@ class QueryView {
     CameraSpec spec_;
     Support support_;
     Vec3 center_ = Vec3::Zero();
-    std::vector<AnyVolume> roots_;  ///< of both bodies at all frames: what support_ is of
+    std::vector<AnyVolume> held_;  ///< of both bodies at all frames: what support_ is of
     std::uint32_t first_free_id_ = 1;
 };
 

@@ -1,9 +1,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
-#include "app/progress.h"
+#include "app/frame_pictures.h"
 #include "app/query_view.h"
 #include "render/pairs_figure.h"
 
@@ -19,41 +17,35 @@ int run(const Options& options, const Console& console) {
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer());
+    const QueryView view(options, source, pictures.renderer(), Shown::meshes);
 
     PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
-    const InterruptWatch watch;
-    Progress progress(console, source.frames().size());
-    std::size_t done = 0;
-    for (; done < source.frames().size() && watch.signal() == 0; ++done) {
-        const TraceFrame& frame = source.frame(source.frames()[done]);
-        const QueryBodies bodies = view.bodies(frame.frame);
-        const Camera camera = view.camera(contact_region(bodies, source.header(), frame));
-        SceneFigure figure;
-        figure.title = view.title("pairs");
-        figure.subtitle = view.subtitle(frame.frame);
-        figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
-        figure.pane.camera = camera;
-        figure.center = view.center();
-        figure.panel = pairs_panel(bodies, source.header(), frame, style);
-        figure.theme = style.theme;
-        if (frame.found.pairs.empty()) figure.remark = "no contact";
-        const Picture picture =
-            compose(std::move(figure), options.picture.width(), options.picture.height(),
-                    options.picture.samples, pictures.overlay());
-        pictures.draw(view.picture_name("pairs", frame.frame), picture,
-                      view.index_entry(frame, camera));
-        progress.step("pictures");
-    }
-    nlohmann::ordered_json head = view.index_head("render pairs");
-    head["options"]["leaves"] = style.leaves;
-    pictures.finish(std::move(head));
-    if (done == source.frames().size()) return exit_done;
-    console.note("scb: interrupted; " + std::to_string(done) + " of " +
-                 std::to_string(source.frames().size()) + " pictures are finished.");
-    return exit_interrupted(watch.signal());
+    return draw_frames(
+        source, pictures, console,
+        [&](const TraceFrame& frame) {
+            const QueryBodies bodies = view.bodies(frame.frame);
+            SceneFigure figure;
+            figure.title = view.title("pairs");
+            figure.subtitle = view.subtitle(frame.frame);
+            figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
+            figure.pane.camera = view.camera(contact_region(bodies, source.header(), frame));
+            figure.center = view.center();
+            figure.panel = pairs_panel(bodies, source.header(), frame, style);
+            figure.theme = style.theme;
+            if (frame.found.pairs.empty()) figure.remark = "no contact";
+            nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+            const Picture picture =
+                compose(std::move(figure), options.picture.width(), options.picture.height(),
+                        options.picture.samples, pictures.overlay());
+            pictures.draw(view.picture_name("pairs", frame.frame), picture, std::move(entry));
+        },
+        [&] {
+            nlohmann::ordered_json head = view.index_head("render pairs");
+            head["options"]["leaves"] = style.leaves;
+            return head;
+        });
 }
 
 }  // namespace

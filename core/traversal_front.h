@@ -13,6 +13,7 @@ struct FrontNode {
     std::uint16_t depth = 0;     ///< of the node
     std::uint32_t tests = 0;     ///< paths that ended here
     std::uint32_t rejected = 0;  ///< of these, those whose volumes were rejected
+    std::uint32_t tested = 0;    ///< all tests of the node, also those that were passed on
     Ending first{}, last{};      ///< in the order of the tests
     Ending dominant{};           ///< the most frequent one; of equally frequent ones the first in
                                  ///< the order of Ending
@@ -30,5 +31,9 @@ struct FrontFilter {
 /// other nodes of the other body.
 std::vector<FrontNode> traversal_front(const TraceFrame& frame, const TestTree& tree,
                                        std::size_t side, const FrontFilter& filter = {});
+
+/// Of a front, the nodes without another one of it below them: these volumes do not hold each
+/// other, so that each can be seen.
+std::vector<FrontNode> innermost(const std::vector<FrontNode>& front, const Topology& topology);
 
 }  // namespace scb

@@ -4,9 +4,16 @@
 #include <vector>
 
 #include "render/figure_layout.h"
+#include "render/figures.h"
 #include "render/side_panel.h"
 
 namespace scb {
+
+/// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i.
+struct PanelChart {
+    std::string title;
+    std::vector<std::vector<BarPart>> rows;
+};
 
 /// A picture with one view of the scene: heading, view, panel of numbers, scale bar.
 struct SceneFigure {
@@ -15,6 +22,7 @@ struct SceneFigure {
     Pane pane;                   ///< its viewport is set by compose()
     Vec3 center = Vec3::Zero();  ///< where the scale bar holds
     std::vector<PanelItem> panel;
+    PanelChart chart;    ///< below the panel, where there is room
     std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
     const Theme* theme = &light_theme;
 };

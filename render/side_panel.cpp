@@ -74,6 +74,21 @@ struct PanelPainter {
         y += line_height();
     }
 
+    void draw(const PanelLegendRow& row) {
+        if (!fits(line_height())) return;
+        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, row.color);
+        const TextStyle text = style(FontWeight::regular, theme.text);
+        const TextStyle value = style(FontWeight::regular, theme.text, Align::right);
+        const TextStyle faint = style(FontWeight::regular, theme.faint_text, Align::right);
+        const int right = box.x + box.width, share = unit * 7 / 2, indent = unit * 5 / 4;
+        overlay.text(right, y, row.share, faint);
+        overlay.text(right - share, y, row.count, value);
+        const int room =
+            box.width - indent - share - overlay.measure(row.count, value).width - unit / 2;
+        overlay.text(box.x + indent, y, fitted_text(overlay, row.text, text, room), text);
+        y += line_height();
+    }
+
     void draw(const PanelScale& scale) {
         const int small = small_size(unit), bar = unit * 3 / 4;
         if (!fits(line_height() + bar + small + unit / 2)) return;

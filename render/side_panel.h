@@ -28,6 +28,14 @@ struct PanelKey {
     std::string text;
 };
 
+/// A color, what it means, how many there are and what share that is.
+struct PanelLegendRow {
+    Rgba8 color;
+    std::string text;
+    std::string count;
+    std::string share;
+};
+
 /// Viridis from 0 to 1 as a bar, with labels at places between 0 and 1 below it.
 struct PanelScale {
     std::string title;
@@ -38,7 +46,8 @@ struct PanelNote {
     std::string text;  ///< wrapped to the width
 };
 
-using PanelItem = std::variant<PanelHeading, PanelRow, PanelKey, PanelScale, PanelNote>;
+using PanelItem =
+    std::variant<PanelHeading, PanelRow, PanelKey, PanelLegendRow, PanelScale, PanelNote>;
 
 /// Draws the items into the box, top down; what does not fit any more is left out. Returns the y
 /// below the last one.

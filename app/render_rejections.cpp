@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/frame_pictures.h"
+#include "app/level_list.h"
+#include "app/query_view.h"
+#include "core/error.h"
+#include "render/pairs_figure.h"
+#include "render/rejections_figure.h"
+
+namespace scb {
+namespace {
+
+struct Options : QueryViewOptions {
+    std::string by = "dominant";
+    std::string stages, depths, body;
+    double opacity = 1;
+    bool nested = false;
+};
+
+std::string names_of(const std::vector<Ending>& endings) {
+    std::string names;
+    for (const Ending ending : endings)
+        names += (names.empty() ? "" : ", ") + std::string(ending_name(ending));
+    return names;
+}
+
+RejectionsStyle style_of(const Options& options, const QuerySource& source) {
+    RejectionsStyle style;
+    const std::optional<FrontColor> by = front_color_of(options.by);
+    if (!by) throw InputError("--by " + options.by + ": give first, last, dominant or share.");
+    style.by = *by;
+    const std::vector<Ending> known = endings_of(source.header().volume, source.header().options);
+    if (!options.stages.empty())
+        for (const std::string& name : split_list(options.stages)) {
+            const std::optional<Ending> ending = ending_of(name);
+            if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())
+                throw InputError("--stage " + options.stages + ": '" + name +
+                                 "' is none here; give some of " + names_of(known) + ".");
+            style.filter.endings.push_back(*ending);
+        }
+    if (!options.depths.empty()) {
+        const std::vector<int> depths =
+            parse_levels(options.depths, deepest(source.query().topologies), "--depth");
+        style.filter.least_depth = depths.front();
+        style.filter.most_depth = depths.back();
+    }
+    const TraceHeader& header = source.header();
+    if (!options.body.empty()) {
+        for (std::size_t side = 0; side < 2; ++side)
+            style.sides[side] = header.bodies[side].name == options.body;
+        if (!style.sides[0] && !style.sides[1])
+            throw InputError("--body " + options.body + ": the bodies are " +
+                             header.bodies[0].name + " and " + header.bodies[1].name +
+                             "; give one of them.");
+    }
+    if (!(options.opacity > 0 && options.opacity <= 1))
+        throw InputError("--opacity: give a number above 0 (clear) up to 1 (opaque).");
+    style.opacity = options.opacity;
+    style.nested = options.nested;
+    style.theme = options.picture.theme();
+    return style;
+}
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    const RejectionsStyle style = style_of(options, source);
+    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    PictureRun pictures(options.picture);
+    const QueryView view(options, source, pictures.renderer(), Shown::volumes);
+    return draw_frames(
+        source, pictures, console,
+        [&](const TraceFrame& frame) {
+            const QueryBodies bodies = view.bodies(frame.frame);
+            const TestTree tree = test_tree(source.header(), frame);
+            const Fronts fronts = fronts_of(bodies, frame, tree, style);
+            SceneFigure figure;
+            figure.title = view.title("rejections");
+            figure.subtitle = view.subtitle(frame.frame);
+            figure.pane = rejections_pane(bodies, fronts, style);
+            figure.pane.camera = view.camera(contact_region(bodies, source.header(), frame));
+            figure.center = view.center();
+            figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
+            figure.chart = endings_chart(source.header(), frame, tree);
+            figure.theme = style.theme;
+            if (fronts[0].empty() && fronts[1].empty())
+                figure.remark = "no such node";
+            else if (frame.found.n_v == 1)
+                figure.remark = "no overlap: the roots were rejected";
+            nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+            entry["volumes"] = {fronts[0].size(), fronts[1].size()};
+            const Picture picture =
+                compose(std::move(figure), options.picture.width(), options.picture.height(),
+                        options.picture.samples, pictures.overlay());
+            pictures.draw(view.picture_name("rejections", frame.frame), picture, std::move(entry));
+        },
+        [&] {
+            nlohmann::ordered_json head = view.index_head("render rejections");
+            head["options"]["by"] = options.by;
+            if (!options.stages.empty()) head["options"]["stages"] = split_list(options.stages);
+            if (!options.depths.empty())
+                head["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
+            if (!options.body.empty()) head["options"]["body"] = options.body;
+            head["options"]["opacity"] = options.opacity;
+            head["options"]["nested"] = options.nested;
+            return head;
+        });
+}
+
+}  // namespace
+
+void add_render_rejections(CLI::App& render_command, const Console& console, Action& action) {
+    CLI::App* command = render_command.add_subcommand(
+        "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
+    const auto options = std::make_shared<Options>();
+    add_query_view_options(*command, *options);
+    command
+        ->add_option("--by", options->by,
+                     "Which ending colors a node that has several: first, last, dominant; or the "
+                     "share of its tests that were rejected: share")
+        ->type_name("WHICH")
+        ->capture_default_str();
+    command
+        ->add_option("--stage", options->stages,
+                     "Only paths that ended so: some of the stages, 'triangles apart', "
+                     "'triangles meet'")
+        ->type_name("LIST");
+    command->add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
+        ->type_name("A:B");
+    command->add_option("--body", options->body, "Only the nodes of this body")->type_name("NAME");
+    command->add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
+        ->check(real_number())
+        ->capture_default_str();
+    command->add_flag("--nested", options->nested,
+                      "Also nodes that hold others of the front (give an --opacity to see both)");
+    command->footer(
+        "Each node at which paths of the traversal ended is drawn as its exact volume. The numbers "
+        "are of all paths,\n"
+        "whatever --stage, --depth and --body leave out of the view.\n\n"
+        "Examples:\n"
+        "  scb render rejections spheres-l1 --frames 100 -o out/\n"
+        "  scb render rejections spheres-l1 --frames 100 --body A --stage "
+        "slab-cylinder,cylinder-slab "
+        "-o out/");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

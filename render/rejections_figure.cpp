@@ -1,0 +1,125 @@
+#include "render/rejections_figure.h"
+
+#include <cstdio>
+
+#include "render/ending_colors.h"
+
+namespace scb {
+namespace {
+
+constexpr std::array<std::string_view, 4> color_names = {"first", "last", "dominant", "share"};
+
+Rgba8 color_of(const FrontNode& node, FrontColor by) {
+    switch (by) {
+        case FrontColor::first:
+            return ending_color(node.first);
+        case FrontColor::last:
+            return ending_color(node.last);
+        case FrontColor::dominant:
+            return ending_color(node.dominant);
+        case FrontColor::share:
+            break;
+    }
+    return viridis(static_cast<double>(node.rejected) / node.tested);
+}
+
+EndingCounts sum_of(const std::vector<EndingCounts>& by_depth) {
+    EndingCounts sum{};
+    for (const EndingCounts& counts : by_depth)
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
+    return sum;
+}
+
+std::string share_text(std::uint64_t part, std::uint64_t whole) {
+    if (whole == 0) return "–";
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1f %%",
+                  100 * static_cast<double>(part) / static_cast<double>(whole));
+    return text;
+}
+
+}  // namespace
+
+std::string_view front_color_name(FrontColor color) {
+    return color_names[static_cast<std::size_t>(color)];
+}
+
+std::optional<FrontColor> front_color_of(std::string_view name) {
+    for (std::size_t i = 0; i < color_names.size(); ++i)
+        if (color_names[i] == name) return static_cast<FrontColor>(i);
+    return std::nullopt;
+}
+
+Fronts fronts_of(const QueryBodies& bodies, const TraceFrame& frame, const TestTree& tree,
+                 const RejectionsStyle& style) {
+    Fronts fronts;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!style.sides[side]) continue;
+        fronts[side] = traversal_front(frame, tree, side, style.filter);
+        if (!style.nested)
+            fronts[side] = innermost(fronts[side], topology_of(*bodies[side].hierarchy));
+    }
+    return fronts;
+}
+
+Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
+                     const RejectionsStyle& style) {
+    Pane pane;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const FrontNode& node : fronts[side])
+            pane.volumes.push_back({volume_of(bodies[side], node.node),
+                                    with_opacity(color_of(node, style.by), style.opacity),
+                                    bodies[side].first_node_id + node.node});
+    return pane;
+}
+
+std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                        const TraceFrame& frame, const TestTree& tree,
+                                        const Fronts& fronts, const RejectionsStyle& style) {
+    const EndingCounts counts = sum_of(endings_by_depth(frame, tree));
+    std::uint64_t ended = 0;
+    for (const std::uint64_t count : counts) ended += count;
+    std::vector<PanelItem> items;
+    items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
+    items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
+    items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
+    items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - ended)}});
+    items.emplace_back(PanelHeading{"paths that ended"});
+    for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
+        const std::uint64_t count = count_of(group, counts);
+        if (count == 0 && group.endings.front() == Ending::left_over) continue;
+        items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
+                                          share_text(count, ended)});
+    }
+    items.emplace_back(PanelHeading{""});
+    const auto shown = [&](std::size_t side) {
+        return style.sides[side] ? count_text(fronts[side].size()) : std::string("–");
+    };
+    items.emplace_back(
+        PanelRow{"volumes", {bodies[0].name + " " + shown(0), bodies[1].name + " " + shown(1)}});
+    if (style.by == FrontColor::share)
+        items.emplace_back(PanelScale{"share of a node's tests rejected",
+                                      {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
+    else
+        items.emplace_back(
+            PanelNote{"a node's " +
+                      std::string(style.by == FrontColor::dominant ? "most frequent"
+                                                                   : front_color_name(style.by)) +
+                      " ending" + (style.nested ? "" : "; those that hold others are left out")});
+    return items;
+}
+
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree) {
+    PanelChart chart;
+    chart.title = "by depth of the pair";
+    const std::vector<EndingGroup> groups =
+        ending_groups(endings_of(header.volume, header.options));
+    for (const EndingCounts& counts : endings_by_depth(frame, tree)) {
+        std::vector<BarPart>& row = chart.rows.emplace_back();
+        for (const EndingGroup& group : groups)
+            row.push_back({group.color, static_cast<double>(count_of(group, counts))});
+    }
+    return chart;
+}
+
+}  // namespace scb
