@@ -120,4 +120,19 @@ void add_query_limits(CLI::App& command, QueryLimits& limits) {
         ->type_name("K");
 }
 
+std::vector<std::string> given_recording_options(const CLI::App& command) {
+    std::vector<std::string> given;
+    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--test",
+                               "--threshold", "--descent", "--bodies", "--max-pairs", "--level"})
+        if (command.count(option) > 0) given.emplace_back(option);
+    return given;
+}
+
+void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace) {
+    if (given.empty()) return;
+    throw InputError(given[0] + ": " + trace +
+                     " is a trace and has what it was recorded with; give a scene, or leave out " +
+                     given[0] + ".");
+}
+
 }  // namespace scb

@@ -43,4 +43,9 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
 void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests);
 void add_query_limits(CLI::App& command, QueryLimits& limits);
 
+/// The options that were given and say what a query is to be: a trace already knows.
+std::vector<std::string> given_recording_options(const CLI::App& command);
+/// Throws InputError where there are any.
+void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace);
+
 }  // namespace scb

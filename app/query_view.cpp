@@ -42,6 +42,8 @@ void QueryViewOptions::check() const {
     hierarchy.kind();
     hierarchy.fit();
     query.collide();
+    if (scene.names.size() == 1 && names_trace(scene.names[0]))
+        refuse_for_trace(recording, scene.names[0]);
 }
 
 void add_query_view_options(CLI::App& command, QueryViewOptions& options) {

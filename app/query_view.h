@@ -21,11 +21,12 @@ struct QueryViewOptions {
     QueryLimits limits;
     PictureOptions picture;
     CameraOptions camera;
+    /// What was given of what a trace already knows, see given_recording_options.
+    std::vector<std::string> recording;
 
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;
 };
-/// `view`: whether there is a camera.
 void add_query_view_options(CLI::App& command, QueryViewOptions& options);
 
 /// What of the bodies a picture shows, and a camera therefore has to hold.

@@ -64,7 +64,8 @@ void add_render_pairs(CLI::App& render_command, const Console& console, Action& 
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"
         "  scb render pairs spheres.scbtrace --frames all --camera contact -o out/");
-    command->callback([&action, &console, options] {
+    command->callback([&action, &console, command, options] {
+        options->recording = given_recording_options(*command);
         action = [&console, options] { return run(*options, console); };
     });
 }

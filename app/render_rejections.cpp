@@ -144,7 +144,8 @@ void add_render_rejections(CLI::App& render_command, const Console& console, Act
         "  scb render rejections spheres-l1 --frames 100 --body A --stage "
         "slab-cylinder,cylinder-slab "
         "-o out/");
-    command->callback([&action, &console, options] {
+    command->callback([&action, &console, command, options] {
+        options->recording = given_recording_options(*command);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -74,11 +74,7 @@ int record(const Options& options, const Console& console) {
 /// `given`: options on the command line that only recording has a use for.
 int print(const Options& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
-    if (!given.empty())
-        throw InputError(
-            given[0] + ": " + path +
-            " is a trace already, of what it says; give a scene to record, or leave out " +
-            given[0] + ".");
+    refuse_for_trace(given, path);
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
     // Reads all frames once before anything is printed, so that a bad file gives no half answer.
@@ -146,11 +142,7 @@ void add_trace(CLI::App& program, const Console& console, Action& action) {
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
         "  scb trace spheres.scbtrace --frames 250 --events");
     command->callback([&action, &console, command, options] {
-        std::vector<std::string> given;
-        for (const char* option :
-             {"--pose", "--volume", "--growth", "--margin", "--test", "--threshold", "--descent",
-              "--bodies", "--max-pairs", "--level"})
-            if (command->count(option) > 0) given.emplace_back(option);
+        const std::vector<std::string> given = given_recording_options(*command);
         action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
             return names.size() == 1 && names_trace(names[0]) ? print(*options, given)

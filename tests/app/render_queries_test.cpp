@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "render/image_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+struct RenderQueries : testing::Test {
+    TemporaryFolder folder;
+    std::string out = folder / "out", trace_file = folder / "t.scbtrace";
+
+    json index_of(const std::string& arguments) {
+        const ProgramRun run =
+            run_scb("render " + arguments + " --size 320x240 --samples 1 -o " + out);
+        EXPECT_EQ(run.status, 0) << arguments << run.err;
+        return json::parse(file_text(out + "/index.json"));
+    }
+};
+
+TEST_F(RenderQueries, ShowTheCountsThatCollideGives) {
+    for (const char* command : {"pairs ", "rejections "})
+        for (const char* options : {"", "--volume obb", "--volume ball --level 4",
+                                    "--test extents --descent volume --max-pairs 5"}) {
+            const std::string arguments = "spheres-l1 --frames 0,100,250 " + std::string(options);
+            const json index = index_of(command + arguments);
+            const json live = json::parse(run_scb("collide --json " + arguments).out);
+            ASSERT_EQ(index["files"].size(), 3u);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (const auto& [key, value] : live["frames"][i].items())
+                    EXPECT_EQ(index["files"][i][key], value) << command << options << key;
+            for (const char* key : {"scene", "volume", "test", "descent", "level", "max_pairs"})
+                EXPECT_EQ(index.value(key, json()), live.value(key, json())) << key;
+        }
+}
+
+TEST_F(RenderQueries, AreTheSameBytesFromATrace) {
+    const std::string mesh = folder / "m.off";
+    write_text(mesh,
+               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    for (const std::string& scene :
+         {std::string("spheres-l1 --volume scb --test corrected --margin 0.01 --frames 100,250"),
+          std::string("knots-l1 --volume obb --level 5 --frames 3,4"),
+          mesh + " " + mesh + " --pose 1,0,0,0.25,0,1,0,0.125,0,0,1,0 --frames 0"}) {
+        ASSERT_EQ(run_scb("trace " + scene + " -o " + trace_file).status, 0);
+        for (const char* command : {"pairs ", "rejections "}) {
+            const json live = index_of(command + scene + " --ids");
+            std::vector<std::string> bytes;
+            for (const json& file : live["files"])
+                for (const char* key : {"file", "ids"})
+                    bytes.push_back(file_text(out + "/" + file[key].get<std::string>()));
+            const json again = index_of(command + trace_file + " --frames all --ids");
+            EXPECT_EQ(again, live);
+            std::size_t i = 0;
+            for (const json& file : again["files"])
+                for (const char* key : {"file", "ids"})
+                    EXPECT_EQ(file_text(out + "/" + file[key].get<std::string>()), bytes[i++]);
+        }
+    }
+}
+
+TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
+    const json pairs = index_of("pairs spheres-l1 --frames 100 --ids"), ranges = pairs["ids"];
+    ASSERT_EQ(ranges.size(), 4u);
+    const auto range_of = [&](std::uint32_t id) -> std::string {
+        for (const json& r : ranges)
+            if (id >= r["first"] &&
+                id < r["first"].get<std::uint32_t>() + r["count"].get<std::uint32_t>())
+                return r["what"].get<std::string>() + " " + r["body"].get<std::string>();
+        return id == 0 ? "nothing" : "other";
+    };
+    const auto seen = [&](const json& index) {
+        std::set<std::string> kinds;
+        const std::string file = out + "/" + index["files"][0]["ids"].get<std::string>();
+        for (const std::uint32_t id : unpack_ids(read_png(file)).ids) kinds.insert(range_of(id));
+        return kinds;
+    };
+    // "other": the segments in which triangles meet.
+    std::set<std::string> of_pairs = seen(pairs);
+    EXPECT_EQ(of_pairs.erase("node A") + of_pairs.erase("node B") > 0, true);
+    EXPECT_EQ(of_pairs, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
+              (std::set<std::string>{"nothing", "node A", "node B"}));
+    EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),
+              (std::set<std::string>{"nothing", "node B"}));
+}
+
+TEST_F(RenderQueries, ACameraFollowsTheContact) {
+    const json index = index_of("pairs spheres-l1 --frames 20,250,480 --camera contact");
+    // At frame 20 the spheres just touch; at 250, one inside the other, nothing meets.
+    const auto distance = [&](std::size_t i) {
+        return index["files"][i]["camera"]["distance"].get<double>();
+    };
+    EXPECT_LT(distance(0), distance(1) / 2);
+    EXPECT_LT(distance(2), distance(1) / 2);
+    EXPECT_FALSE(index.contains("camera"));
+    EXPECT_TRUE(index_of("pairs spheres-l1 --frames 20").contains("camera"));
+}
+
+TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 0,100 -o " + trace_file).status, 0);
+    const std::string scene = folder / "s.json", of_scene = folder / "s.scbtrace";
+    write_text(scene, endless_scene);
+    ASSERT_EQ(run_scb("trace " + scene + " --frames 0 -o " + of_scene).status, 0);
+    std::string moved = endless_scene, other = endless_scene;
+    moved.replace(moved.find("1.98"), 4, "1.97");
+    other.replace(other.find("\"subdivisions\": 3"), 17, "\"subdivisions\": 2");
+    std::string newer = file_text(of_scene);
+    newer.replace(newer.find("0.1.0"), 5, "9.1.0");
+    const auto crc = static_cast<std::uint32_t>(
+        crc32_z(0, reinterpret_cast<const unsigned char*>(newer.data()), newer.size() - 4));
+    for (std::size_t i = 0; i < 4; ++i)
+        newer[newer.size() - 4 + i] = static_cast<char>(crc >> (8 * i));
+    write_text(folder / "newer.scbtrace", newer);
+    const auto refused = [&](const std::string& arguments, const std::string& part) {
+        const ProgramRun run = run_scb("render " + arguments + " -o " + out);
+        EXPECT_EQ(run.status, 2) << arguments << run.err;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+        EXPECT_NE(run.err.find(part), std::string::npos) << arguments << run.err;
+    };
+    refused("pairs spheres-l1 --frames 500", "frames 0 to 499");
+    refused("pairs " + trace_file + " --frames 50", "has no frame 50");
+    refused("pairs " + trace_file + " --test extents", "--test");
+    refused("pairs cone.off", "there is no such file");
+    refused("pairs spheres-l1 --camera up", "--camera");
+    refused("levels spheres-l1 --camera contact", "levels have no contact");
+    refused("rejections spheres-l1 --depth 0:99", "levels 0 to");
+    refused("rejections spheres-l1 --depth 5:2", "--depth");
+    refused("rejections spheres-l1 --stage slab-a", "'slab-a' is none here");
+    refused("rejections spheres-l1 --stage gjk", "ball-ball, slab-ball");
+    refused("rejections spheres-l1 --body C", "the bodies are A and B");
+    refused("rejections spheres-l1 --by mean", "--by mean");
+    refused("rejections spheres-l1 --opacity 0", "--opacity");
+    refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
+    write_text(scene, moved);
+    refused("pairs " + of_scene, "the bodies are elsewhere");
+    write_text(scene, other);
+    refused("rejections " + of_scene, "was recorded when the mesh of left had 1280 triangles");
+    std::filesystem::remove(scene);
+    refused("pairs " + of_scene, "there is no such");
+}
+
+}  // namespace
+}  // namespace scb
