@@ -138,15 +138,15 @@ std::string QueryView::title(const std::string& what) const {
            " · " + what;
 }
 
-std::string QueryView::subtitle(int frame) const {
+std::string QueryView::subtitle(std::optional<int> frame) const {
     const TraceHeader& header = source_.header();
     const Scene& scene = source_.query().scene;
     std::string text;
     const auto add = [&text](const std::string& part) {
         text += (text.empty() ? "" : ", ") + part;
     };
-    if (scene.frames > 1)
-        add("frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1));
+    if (frame && scene.frames > 1)
+        add("frame " + std::to_string(*frame) + " of 0 to " + std::to_string(scene.frames - 1));
     if (header.volume == VolumeKind::scb) {
         add("test " + std::string(overlap_test_name(header.options.overlap.test)));
         if (has_threshold(header.options.overlap.test) &&
@@ -163,9 +163,9 @@ std::string QueryView::subtitle(int frame) const {
     return text;
 }
 
-std::string QueryView::picture_name(const std::string& what, int frame) const {
+std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
     return source_.query().scene.name + "_" + std::string(volume_kind_name(source_.query().kind)) +
-           "_" + what + format("_frame-%04d", frame);
+           "_" + what + (frame ? format("_frame-%04d", *frame) : "");
 }
 
 Json QueryView::index_head(const std::string& command) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,9 +52,10 @@ class QueryView {
     /// "spheres-l1 · SCB · " and what the picture shows.
     std::string title(const std::string& what) const;
     /// The frame, and every option that changes what is drawn but cannot be seen.
-    std::string subtitle(int frame) const;
-    /// SCENE_VOLUME_WHAT_frame-0250.
-    std::string picture_name(const std::string& what, int frame) const;
+    std::string subtitle(std::optional<int> frame = std::nullopt) const;
+    /// SCENE_VOLUME_WHAT_frame-0250, or without a frame.
+    std::string picture_name(const std::string& what,
+                             std::optional<int> frame = std::nullopt) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;

@@ -36,6 +36,9 @@ int run(const Options& options, const Console& console) {
             figure.theme = style.theme;
             if (frame.found.pairs.empty()) figure.remark = "no contact";
             nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+            // Of the segments, in the order of `scb collide --pairs-out`.
+            entry["pair_ids"] = {{"first", view.first_free_id()},
+                                 {"count", frame.found.pairs.size()}};
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());

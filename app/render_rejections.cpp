@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "render/pairs_figure.h"
 #include "render/rejections_figure.h"
+#include "render/stages_figure.h"
 
 namespace scb {
 namespace {
@@ -70,11 +71,15 @@ int run(const Options& options, const Console& console) {
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
     const QueryView view(options, source, pictures.renderer(), Shown::volumes);
+    StagesFigure stages;
+    stages.theme = style.theme;
     return draw_frames(
         source, pictures, console,
         [&](const TraceFrame& frame) {
             const QueryBodies bodies = view.bodies(frame.frame);
             const TestTree tree = test_tree(source.header(), frame);
+            stages.frames.push_back(frame.frame);
+            stages.counts.push_back(ending_counts(frame, tree));
             const Fronts fronts = fronts_of(bodies, frame, tree, style);
             SceneFigure figure;
             figure.title = view.title("rejections");
@@ -97,6 +102,16 @@ int run(const Options& options, const Console& console) {
             pictures.draw(view.picture_name("rejections", frame.frame), picture, std::move(entry));
         },
         [&] {
+            if (stages.frames.size() > 1) {
+                stages.title = view.title("rejections by frame");
+                stages.subtitle = view.subtitle();
+                stages.groups =
+                    ending_groups(endings_of(source.header().volume, source.header().options));
+                const Picture picture = compose(stages, options.picture.width(),
+                                                options.picture.height(), pictures.overlay());
+                pictures.draw(view.picture_name("rejections_stages"), picture, {{"stages", true}},
+                              false);
+            }
             nlohmann::ordered_json head = view.index_head("render rejections");
             head["options"]["by"] = options.by;
             if (!options.stages.empty()) head["options"]["stages"] = split_list(options.stages);

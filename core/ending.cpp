@@ -55,6 +55,13 @@ std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TestTr
     return counts;
 }
 
+EndingCounts ending_counts(const TraceFrame& frame, const TestTree& tree) {
+    EndingCounts sum{};
+    for (const EndingCounts& counts : endings_by_depth(frame, tree))
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
+    return sum;
+}
+
 std::vector<Ending> endings_of(VolumeKind kind, const CollideOptions& options) {
     std::vector<Ending> endings;
     for (const Stage stage : stages_of(kind, options.overlap))

@@ -38,6 +38,9 @@ std::optional<Ending> ending_of(const VolumeTest& test, Outcome outcome);
 /// How the tests of a frame ended, by the depth of the pair: the depths of both nodes added.
 std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TestTree& tree);
 
+/// The same for all depths together.
+EndingCounts ending_counts(const TraceFrame& frame, const TestTree& tree);
+
 /// The endings that queries of these volumes and options can have, in order: the stages of the
 /// test, then the others. `triangles` where triangles were tested, else `found`.
 std::vector<Ending> endings_of(VolumeKind kind, const CollideOptions& options);

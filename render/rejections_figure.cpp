@@ -23,13 +23,6 @@ Rgba8 color_of(const FrontNode& node, FrontColor by) {
     return viridis(static_cast<double>(node.rejected) / node.tested);
 }
 
-EndingCounts sum_of(const std::vector<EndingCounts>& by_depth) {
-    EndingCounts sum{};
-    for (const EndingCounts& counts : by_depth)
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
-    return sum;
-}
-
 std::string share_text(std::uint64_t part, std::uint64_t whole) {
     if (whole == 0) return "–";
     char text[16];
@@ -76,7 +69,7 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
                                         const TraceFrame& frame, const TestTree& tree,
                                         const Fronts& fronts, const RejectionsStyle& style) {
-    const EndingCounts counts = sum_of(endings_by_depth(frame, tree));
+    const EndingCounts counts = ending_counts(frame, tree);
     std::uint64_t ended = 0;
     for (const std::uint64_t count : counts) ended += count;
     std::vector<PanelItem> items;

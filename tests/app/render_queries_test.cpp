@@ -83,6 +83,10 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
         return kinds;
     };
     // "other": the segments in which triangles meet.
+    const json pair_ids = pairs["files"][0]["pair_ids"];
+    EXPECT_EQ(pair_ids["count"], pairs["files"][0]["pairs"]);
+    EXPECT_EQ(pair_ids["first"], ranges[3]["first"].get<std::uint32_t>() +
+                                     ranges[3]["count"].get<std::uint32_t>());
     std::set<std::string> of_pairs = seen(pairs);
     EXPECT_EQ(of_pairs.erase("node A") + of_pairs.erase("node B") > 0, true);
     EXPECT_EQ(of_pairs, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));

@@ -54,6 +54,40 @@ struct Everything {
     }
 };
 
+// A triangle behind a wall: faint where it is to show through, and without an id.
+TEST(Renderer, ShowsTrianglesThroughWhatHidesThem) {
+    Drawing drawing;
+    Picture picture{80, 60, 1, {255, 255, 255}, {}};
+    Pane& pane = picture.panes.emplace_back();
+    pane.viewport = {0, 0, 80, 60};
+    pane.camera = orbit_camera(0, 0, Vec3::Zero(), 5);
+    MeshDraw wall, hidden;
+    wall.mesh = hidden.mesh = drawing.renderer.upload(quad());
+    wall.color = {200, 200, 200};
+    wall.first_id = 10;
+    hidden.color = {200, 0, 0};
+    hidden.first_id = 20;
+    hidden.pose.translation = Vec3(0, 1, 0);
+    pane.meshes = {wall, hidden};
+    const Rendering without = drawing.renderer.draw(picture, nullptr, true);
+    pane.meshes[1].shown_through = {1};
+    const Rendering with = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(with.ids, without.ids);
+    // Triangle 1 is the upper left half of the quad.
+    const auto at = [&](const Image& image, int x, int y) {
+        const std::size_t i = 4 * static_cast<std::size_t>(y * 80 + x);
+        return std::array<int, 3>{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
+    };
+    EXPECT_NE(at(with.image, 35, 25), at(without.image, 35, 25));
+    EXPECT_GT(at(with.image, 35, 25)[0], at(with.image, 35, 25)[1] + 40);
+    EXPECT_EQ(at(with.image, 45, 35), at(without.image, 45, 35));
+    // Not where nothing hides it: the mesh itself is drawn there.
+    pane.meshes.erase(pane.meshes.begin());
+    const Rendering alone = drawing.renderer.draw(picture);
+    pane.meshes[0].shown_through.clear();
+    EXPECT_EQ(alone.image, drawing.renderer.draw(picture).image);
+}
+
 TEST(Renderer, TheSamePictureGivesTheSameBytes) {
     for (const int samples : {1, 4}) {
         Drawing drawing;

@@ -1,0 +1,81 @@
+#include "render/stages_figure.h"
+
+#include <map>
+
+#include "tests/render/gl_fixture.h"
+
+namespace scb {
+namespace {
+
+constexpr int width = 800, height = 500;
+
+StagesFigure figure_of(const std::vector<int>& frames) {
+    StagesFigure figure;
+    figure.title = "title";
+    figure.groups = ending_groups(endings_of(VolumeKind::scb, {}));
+    figure.frames = frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EndingCounts counts{};
+        counts[static_cast<std::size_t>(Stage::slab_ball)] = 100;
+        counts[static_cast<std::size_t>(Ending::triangles_meet)] = i % 2 == 0 ? 100 : 300;
+        figure.counts.push_back(counts);
+    }
+    return figure;
+}
+
+/// How many pixels of the plot have each color: left of the panel.
+std::map<std::uint32_t, int> pixels_of(const StagesFigure& figure) {
+    Drawing drawing;
+    Overlay overlay;
+    const Picture picture = compose(figure, width, height, overlay);
+    const Image image = drawing.renderer.draw(picture, &overlay).image;
+    std::map<std::uint32_t, int> pixels;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width / 2; ++x) {
+            const std::size_t i = 4 * static_cast<std::size_t>(y * width + x);
+            ++pixels[image.rgba[i] << 16 | image.rgba[i + 1] << 8 | image.rgba[i + 2]];
+        }
+    return pixels;
+}
+
+std::uint32_t key(Rgba8 color) {
+    return static_cast<std::uint32_t>(color.r << 16 | color.g << 8 | color.b);
+}
+
+TEST(StagesFigure, AreasAreProportionalToTheCounts) {
+    // Few bars with gaps, and more frames than pixels.
+    for (const int count : {40, 5000}) {
+        std::vector<int> frames;
+        for (int i = 0; i < count; ++i) frames.push_back(3 * i);
+        std::map<std::uint32_t, int> pixels = pixels_of(figure_of(frames));
+        const double slab = pixels[key(ending_color(rejected_at(Stage::slab_ball)))],
+                     meet = pixels[key(ending_color(Ending::triangles_meet))];
+        EXPECT_GT(slab, 1000);
+        EXPECT_NEAR(meet / slab, 2, 0.1) << count;
+    }
+}
+
+TEST(StagesFigure, OneFrameAndNone) {
+    EXPECT_GT(pixels_of(figure_of({7}))[key(ending_color(Ending::triangles_meet))], 1000);
+    EXPECT_EQ(pixels_of(figure_of({}))[key(ending_color(Ending::triangles_meet))], 0);
+}
+
+TEST(EndingColors, TellNeighboursApart) {
+    for (const VolumeKind kind : all_volume_kinds())
+        for (const OverlapTest test : all_overlap_tests()) {
+            CollideOptions options;
+            options.overlap.test = test;
+            const std::vector<EndingGroup> groups = ending_groups(endings_of(kind, options));
+            std::size_t endings = 0;
+            for (std::size_t i = 0; i < groups.size(); ++i) {
+                endings += groups[i].endings.size();
+                EXPECT_FALSE(groups[i].label.empty());
+                for (std::size_t k = 0; k < i; ++k)
+                    EXPECT_NE(key(groups[i].color), key(groups[k].color)) << groups[i].label;
+            }
+            EXPECT_EQ(endings, endings_of(kind, options).size());
+        }
+}
+
+}  // namespace
+}  // namespace scb
