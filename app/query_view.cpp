@@ -133,6 +133,10 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     return camera;
 }
 
+Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
+    return !follows_contact() || region.empty() ? center_ : center_of(support_of(region));
+}
+
 std::string QueryView::title(const std::string& what) const {
     return source_.query().scene.name + " · " + std::string(volume_title(source_.query().kind)) +
            " · " + what;

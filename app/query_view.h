@@ -44,7 +44,8 @@ class QueryView {
     /// The camera for the view of a picture of the options' size: one for all frames, or, where it
     /// follows the contact and there is one, fitted to `region`.
     Camera camera(const std::vector<AnyVolume>& region) const;
-    const Vec3& center() const { return center_; }
+    /// What that camera looks at: where a scale bar holds.
+    Vec3 center(const std::vector<AnyVolume>& region) const;
     /// The id of the first of what a picture has beside nodes and triangles.
     std::uint32_t first_free_id() const { return first_free_id_; }
     bool follows_contact() const { return options_.camera.follows_contact(); }

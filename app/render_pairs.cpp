@@ -30,8 +30,9 @@ int run(const Options& options, const Console& console) {
             figure.title = view.title("pairs");
             figure.subtitle = view.subtitle(frame.frame);
             figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
-            figure.pane.camera = view.camera(contact_region(bodies, source.header(), frame));
-            figure.center = view.center();
+            const std::vector<AnyVolume> region = contact_region(bodies, source.header(), frame);
+            figure.pane.camera = view.camera(region);
+            figure.center = view.center(region);
             figure.panel = pairs_panel(bodies, source.header(), frame, style);
             figure.theme = style.theme;
             if (frame.found.pairs.empty()) figure.remark = "no contact";

@@ -85,8 +85,9 @@ int run(const Options& options, const Console& console) {
             figure.title = view.title("rejections");
             figure.subtitle = view.subtitle(frame.frame);
             figure.pane = rejections_pane(bodies, fronts, style);
-            figure.pane.camera = view.camera(contact_region(bodies, source.header(), frame));
-            figure.center = view.center();
+            const std::vector<AnyVolume> region = contact_region(bodies, source.header(), frame);
+            figure.pane.camera = view.camera(region);
+            figure.center = view.center(region);
             figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
             figure.chart = endings_chart(source.header(), frame, tree);
             figure.theme = style.theme;
