@@ -14,6 +14,7 @@ using Action = std::function<int()>;
 // Each adds one command to the program. When it is chosen, it sets `action`.
 void add_render_levels(CLI::App& render, const Console& console, Action& action);
 void add_render_pairs(CLI::App& render, const Console& console, Action& action);
+void add_render_traversal(CLI::App& render, const Console& console, Action& action);
 void add_bench(CLI::App& program, const Console& console, Action& action);
 void add_collide(CLI::App& program, const Console& console, Action& action);
 void add_trace(CLI::App& program, const Console& console, Action& action);

@@ -21,14 +21,17 @@ struct QueryViewOptions {
     QueryLimits limits;
     PictureOptions picture;
     CameraOptions camera;
+    bool view = true;  ///< whether the pictures show the bodies; else there is no camera
 
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;
 };
-/// `view`: whether there is a camera.
-void add_query_view_options(CLI::App& command, QueryViewOptions& options);
+/// `view`: whether the pictures show the bodies; sets QueryViewOptions::view.
+void add_query_view_options(CLI::App& command, QueryViewOptions& options, bool view = true);
 
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
+/// Where the options say that the pictures do not show the bodies, these stay where they are, and
+/// there are names only: titles, file names, what index.json says.
 class QueryView {
   public:
     QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer);
@@ -54,6 +57,7 @@ class QueryView {
     nlohmann::ordered_json index_head(const std::string& command) const;
     /// What it says of one picture: the query's counts, and the camera where it moves.
     nlohmann::ordered_json index_entry(const TraceFrame& frame, const Camera& camera) const;
+    nlohmann::ordered_json index_entry(const TraceFrame& frame) const;
 
   private:
     const QueryViewOptions& options_;

@@ -1,0 +1,92 @@
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/query_view.h"
+#include "core/error.h"
+#include "render/traversal_figure.h"
+
+namespace scb {
+namespace {
+
+struct Options : QueryViewOptions {
+    std::string by = "tests";
+    std::string show = "both";
+
+    MatrixMeasure measure() const {
+        if (by == "tests") return MatrixMeasure::tests;
+        if (by == "share") return MatrixMeasure::share;
+        throw InputError("--by " + by + ": give tests or share.");
+    }
+    void check() const {
+        QueryViewOptions::check();
+        measure();
+        if (show != "matrix" && show != "icicle" && show != "both")
+            throw InputError("--show " + show + ": give matrix, icicle or both.");
+    }
+};
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    PictureRun pictures(options.picture);
+    const QueryView view(options, source, pictures.renderer());
+
+    TraversalFigure figure;
+    figure.title = view.title("traversal");
+    figure.measure = options.measure();
+    figure.matrix = options.show != "icicle";
+    figure.icicle = options.show != "matrix";
+    figure.theme = options.picture.theme();
+    const InterruptWatch watch;
+    Progress progress(console, source.frames().size());
+    std::size_t done = 0;
+    for (; done < source.frames().size() && watch.signal() == 0; ++done) {
+        const TraceFrame& frame = source.frame(source.frames()[done]);
+        figure.subtitle = view.subtitle(frame.frame);
+        const Picture picture = compose(figure, source.header(), frame, options.picture.width(),
+                                        options.picture.height(), pictures.overlay());
+        pictures.draw(view.picture_name("traversal", frame.frame), picture,
+                      view.index_entry(frame));
+        progress.step("pictures");
+    }
+    nlohmann::ordered_json head = view.index_head("render traversal");
+    head["options"]["by"] = options.by;
+    head["options"]["show"] = options.show;
+    pictures.finish(std::move(head));
+    if (done == source.frames().size()) return exit_done;
+    console.note("scb: interrupted; " + std::to_string(done) + " of " +
+                 std::to_string(source.frames().size()) + " pictures are finished.");
+    return exit_interrupted(watch.signal());
+}
+
+}  // namespace
+
+void add_render_traversal(CLI::App& render_command, const Console& console, Action& action) {
+    CLI::App* command = render_command.add_subcommand(
+        "traversal", "The traversal itself, by pairs of nodes: where it spends its tests");
+    const auto options = std::make_shared<Options>();
+    add_query_view_options(*command, *options, false);
+    command
+        ->add_option("--by", options->by,
+                     "Colors of the matrix: tests (how many) or share (of them rejected)")
+        ->capture_default_str();
+    command->add_option("--show", options->show, "matrix, icicle or both")->capture_default_str();
+    command->footer(
+        "Left, the volume tests by depth of the node of A and that of B. Right, the recursion as "
+        "an "
+        "icicle: the roots\nat the top, below each pair those that its division led to; a pair is "
+        "as wide as the tests that begin with it.\n"
+        "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
+        "Examples:\n"
+        "  scb render traversal spheres-l1 --frames 250 -o out/\n"
+        "  scb render traversal spheres.scbtrace --frames all --by share --show matrix -o out/");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb
