@@ -72,8 +72,10 @@ int text_size_in(Overlay& overlay, const Grid& grid, const DepthMatrix& matrix,
     for (const DepthCell& cell : matrix.cells) {
         if (cell.tests == 0) continue;
         const std::string text = text_of(cell, measure);
+        // Half a letter of room on both sides together.
         while (size >= least_text &&
-               overlay.measure(text, {size, FontWeight::regular}).width > grid.cell_width - 3)
+               overlay.measure(text, {size, FontWeight::regular}).width + size / 2 >
+                   grid.cell_width)
             --size;
     }
     return size >= least_text ? size : 0;
@@ -100,8 +102,8 @@ std::string short_count(std::uint64_t count) {
         unit = larger;
     }
     std::string text = std::to_string(count / scale);
-    if (const std::uint64_t tenth = count % scale * 10 / scale; text.size() == 1 && tenth > 0)
-        text += "." + std::to_string(tenth);
+    if (const std::uint64_t rest = count % scale; text.size() == 1 && rest > 0)
+        text += "." + std::to_string(rest * 10 / scale);
     return text + unit;
 }
 
@@ -124,7 +126,7 @@ PixelRect draw_depth_matrix(Overlay& overlay, const PixelRect& rect, const Depth
     const PlotAxis axis =
         measure == MatrixMeasure::tests ? axis_of_tests(matrix) : axis_of_shares();
 
-    const int text = text_size_in(overlay, grid, matrix, measure, unit);
+    const int text = text_size_in(overlay, grid, matrix, measure, small);
     const int gap = std::min(grid.cell_width, grid.cell_height) >= 8 ? 1 : 0;
     for (std::size_t b = 0; b < matrix.depths_b; ++b)
         for (std::size_t a = 0; a < matrix.depths_a; ++a) {

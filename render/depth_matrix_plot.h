@@ -19,7 +19,8 @@ enum class MatrixMeasure {
 PixelRect draw_depth_matrix(Overlay& overlay, const PixelRect& rect, const DepthMatrix& matrix,
                             MatrixMeasure measure, const FigureStyle& style);
 
-/// 987, 1.2k, 12k, 123k, 1.2M: at most four characters below 1000M. Rounded down.
+/// 987, 1k, 1.0k (a little more), 12k, 123k, 1.2M: at most four characters below 1000G. Rounded
+/// down.
 std::string short_count(std::uint64_t count);
 
 }  // namespace scb

@@ -60,9 +60,28 @@ class GroupIndex {
 
 /// One column of a row.
 struct Column {
-    std::array<std::uint32_t, ending_count + 1> votes{};
-    std::uint32_t touched = 0;
-    std::uint32_t last = 0;
+    std::array<std::uint32_t, ending_count + 1> tests{};  ///< per group that touch it
+    std::uint32_t touched = 0;                            ///< their sum
+    std::uint32_t last = 0;                               ///< the last one that touches it
+};
+
+/// Picks the outcomes of the columns of a row, from left to right.
+class Picker {
+  public:
+    std::uint32_t operator()(const Column& column) {
+        std::size_t best = credit_.size();
+        for (std::size_t g = 0; g < credit_.size(); ++g) {
+            if (column.tests[g] == 0) continue;
+            credit_[g] += one * column.tests[g] / column.touched;
+            if (best == credit_.size() || credit_[g] > credit_[best]) best = g;
+        }
+        credit_[best] -= one;
+        return static_cast<std::uint32_t>(best);
+    }
+
+  private:
+    static constexpr std::int64_t one = 1 << 24;  // a column
+    std::array<std::int64_t, ending_count + 1> credit_{};
 };
 
 }  // namespace
@@ -98,19 +117,20 @@ Icicle icicle(const Events& events, const TestTree& tree, const std::vector<Endi
             const std::uint64_t behind =
                 ((begins[i] + std::uint64_t{sizes[i]}) * width + all - 1) / all;
             for (std::uint64_t x = first; x < behind; ++x) {
-                ++line[x].votes[group];
+                ++line[x].tests[group];
                 ++line[x].touched;
                 line[x].last = i;
             }
         }
+        Picker picker;
         for (int x = 0; x < columns; ++x) {
             const Column& column = line[static_cast<std::size_t>(x)];
             if (column.touched == 0) continue;
-            const auto end = column.votes.begin() + static_cast<std::ptrdiff_t>(groups.size()) + 1;
-            auto group = static_cast<std::uint32_t>(std::max_element(column.votes.begin(), end) -
-                                                    column.votes.begin());
+            const bool alone = column.touched == 1;
+            std::uint32_t group =
+                alone ? group_of(tests[column.last], tree.outcomes[column.last]) : picker(column);
             if (group == group_of.divided()) group = IcicleRun::divided;
-            const std::uint32_t test = column.touched == 1 ? column.last : IcicleRun::several;
+            const std::uint32_t test = alone ? column.last : IcicleRun::several;
             if (!result.runs.empty()) {
                 IcicleRun& before = result.runs.back();
                 if (before.row == static_cast<int>(row) && before.end == x &&

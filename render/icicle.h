@@ -26,9 +26,12 @@ struct IcicleRun {
 /// children of a pair lie below its left end, in the order in which they were tested; what is left
 /// at its right end is the pair's own test.
 ///
-/// Positions are rounded to columns by one rule: a column of a row shows the most frequent outcome
-/// of the tests that touch it, each of them counted once; of equally frequent ones the first in
-/// the order of the groups, pairs that were divided last.
+/// A column of a row that several tests touch shows the outcome of some of them, such that along
+/// the row the outcomes appear in proportion: every column gives each outcome credit for its share
+/// of the tests that touch the column, takes the one with the most credit among those that occur
+/// there (of equal ones the first in the order of the groups, pairs that were divided last), and
+/// charges it for a column. (The most frequent one would hide what is rejected: half of all pairs
+/// are divided.)
 struct Icicle {
     int columns = 0;
     int rows = 0;

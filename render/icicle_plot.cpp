@@ -10,8 +10,9 @@
 namespace scb {
 namespace {
 
-// Rectangles at least so wide, and rows at least so high, are parted by a line of background.
-constexpr int least_parted_width = 4, least_parted_height = 5;
+// Rectangles at least so wide end with a thin line, and rows at least so high with one of
+// background. Across a row background means that there are no tests.
+constexpr int least_parted_width = 5, least_parted_height = 5;
 constexpr int least_text = 10;
 
 }  // namespace
@@ -36,9 +37,10 @@ PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& eve
     for (const IcicleRun& run : icicle.runs) {
         PixelRect box{rect.x + left + run.begin, rect.y + run.row * row_height, run.end - run.begin,
                       row_height - row_gap};
-        if (box.width >= least_parted_width && run.test != IcicleRun::several) --box.width;
         const bool divided = run.group == IcicleRun::divided;
         overlay.rectangle(box, divided ? divided_color(theme) : groups[run.group].color);
+        if (box.width >= least_parted_width && run.test != IcicleRun::several)
+            overlay.rectangle({--box.width + box.x, box.y, 1, box.height}, theme.border);
         if (!divided || run.test == IcicleRun::several || text < least_text) continue;
         const TextStyle number{text, FontWeight::regular, theme.text, Align::center};
         const std::string count = count_text(sizes[run.test]);

@@ -12,6 +12,9 @@
 namespace scb {
 namespace {
 
+/// Plots that are less tall, in text units, have neither legend nor notes.
+constexpr int least_body = 14;
+
 /// What a reader would otherwise miss; empty where there is nothing.
 std::string remark_of(const TraceHeader& header, const Collision& found) {
     if (!found.complete)
@@ -25,20 +28,29 @@ std::string remark_of(const TraceHeader& header, const Collision& found) {
     return "no contact";
 }
 
+/// In tenths of a percent, rounded to the nearest.
+std::string share_text(std::uint64_t part, std::uint64_t all) {
+    if (all == 0) return "–";
+    const std::uint64_t tenths = (2000 * part + all) / (2 * all);
+    if (tenths == 0 && part > 0) return "<0.1%";
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "%";
+}
+
 /// A count and its name.
 struct Number {
     std::string label, value;
 };
 
 std::vector<Number> numbers_of(const Collision& found, const DepthMatrix& matrix) {
-    std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
+    const std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
     std::string depth = count_text(static_cast<std::uint64_t>(found.depth));
     if (of_a > 0 && of_b > 0)
         depth += " (A " + std::to_string(of_a - 1) + ", B " + std::to_string(of_b - 1) + ")";
-    std::uint64_t rejected = found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
+    const std::uint64_t rejected =
+        found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
     return {{"pairs", count_text(found.pairs.size())},
             {"N_v", count_text(found.n_v)},
-            {"rejected", count_text(rejected)},
+            {"rejected", count_text(rejected) + " (" + share_text(rejected, found.n_v) + ")"},
             {"N_p", count_text(found.n_p)},
             {"N_u", count_text(found.n_u)},
             {"depth reached", depth}};
@@ -73,6 +85,15 @@ int draw_numbers(Overlay& overlay, const PixelRect& rect, const std::vector<Numb
     return y + unit * 5 / 4;
 }
 
+/// The groups of a query's endings, in colors for the theme.
+std::vector<EndingGroup> groups_of(const TraceHeader& header, const Theme& theme) {
+    std::vector<EndingGroup> groups = ending_groups(endings_of(header.volume, header.options));
+    // Their dark color would be that of divided pairs on a dark background.
+    for (EndingGroup& group : groups)
+        if (group.endings.front() == Ending::left_over) group.color = theme.text;
+    return groups;
+}
+
 /// A color of the icicle, what it means, and how many tests had that outcome.
 struct Key {
     std::string label;
@@ -98,14 +119,6 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const TraceFram
         keys.push_back({std::string(group.label), group.color, count});
     }
     return keys;
-}
-
-/// In tenths of a percent, rounded to the nearest.
-std::string share_text(std::uint64_t part, std::uint64_t all) {
-    if (all == 0) return "–";
-    const std::uint64_t tenths = (2000 * part + all) / (2 * all);
-    if (tenths == 0 && part > 0) return "<0.1%";
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "%";
 }
 
 /// The legend of outcomes, in as many columns as there is room for.
@@ -178,6 +191,10 @@ int caption_height(Overlay& overlay, const Caption& caption, int width, const Fi
     return style.unit * 5 / 4 + lines * small * 5 / 4 + style.unit / 4;
 }
 
+std::string body_text(const std::string& side, const std::string& name) {
+    return name == side ? side : side + " (" + name + ")";
+}
+
 /// Returns the rectangle below it.
 PixelRect draw_caption(Overlay& overlay, const PixelRect& rect, const Caption& caption, int height,
                        const FigureStyle& style) {
@@ -203,8 +220,7 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     const int unit = layout.unit, margin = layout.heading.x, inside = width - 2 * margin;
     const TestTree tree = test_tree(header, frame);
     const DepthMatrix matrix = depth_matrix(frame.events);
-    const std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options));
+    const std::vector<EndingGroup> groups = groups_of(header, theme);
 
     overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
@@ -216,23 +232,27 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     if (figure.icicle) {
         const Legend legend(overlay, keys_of(groups, frame, tree, theme), frame.found.n_v, inside,
                             style);
-        bottom -= legend.height();
-        legend.draw(margin, bottom);
-        bottom -= unit / 2;
+        // In a tiny picture the plots come first.
+        if (bottom - legend.height() - top >= least_body * unit) {
+            bottom -= legend.height();
+            legend.draw(margin, bottom);
+            bottom -= unit / 2;
+        }
     }
 
     const BodyNames names = body_names(header);
-    const Caption matrix_caption = {
-        figure.measure == MatrixMeasure::tests ? "Volume tests by depth"
-                                               : "Share rejected by depth",
-        "across: depth of A (" + names[0] + "); down: of B (" + names[1] + ")"};
-    const Caption icicle_caption = {
-        "Recursion: width is tests, color is outcome",
-        "one row per depth of A + B; where several tests share a column of pixels it has their "
-        "most frequent outcome"};
+    Caption matrix_caption = {figure.measure == MatrixMeasure::tests ? "Volume tests by depth"
+                                                                     : "Share rejected by depth",
+                              "across: depth of " + body_text("A", names[0]) + "; down: of " +
+                                  body_text("B", names[1]) +
+                                  (figure.measure == MatrixMeasure::share ? "; numbers in %" : "")};
+    Caption icicle_caption = {"Recursion: width is tests below, color is outcome",
+                              "rows: depth of A + B; numbers: tests; pixels that tests share "
+                              "show outcomes in proportion"};
+    if (bottom - top < least_body * unit) matrix_caption.note = icicle_caption.note = "";
     PixelRect left{margin, top, inside, bottom - top}, right = left;
     const bool both = figure.matrix && figure.icicle;
-    const bool stacked = 10 * width < 12 * height;
+    const bool stacked = layout.portrait;
     if (both && stacked) {
         left.height = (left.height - unit) / 2;
         right.y += left.height + unit;

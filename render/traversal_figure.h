@@ -21,7 +21,7 @@ struct TraversalFigure {
 
 /// Composes the figure of a frame, with its counts and the legend of outcomes: the picture has no
 /// panes, all is in the overlay. Matrix and icicle stand side by side, or above each other where
-/// the picture is not clearly wider than tall.
+/// the picture is taller than wide. A tiny picture has neither legend nor notes.
 Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
                 int width, int height, Overlay& overlay);
 
