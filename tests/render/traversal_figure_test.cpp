@@ -1,6 +1,7 @@
 #include "render/traversal_figure.h"
 
 #include <map>
+#include <tuple>
 
 #include "render/icicle.h"
 #include "render/icicle_plot.h"
@@ -10,7 +11,7 @@
 namespace scb {
 namespace {
 
-TraceHeader header_of_balls() {
+TraceHeader scb_header() {
     TraceHeader header;
     header.scene = "scene";
     header.bodies = {TraceBody{"left", {}}, TraceBody{"right", {}}};
@@ -59,8 +60,8 @@ TraceFrame staircase(int depth, Stage stage) {
     return frame_of(events);
 }
 
-/// A division in which all `width` leaves of a full tree are at one depth and the first `apart` of
-/// them are rejected; the others are leaves with triangles that meet.
+/// A full tree of divisions, whose leaves are at one depth: of every 8 in the order of their tests
+/// the first `apart` are rejected, the others have triangles that meet.
 TraceFrame comb(int levels, std::size_t apart) {
     Events events;
     struct Node {
@@ -77,7 +78,7 @@ TraceFrame comb(int levels, std::size_t apart) {
         for (int child = 0; child < 2; ++child) {
             const auto depth = static_cast<std::uint16_t>(node.depth + 1);
             const bool leaf = depth == levels;
-            const bool rejected = leaf && leaves++ < apart;
+            const bool rejected = leaf && leaves++ % 8 < apart;
             events.volume_tests.push_back(
                 {{next, 0}, depth, 0, rejected ? Stage::ball_ball : Stage::overlapping});
             if (!leaf) pending.push_back({next, depth});
@@ -95,13 +96,13 @@ std::vector<EndingGroup> groups_of(const TraceHeader& header) {
 }
 
 Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
-    const TraceHeader header = header_of_balls();
+    const TraceHeader header = scb_header();
     return icicle(frame.events, test_tree(header, frame), groups_of(header), columns, rows);
 }
 
 std::string label_of(const IcicleRun& run) {
     if (run.group == IcicleRun::divided) return "divided";
-    return std::string(groups_of(header_of_balls())[run.group].label);
+    return std::string(groups_of(scb_header())[run.group].label);
 }
 
 TEST(Icicle, OfASmallQueryByHand) {
@@ -123,7 +124,7 @@ TEST(Icicle, OfASmallQueryByHand) {
 TEST(Icicle, RunsOfARowDoNotOverlapAndStayInside) {
     for (const int columns : {1, 7, 100, 683})
         for (const TraceFrame& frame :
-             {small_frame(), comb(9, 100), staircase(50, Stage::slab_ball)}) {
+             {small_frame(), comb(9, 3), staircase(50, Stage::slab_ball)}) {
             const Icicle icicle = icicle_of(frame, columns, 1000);
             int row = -1, end = 0;
             for (const IcicleRun& run : icicle.runs) {
@@ -141,24 +142,27 @@ TEST(Icicle, RunsOfARowDoNotOverlapAndStayInside) {
 }
 
 TEST(Icicle, SharedColumnsShowOutcomesInProportion) {
-    // 1024 leaves in about 100 columns; the first 256 are rejected, which are those at the right
-    // end, since the pair that was tested last is divided first.
-    for (const std::size_t apart : {256u, 512u, 1000u}) {
-        const Icicle icicle = icicle_of(comb(10, apart), 200, 100);
+    // About 20 leaves in a column, so that the less frequent outcome is never the most frequent
+    // one.
+    for (const std::size_t apart : {1u, 2u, 6u, 7u}) {
+        const Icicle icicle = icicle_of(comb(13, apart), 400, 100);
         std::map<std::string, int> columns;
         for (const IcicleRun& run : icicle.runs)
-            if (run.row == 10) columns[label_of(run)] += run.end - run.begin;
+            if (run.row == 13) columns[label_of(run)] += run.end - run.begin;
         const int all = columns["ball A, ball B"] + columns["triangles meet"];
-        ASSERT_GT(all, 90);
-        EXPECT_NEAR(columns["ball A, ball B"] * 1024.0 / all, static_cast<double>(apart), 30);
+        ASSERT_GT(all, 190);
+        EXPECT_NEAR(8.0 * columns["ball A, ball B"] / all, static_cast<double>(apart), 0.1);
     }
-    // Where every column has one rejection and one division, both show.
-    const Icicle mixed = icicle_of(staircase(400, Stage::ball_ball), 4, 1);
-    EXPECT_EQ(mixed.rows, 1);
-    EXPECT_EQ(mixed.depths_per_row, 401);
-    std::map<std::string, int> columns;
-    for (const IcicleRun& run : mixed.runs) columns[label_of(run)] += run.end - run.begin;
-    EXPECT_GT(columns["divided"], 0);
+}
+
+TEST(Icicle, DepthsShareARowWhereTheyAreTooMany) {
+    const TraceFrame frame = staircase(400, Stage::ball_ball);
+    for (const auto& [rows, most, per_row] :
+         {std::tuple(401, 401, 1), {201, 400, 2}, {201, 201, 2}, {1, 1, 401}}) {
+        const Icicle icicle = icicle_of(frame, 50, most);
+        EXPECT_EQ(icicle.rows, rows);
+        EXPECT_EQ(icicle.depths_per_row, per_row);
+    }
 }
 
 TEST(Icicle, OfNothingIsEmpty) {
@@ -212,7 +216,7 @@ TEST(TraversalFigure, AreasAreProportionalToTests) {
     for (const Theme* theme : {&light_theme, &dark_theme}) {
         figure.theme = theme;
         const auto counts =
-            colors_of(drawn(drawing, figure, header_of_balls(), small_frame(), 1280, 720));
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 1280, 720));
         // One test each: a fifth of the width by a row; the swatches of the legend are the same.
         const int one = count_in(counts, ending_color(Ending::triangles_meet));
         EXPECT_GT(one, 240 * 30);
@@ -226,12 +230,11 @@ TEST(TraversalFigure, AreasAreProportionalToTests) {
 TEST(TraversalFigure, SaysThatNothingOverlaps) {
     Drawing drawing;
     const TraceFrame none = frame_of({{{{0, 0}, 0, 0, Stage::ball_ball}}, {}});
-    const auto counts = colors_of(drawn(drawing, {}, header_of_balls(), none, 1280, 720));
+    const auto counts = colors_of(drawn(drawing, {}, scb_header(), none, 1280, 720));
     EXPECT_GT(count_in(counts, light_theme.accent), 50);
     // The only test is as wide as all tests.
     EXPECT_GT(count_in(counts, ending_color(rejected_at(Stage::ball_ball))), 600 * 30);
-    const auto with_pairs =
-        colors_of(drawn(drawing, {}, header_of_balls(), small_frame(), 1280, 720));
+    const auto with_pairs = colors_of(drawn(drawing, {}, scb_header(), small_frame(), 1280, 720));
     // Its accent is the color of triangles that meet, which fills a rectangle instead.
     EXPECT_GT(count_in(with_pairs, light_theme.accent), 100 * 30);
 }
@@ -243,7 +246,7 @@ TEST(TraversalFigure, DrawsOnlyWhatIsAskedFor) {
         figure.measure = measure;
         figure.icicle = false;
         const auto matrix =
-            colors_of(drawn(drawing, figure, header_of_balls(), small_frame(), 640, 480));
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 640, 480));
         // But for edges of letters.
         EXPECT_LT(count_in(matrix, divided_color(light_theme)), 50);
         // Of 5 tests 2 are rejected; the roots are not.
@@ -252,7 +255,7 @@ TEST(TraversalFigure, DrawsOnlyWhatIsAskedFor) {
         figure.icicle = true;
         figure.matrix = false;
         const auto icicle =
-            colors_of(drawn(drawing, figure, header_of_balls(), small_frame(), 640, 480));
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 640, 480));
         EXPECT_LT(count_in(icicle, roots), 50);
         EXPECT_GT(count_in(icicle, divided_color(light_theme)), 5000);
     }
@@ -260,7 +263,7 @@ TEST(TraversalFigure, DrawsOnlyWhatIsAskedFor) {
 
 TEST(TraversalFigure, LeavesTheMarginsFree) {
     Drawing drawing;
-    TraceHeader header = header_of_balls();
+    TraceHeader header = scb_header();
     header.bodies[0].name = std::string(60, 'W');
     TraversalFigure figure;
     figure.title = "a scene with a name that is far too long for the width · SCB · traversal";
@@ -272,9 +275,8 @@ TEST(TraversalFigure, LeavesTheMarginsFree) {
                                         {320, 480},
                                         {1000, 300},
                                         {600, 600}})
-        for (const TraceFrame& frame :
-             {small_frame(), comb(9, 200), staircase(900, Stage::slab_ball),
-              staircase(0, Stage::slab_ball)}) {
+        for (const TraceFrame& frame : {small_frame(), comb(9, 3), staircase(900, Stage::slab_ball),
+                                        staircase(0, Stage::slab_ball)}) {
             const Image image = drawn(drawing, figure, header, frame, width, height);
             const int margin = 6;
             const auto [inside, outside] =
