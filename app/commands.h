@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 void add_render_levels(CLI::App& render, const Console& console, Action& action);
 void add_render_pairs(CLI::App& render, const Console& console, Action& action);
 void add_render_rejections(CLI::App& render, const Console& console, Action& action);
+void add_render_traversal(CLI::App& render, const Console& console, Action& action);
 void add_bench(CLI::App& program, const Console& console, Action& action);
 void add_collide(CLI::App& program, const Console& console, Action& action);
 void add_trace(CLI::App& program, const Console& console, Action& action);

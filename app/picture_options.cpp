@@ -67,7 +67,9 @@ std::filesystem::path PictureOptions::output_folder() const {
     return output;
 }
 
-void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+namespace {
+
+void add_output_size(CLI::App& command, PictureOptions& options) {
     command.add_option("-o,--output", options.output, "Folder for the pictures")
         ->check(has_name())
         ->type_name("DIR")
@@ -75,6 +77,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command.add_option("--size", options.size, "Size of a picture in pixels")
         ->type_name("WxH")
         ->capture_default_str();
+}
+
+void add_view(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
     command
         .add_option("--camera", camera.camera,
                     "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
@@ -85,6 +90,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
         ->check(decimal_number())
         ->capture_default_str();
+}
+
+void add_drawing(CLI::App& command, PictureOptions& options) {
     command.add_option("--background", options.background, "light or dark")
         ->type_name("THEME")
         ->capture_default_str();
@@ -96,9 +104,29 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
                     "Threads that compress pictures; 0 is one per core")
         ->check(decimal_number())
         ->capture_default_str();
+}
+
+void add_json(CLI::App& command, PictureOptions& options) {
+    command.add_flag("--json", options.json, "Print index.json instead of the file names");
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+    add_output_size(command, options);
+    add_view(command, options, camera);
+    add_drawing(command, options);
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
-    command.add_flag("--json", options.json, "Print index.json instead of the file names");
+    add_json(command, options);
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    // Nothing but the overlay, which is not sampled.
+    options.samples = 1;
+    add_output_size(command, options);
+    add_drawing(command, options);
+    add_json(command, options);
 }
 
 }  // namespace scb

@@ -34,5 +34,7 @@ struct PictureOptions {
 };
 
 void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera);
+/// Of pictures without a view of the scene: neither camera nor samples nor ids.
+void add_picture_options(CLI::App& command, PictureOptions& options);
 
 }  // namespace scb

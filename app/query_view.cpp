@@ -46,7 +46,7 @@ void QueryViewOptions::check() const {
         refuse_for_trace(recording, scene.names[0]);
 }
 
-void add_query_view_options(CLI::App& command, QueryViewOptions& options) {
+void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
     add_scene_options(command, options.scene, false);
     command.get_option("SCENE")->description(
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
@@ -54,19 +54,23 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options) {
     add_hierarchy_options(command, options.hierarchy, false);
     add_query_options(command, options.query, false);
     add_query_limits(command, options.limits);
-    add_picture_options(command, options.picture, options.camera);
-    command.get_option("--camera")
-        ->description(
-            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), or "
-            "a "
-            "JSON file; else the scene's own");
+    options.shown = shown;
+    if (shown != Shown::nothing) {
+        add_picture_options(command, options.picture, options.camera);
+        command.get_option("--camera")
+            ->description(
+                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
+                "or a JSON file; else the scene's own");
+    } else {
+        add_picture_options(command, options.picture);
+    }
     command.get_option("--frames")
         ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
 }
 
-QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer,
-                     Shown shown)
+QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer)
     : options_(options), source_(source) {
+    if (options.shown == Shown::nothing) return;
     const SceneQuery& query = source.query();
     for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
     std::size_t ids = 1;
@@ -78,7 +82,7 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source,
     spec_ = camera_spec_for(options.camera, query.scene);
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
-        nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), shown);
+        nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
     for (const int frame : source.frames()) {
         const QueryBodies at_frame = bodies(frame);
         for (std::size_t side = 0; side < 2; ++side)
@@ -174,31 +178,38 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
 
 Json QueryView::index_head(const std::string& command) const {
     const TraceHeader& header = source_.header();
-    const QueryBodies both = bodies(source_.frames().front());
     Json head = {{"command", command}};
     Json asked = trace_header_json(header);
     asked.erase("version");
     head.update(asked);
     head["frames"] = source_.frames();
-    head["ids"] = Json::array();
-    for (const QueryBody& b : both)
-        head["ids"].push_back(
-            range_json("node", b.name, b.first_node_id, topology_of(*b.hierarchy).nodes.size()));
-    for (const QueryBody& b : both)
-        head["ids"].push_back(
-            range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
-    head["options"] = {{"size", {options_.picture.width(), options_.picture.height()}},
-                       {"samples", options_.picture.samples},
-                       {"background", options_.picture.background}};
-    if (!follows_contact())
+    if (options_.shown != Shown::nothing) {
+        const QueryBodies both = bodies(source_.frames().front());
+        head["ids"] = Json::array();
+        for (const QueryBody& b : both)
+            head["ids"].push_back(range_json("node", b.name, b.first_node_id,
+                                             topology_of(*b.hierarchy).nodes.size()));
+        for (const QueryBody& b : both)
+            head["ids"].push_back(
+                range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
+    }
+    Json& options = head["options"];
+    options["size"] = {options_.picture.width(), options_.picture.height()};
+    if (options_.shown != Shown::nothing) options["samples"] = options_.picture.samples;
+    options["background"] = options_.picture.background;
+    if (options_.shown != Shown::nothing && !follows_contact())
         head["camera"] = Json::parse(camera_json(exact_spec(spec_, camera({}), center_)));
     return head;
 }
 
-Json QueryView::index_entry(const TraceFrame& frame, const Camera& camera) const {
+Json QueryView::index_entry(const TraceFrame& frame) const {
     const TraceHeader& header = source_.header();
-    Json entry = count_json(frame.frame, frame.b_to_a, frame.found,
-                            counted_stages(header.volume, header.options.overlap));
+    return count_json(frame.frame, frame.b_to_a, frame.found,
+                      counted_stages(header.volume, header.options.overlap));
+}
+
+Json QueryView::index_entry(const TraceFrame& frame, const Camera& camera) const {
+    Json entry = index_entry(frame);
     if (follows_contact())
         entry["camera"] = Json::parse(camera_json(exact_spec(spec_, camera, center_)));
     return entry;

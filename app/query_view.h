@@ -14,6 +14,9 @@
 
 namespace scb {
 
+/// What of the bodies a picture shows, and a camera therefore has to hold.
+enum class Shown { nothing, meshes, volumes };
+
 /// What every command that draws queries understands.
 struct QueryViewOptions {
     SceneOptions scene;
@@ -24,20 +27,20 @@ struct QueryViewOptions {
     CameraOptions camera;
     /// What was given of what a trace already knows, see given_recording_options.
     std::vector<std::string> recording;
+    Shown shown = Shown::meshes;
 
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;
 };
-void add_query_view_options(CLI::App& command, QueryViewOptions& options);
-
-/// What of the bodies a picture shows, and a camera therefore has to hold.
-enum class Shown { meshes, volumes };
+/// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
+void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
 
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
+/// Where the options say that pictures show nothing of the bodies, these stay where they are, and
+/// there are names only: titles, file names, what index.json says.
 class QueryView {
   public:
-    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer,
-              Shown shown);
+    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer);
 
     /// The bodies at a frame.
     QueryBodies bodies(int frame) const;
@@ -62,6 +65,7 @@ class QueryView {
     nlohmann::ordered_json index_head(const std::string& command) const;
     /// What it says of one picture: the query's counts, and the camera where it moves.
     nlohmann::ordered_json index_entry(const TraceFrame& frame, const Camera& camera) const;
+    nlohmann::ordered_json index_entry(const TraceFrame& frame) const;
 
   private:
     const QueryViewOptions& options_;

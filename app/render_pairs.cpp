@@ -17,7 +17,7 @@ int run(const Options& options, const Console& console) {
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer(), Shown::meshes);
+    const QueryView view(options, source, pictures.renderer());
 
     PairsStyle style;
     style.leaves = !options.no_leaves;
@@ -58,7 +58,7 @@ void add_render_pairs(CLI::App& render_command, const Console& console, Action& 
     CLI::App* command = render_command.add_subcommand(
         "pairs", "The triangles that intersect, and the leaves that overlap");
     const auto options = std::make_shared<Options>();
-    add_query_view_options(*command, *options);
+    add_query_view_options(*command, *options, Shown::meshes);
     command->add_flag("--no-leaves", options->no_leaves,
                       "Without the volumes of leaves that overlap while their triangles do not");
     command->footer(

@@ -70,7 +70,7 @@ int run(const Options& options, const Console& console) {
     const RejectionsStyle style = style_of(options, source);
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer(), Shown::volumes);
+    const QueryView view(options, source, pictures.renderer());
     StagesFigure stages;
     stages.theme = style.theme;
     return draw_frames(
@@ -131,7 +131,7 @@ void add_render_rejections(CLI::App& render_command, const Console& console, Act
     CLI::App* command = render_command.add_subcommand(
         "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
     const auto options = std::make_shared<Options>();
-    add_query_view_options(*command, *options);
+    add_query_view_options(*command, *options, Shown::volumes);
     command
         ->add_option("--by", options->by,
                      "Which ending colors a node that has several: first, last, dominant; or the "

@@ -1,0 +1,86 @@
+#include <memory>
+
+#include "app/commands.h"
+#include "app/frame_pictures.h"
+#include "app/query_view.h"
+#include "core/error.h"
+#include "render/traversal_figure.h"
+
+namespace scb {
+namespace {
+
+struct Options : QueryViewOptions {
+    std::string by = "tests";
+    std::string show = "both";
+
+    MatrixMeasure measure() const {
+        if (by == "tests") return MatrixMeasure::tests;
+        if (by == "share") return MatrixMeasure::share;
+        throw InputError("--by " + by + ": give tests or share.");
+    }
+    void check() const {
+        QueryViewOptions::check();
+        measure();
+        if (show != "matrix" && show != "icicle" && show != "both")
+            throw InputError("--show " + show + ": give matrix, icicle or both.");
+    }
+};
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    PictureRun pictures(options.picture);
+    const QueryView view(options, source, pictures.renderer());
+
+    TraversalFigure figure;
+    figure.title = view.title("traversal");
+    figure.measure = options.measure();
+    figure.matrix = options.show != "icicle";
+    figure.icicle = options.show != "matrix";
+    figure.theme = options.picture.theme();
+    return draw_frames(
+        source, pictures, console,
+        [&](const TraceFrame& frame) {
+            figure.subtitle = view.subtitle(frame.frame);
+            const Picture picture = compose(figure, source.header(), frame, options.picture.width(),
+                                            options.picture.height(), pictures.overlay());
+            pictures.draw(view.picture_name("traversal", frame.frame), picture,
+                          view.index_entry(frame));
+        },
+        [&] {
+            nlohmann::ordered_json head = view.index_head("render traversal");
+            head["options"]["by"] = options.by;
+            head["options"]["show"] = options.show;
+            return head;
+        });
+}
+
+}  // namespace
+
+void add_render_traversal(CLI::App& render_command, const Console& console, Action& action) {
+    CLI::App* command = render_command.add_subcommand(
+        "traversal", "The traversal itself, by pairs of nodes: where it spends its tests");
+    const auto options = std::make_shared<Options>();
+    add_query_view_options(*command, *options, Shown::nothing);
+    command
+        ->add_option("--by", options->by,
+                     "Colors of the matrix: tests (how many) or share (of them rejected)")
+        ->capture_default_str();
+    command->add_option("--show", options->show, "matrix, icicle or both")->capture_default_str();
+    command->footer(
+        "Left, the volume tests by depth of the node of A and that of B. Right, the recursion as "
+        "an "
+        "icicle: the roots\nat the top, below each pair those that its division led to; a pair is "
+        "as wide as the tests that begin with it.\n"
+        "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
+        "Examples:\n"
+        "  scb render traversal spheres-l1 --frames 250 -o out/\n"
+        "  scb render traversal spheres.scbtrace --frames all --by share --show matrix -o out/");
+    command->callback([&action, &console, command, options] {
+        options->recording = given_recording_options(*command);
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+struct RenderTraversal : testing::Test {
+    TemporaryFolder folder;
+
+    void draw(const std::string& arguments, const std::string& into) {
+        const ProgramRun run =
+            run_scb("render traversal " + arguments + " --size 640x480 -o " + (folder / into));
+        ASSERT_EQ(run.status, 0) << run.err;
+    }
+    std::string file(const std::string& in, const std::string& name) {
+        return file_text(std::filesystem::path(folder / in) / name);
+    }
+};
+
+TEST_F(RenderTraversal, TheSameBytesFromASceneAndFromATrace) {
+    const std::string options = " --frames 0,100,250 --volume obb";
+    const std::string trace = folder / "t.scbtrace";
+    ASSERT_EQ(run_scb("trace spheres-l1" + options + " -o " + trace).status, 0);
+    for (const std::string how : {"", " --by share --show matrix --background dark"}) {
+        draw("spheres-l1" + options + how, "live");
+        draw(trace + " --frames all" + how, "traced");
+        for (const char* frame : {"0000", "0100", "0250"}) {
+            const std::string name =
+                std::string("spheres-l1_obb_traversal_frame-") + frame + ".png";
+            EXPECT_GT(file("live", name).size(), 1000u) << name;
+            EXPECT_EQ(file("live", name), file("traced", name)) << name;
+        }
+    }
+}
+
+TEST_F(RenderTraversal, IndexHasTheCountsOfCollide) {
+    for (const std::string options :
+         {"", " --volume ball --level 4", " --test corrected --max-pairs 3"}) {
+        const std::string arguments = "spheres-l1 --frames 0,100,250" + options;
+        draw(arguments + " --by share", "out");
+        const json index = json::parse(file("out", "index.json"));
+        const json live = json::parse(run_scb("collide --json " + arguments).out);
+        EXPECT_EQ(index["command"], "render traversal");
+        EXPECT_EQ(index["options"]["by"], "share");
+        EXPECT_EQ(index["options"]["show"], "both");
+        // There is no view of the bodies.
+        EXPECT_FALSE(index.contains("camera"));
+        EXPECT_FALSE(index.contains("ids"));
+        EXPECT_FALSE(index["options"].contains("samples"));
+        ASSERT_EQ(index["files"].size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            json counts = index["files"][i];
+            EXPECT_FALSE(file("out", counts["file"]).empty());
+            counts.erase("file");
+            EXPECT_EQ(counts, live["frames"][i]) << options;
+        }
+    }
+}
+
+TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"--by time", "give tests or share"},
+        {"--show all", "give matrix, icicle or both"},
+        {"--frames 500", "0 to 499"},
+        {"--camera fit", "--camera"},
+        {"--ids", "--ids"},
+        {"--samples 4", "--samples"},
+        {"--ortho", "--ortho"}};
+    for (const auto& [arguments, message] : cases) {
+        const ProgramRun run =
+            run_scb("render traversal spheres-l1 " + arguments + " -o " + (folder / "none"));
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
+}  // namespace
+}  // namespace scb
