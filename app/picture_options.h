@@ -10,6 +10,11 @@
 
 namespace scb {
 
+/// A pixel, from the left and from the top.
+struct PixelPosition {
+    int x = 0, y = 0;
+};
+
 /// What every command that draws understands.
 struct PictureOptions {
     std::string size = "1280x720";
@@ -20,6 +25,7 @@ struct PictureOptions {
     int job_count = 0;
     bool ids = false;
     bool json = false;
+    std::optional<PixelPosition> pick{};  ///< the pixel of which is told what it shows
 
     /// Throws InputError where one of them makes no sense.
     void check() const;

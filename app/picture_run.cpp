@@ -19,17 +19,24 @@ PictureRun::PictureRun(const PictureOptions& options)
 }
 
 void PictureRun::draw(const std::string& name, const Picture& picture, Json entry, bool with_ids) {
-    Rendering rendering = renderer_.draw(picture, &overlay_, options_.ids && with_ids);
+    Rendering rendering =
+        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && with_ids);
     Json files = {{"file", name + ".png"}};
     queue_.push(folder_ / (name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
-    if (rendering.ids) {
+    if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
+    if (rendering.ids && options_.ids) {
         files["ids"] = name + "_ids.png";
         queue_.push(folder_ / (name + "_ids.png"), std::move(*rendering.ids));
         written_.push_back(name + "_ids.png");
     }
     files.update(entry);
     files_.push_back(std::move(files));
+}
+
+std::uint32_t PictureRun::id_at(int x, int y) const {
+    return last_ids_.ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(last_ids_.width) +
+                         static_cast<std::size_t>(x)];
 }
 
 void PictureRun::finish(Json head) {
@@ -45,7 +52,7 @@ void PictureRun::finish(Json head) {
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
-    print_result(options_.json ? text : list);
+    print_result(options_.json ? text : said_ + list);
 }
 
 }  // namespace scb

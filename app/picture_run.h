@@ -31,6 +31,11 @@ class PictureRun {
     void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
               bool with_ids = true);
 
+    /// Notes a line that is printed before the file names.
+    void say(std::string line) { said_ += std::move(line) + "\n"; }
+    /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
+    std::uint32_t id_at(int x, int y) const;
+
     /// Waits until everything is written; then writes index.json, which is `head` with `files` and
     /// the versions at its end, and prints it, or the names of all files, as was asked for.
     void finish(nlohmann::ordered_json head);
@@ -43,6 +48,8 @@ class PictureRun {
     EncodeQueue queue_;
     Overlay overlay_;
     std::vector<std::string> written_;
+    std::string said_;
+    IdImage last_ids_;  ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
 };
 

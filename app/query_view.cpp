@@ -36,7 +36,7 @@ std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown
 
 }  // namespace
 
-void QueryViewOptions::check() const {
+void QueryViewOptions::check() {
     picture.check();
     camera.check();
     hierarchy.kind();
@@ -44,6 +44,17 @@ void QueryViewOptions::check() const {
     query.collide();
     if (scene.names.size() == 1 && names_trace(scene.names[0]))
         refuse_for_trace(recording, scene.names[0]);
+    if (pick.empty()) return;
+    const std::vector<std::string> parts = split_list(pick);
+    const std::string hint = "; give X,Y in pixels from the left and the top.";
+    if (parts.size() != 2) throw InputError("--pick " + pick + ": this is no pixel" + hint);
+    const PixelPosition at = {whole_number(parts[0], "--pick " + pick, hint),
+                              whole_number(parts[1], "--pick " + pick, hint)};
+    if (at.x < 0 || at.x >= picture.width() || at.y < 0 || at.y >= picture.height())
+        throw InputError("--pick " + pick + ": the picture has the pixels 0,0 to " +
+                         std::to_string(picture.width() - 1) + "," +
+                         std::to_string(picture.height() - 1) + "; give one of these.");
+    picture.pick = at;
 }
 
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
@@ -61,6 +72,10 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
             ->description(
                 "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
                 "or a JSON file; else the scene's own");
+        command
+            .add_option("--pick", options.pick,
+                        "Print what is under this pixel, from the left and the top")
+            ->type_name("X,Y");
     } else {
         add_picture_options(command, options.picture);
     }
@@ -174,6 +189,49 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
 std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
     return source_.query().scene.name + "_" + std::string(volume_kind_name(source_.query().kind)) +
            "_" + what + (frame ? format("_frame-%04d", *frame) : "");
+}
+
+Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
+    const QueryBodies both = bodies(frame.frame);
+    for (const QueryBody& b : both) {
+        const Topology& topology = topology_of(*b.hierarchy);
+        if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
+            const std::uint32_t node = id - b.first_node_id;
+            return {{"what", "node"},
+                    {"body", b.name},
+                    {"index", node},
+                    {"depth", node_depths(topology)[node]},
+                    {"triangles", topology.nodes[node].count}};
+        }
+    }
+    for (const QueryBody& b : both)
+        if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
+            return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
+    if (id >= first_free_id_ && id - first_free_id_ < frame.found.pairs.size()) {
+        const IndexPair pair = frame.found.pairs[id - first_free_id_];
+        return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+    }
+    return nullptr;
+}
+
+void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
+                          const TraceFrame& frame) const {
+    if (!options_.picture.pick) return;
+    const PixelPosition at = *options_.picture.pick;
+    const Json what = what_is(pictures.id_at(at.x, at.y), frame);
+    std::string text = name + format(".png at %d,%d: ", at.x, at.y);
+    if (what.is_null())
+        text += "nothing";
+    else if (what["what"] == "pair")
+        text += "triangles " + what["triangles"][0].dump() + " and " + what["triangles"][1].dump() +
+                " meet";
+    else
+        text += what["what"].get<std::string>() + " " + what["index"].dump() + " of " +
+                printable(what["body"].get<std::string>());
+    if (!what.is_null() && what["what"] == "node")
+        text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
+                (what["triangles"] == 1 ? " triangle" : " triangles");
+    pictures.say(text);
 }
 
 Json QueryView::index_head(const std::string& command) const {

@@ -25,12 +25,13 @@ struct QueryViewOptions {
     QueryLimits limits;
     PictureOptions picture;
     CameraOptions camera;
+    std::string pick;  ///< "X,Y", see PictureOptions::pick
     /// What was given of what a trace already knows, see given_recording_options.
     std::vector<std::string> recording;
     Shown shown = Shown::meshes;
 
-    /// Refuses what makes no sense before any work is done; throws InputError.
-    void check() const;
+    /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
+    void check();
 };
 /// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
@@ -60,6 +61,14 @@ class QueryView {
     /// SCENE_VOLUME_WHAT_frame-0250, or without a frame.
     std::string picture_name(const std::string& what,
                              std::optional<int> frame = std::nullopt) const;
+
+    /// What an id of a picture of this frame stands for: {"what": "node", "body": "A", "index":
+    /// 412,
+    /// ...}; null for 0.
+    nlohmann::ordered_json what_is(std::uint32_t id, const TraceFrame& frame) const;
+    /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
+    /// printed, as one line.
+    void tell_pick(PictureRun& pictures, const std::string& name, const TraceFrame& frame) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;

@@ -3,6 +3,8 @@
 #include "app/commands.h"
 #include "app/frame_pictures.h"
 #include "app/query_view.h"
+#include "core/error.h"
+#include "render/heat_figure.h"
 #include "render/pairs_figure.h"
 
 namespace scb {
@@ -10,10 +12,37 @@ namespace {
 
 struct Options : QueryViewOptions {
     bool no_leaves = false;
+    std::string heat;
+    std::optional<int> heat_end;
 };
 
-int run(const Options& options, const Console& console) {
+void describe_pairs(SceneFigure& figure, const QueryView& view, const QuerySource& source,
+                    const TraceFrame& frame, const QueryBodies& bodies, const PairsStyle& style) {
+    figure.title = view.title("pairs");
+    figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
+    figure.panel = pairs_panel(bodies, source.header(), frame, style);
+    if (frame.found.pairs.empty()) figure.remark = "no contact";
+}
+
+void describe_heat(SceneFigure& figure, const QueryView& view, const Options& options,
+                   const TraceFrame& frame, const QueryBodies& bodies) {
+    const HeatOf of = *heat_of_of(options.heat);
+    const Heat heat =
+        heat_of(bodies, frame, of,
+                options.heat_end ? std::optional<std::uint32_t>(*options.heat_end) : std::nullopt);
+    figure.title = view.title("heat");
+    figure.pane = heat_pane(bodies, heat);
+    figure.panel = heat_panel(bodies, frame, heat);
+    if (heat.most == 0) figure.remark = "no such test";
+}
+
+int run(Options& options, const Console& console) {
     options.check();
+    if (!options.heat.empty() && !heat_of_of(options.heat))
+        throw InputError("--heat " + options.heat + ": give volumes or triangles.");
+    if (options.heat_end && (options.heat.empty() || *options.heat_end < 2))
+        throw InputError("--heat-end " + std::to_string(*options.heat_end) +
+                         ": give at least 2, and --heat.");
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
@@ -22,32 +51,39 @@ int run(const Options& options, const Console& console) {
     PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
+    const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
     return draw_frames(
         source, pictures, console,
         [&](const TraceFrame& frame) {
             const QueryBodies bodies = view.bodies(frame.frame);
             SceneFigure figure;
-            figure.title = view.title("pairs");
+            if (options.heat.empty())
+                describe_pairs(figure, view, source, frame, bodies, style);
+            else
+                describe_heat(figure, view, options, frame, bodies);
             figure.subtitle = view.subtitle(frame.frame);
-            figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
             const std::vector<AnyVolume> region = contact_region(bodies, source.header(), frame);
             figure.pane.camera = view.camera(region);
             figure.center = view.center(region);
-            figure.panel = pairs_panel(bodies, source.header(), frame, style);
             figure.theme = style.theme;
-            if (frame.found.pairs.empty()) figure.remark = "no contact";
             nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
             // Of the segments, in the order of `scb collide --pairs-out`.
-            entry["pair_ids"] = {{"first", view.first_free_id()},
-                                 {"count", frame.found.pairs.size()}};
+            if (options.heat.empty())
+                entry["pair_ids"] = {{"first", view.first_free_id()},
+                                     {"count", frame.found.pairs.size()}};
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());
-            pictures.draw(view.picture_name("pairs", frame.frame), picture, std::move(entry));
+            const std::string name = view.picture_name(what, frame.frame);
+            pictures.draw(name, picture, std::move(entry));
+            view.tell_pick(pictures, name, frame);
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render pairs");
-            head["options"]["leaves"] = style.leaves;
+            if (options.heat.empty())
+                head["options"]["leaves"] = style.leaves;
+            else
+                head["options"]["heat"] = options.heat;
             return head;
         });
 }
@@ -61,6 +97,16 @@ void add_render_pairs(CLI::App& render_command, const Console& console, Action& 
     add_query_view_options(*command, *options, Shown::meshes);
     command->add_flag("--no-leaves", options->no_leaves,
                       "Without the volumes of leaves that overlap while their triangles do not");
+    command
+        ->add_option("--heat", options->heat,
+                     "Instead, color each triangle by the tests that it took part in: of volumes "
+                     "that hold it, or of triangles")
+        ->type_name("volumes|triangles");
+    command
+        ->add_option("--heat-end", options->heat_end,
+                     "The count at the upper end of the scale; else the power of ten above all")
+        ->check(decimal_number())
+        ->type_name("N");
     command->footer(
         "Strong colors are triangles that intersect, black lines where they meet; a line is thin "
         "where a body hides it.\n"

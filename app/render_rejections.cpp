@@ -64,7 +64,7 @@ RejectionsStyle style_of(const Options& options, const QuerySource& source) {
     return style;
 }
 
-int run(const Options& options, const Console& console) {
+int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const RejectionsStyle style = style_of(options, source);
@@ -100,7 +100,9 @@ int run(const Options& options, const Console& console) {
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());
-            pictures.draw(view.picture_name("rejections", frame.frame), picture, std::move(entry));
+            const std::string name = view.picture_name("rejections", frame.frame);
+            pictures.draw(name, picture, std::move(entry));
+            view.tell_pick(pictures, name, frame);
         },
         [&] {
             if (stages.frames.size() > 1) {

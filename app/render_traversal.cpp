@@ -18,7 +18,7 @@ struct Options : QueryViewOptions {
         if (by == "share") return MatrixMeasure::share;
         throw InputError("--by " + by + ": give tests or share.");
     }
-    void check() const {
+    void check() {
         QueryViewOptions::check();
         measure();
         if (show != "matrix" && show != "icicle" && show != "both")
@@ -26,7 +26,7 @@ struct Options : QueryViewOptions {
     }
 };
 
-int run(const Options& options, const Console& console) {
+int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     note_doubts(options.scene, options.query, {source.query().kind}, console);

@@ -81,7 +81,7 @@ int text_size_in(Overlay& overlay, const Grid& grid, const DepthMatrix& matrix,
 /// Depths are labelled so that labels take at most half of the axis.
 std::size_t label_stride(int room, int cell) {
     std::size_t stride = 1;
-    for (const std::size_t factor : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+    for (const std::size_t factor : {1u, 2u, 5u, 10u, 20u, 50u, 100u, 200u, 500u, 1000u}) {
         stride = factor;
         if (cell * static_cast<int>(factor) >= room) break;
     }

@@ -9,6 +9,8 @@
 
 #include "render/figure_layout.h"
 
+#include "core/logarithm.h"
+
 namespace scb {
 namespace {
 
@@ -159,8 +161,8 @@ double axis_position(const PlotAxis& axis, double value) {
     if (!axis.log10) return std::clamp((value - axis.low) / (axis.high - axis.low), 0.0, 1.0);
     if (value == 0 && axis.zero_at_low) return 0;
     if (!(value > 0)) return none;
-    const double low = std::log10(axis.low), high = std::log10(axis.high);
-    return std::clamp((std::log10(value) - low) / (high - low), 0.0, 1.0);
+    const double low = decimal_logarithm(axis.low), high = decimal_logarithm(axis.high);
+    return std::clamp((decimal_logarithm(value) - low) / (high - low), 0.0, 1.0);
 }
 
 }  // namespace scb

@@ -25,14 +25,14 @@ struct RenderQueries : testing::Test {
 };
 
 TEST_F(RenderQueries, ShowTheCountsThatCollideGives) {
-    for (const char* command : {"pairs ", "rejections "})
+    for (const char* command : {"pairs ", "pairs --heat triangles ", "rejections "})
         for (const char* options : {"", "--volume obb", "--volume ball --level 4",
                                     "--test extents --descent volume --max-pairs 5"}) {
             const std::string arguments = "spheres-l1 --frames 0,100,250 " + std::string(options);
             const json index = index_of(command + arguments);
             const json live = json::parse(run_scb("collide --json " + arguments).out);
             // Of rejections, one for all frames together too.
-            ASSERT_EQ(index["files"].size(), std::string(command) == "pairs " ? 3u : 4u);
+            ASSERT_EQ(index["files"].size(), std::string(command) == "rejections " ? 4u : 3u);
             for (std::size_t i = 0; i < 3; ++i)
                 for (const auto& [key, value] : live["frames"][i].items())
                     EXPECT_EQ(index["files"][i][key], value) << command << options << key;
@@ -51,7 +51,7 @@ TEST_F(RenderQueries, AreTheSameBytesFromATrace) {
           std::string("knots-l1 --volume obb --level 5 --frames 3,4"),
           mesh + " " + mesh + " --pose 1,0,0,0.25,0,1,0,0.125,0,0,1,0 --frames 0"}) {
         ASSERT_EQ(run_scb("trace " + scene + " -o " + trace_file).status, 0);
-        for (const char* command : {"pairs ", "rejections "}) {
+        for (const char* command : {"pairs ", "pairs --heat volumes ", "rejections "}) {
             const json live = index_of(command + scene + " --ids");
             const auto bytes_of = [&](const json& index) {
                 std::vector<std::string> bytes;
@@ -99,6 +99,30 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
               (std::set<std::string>{"nothing", "node B"}));
 }
 
+TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
+    const json index = index_of("rejections spheres-l1 --frames 100 --ids"), ranges = index["ids"];
+    const IdImage ids =
+        unpack_ids(read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
+    const std::string start =
+        "render rejections spheres-l1 --frames 100 --size 320x240 --samples 1 -o " + out +
+        " --pick ";
+    for (const auto& [x, y] : {std::pair{0, 0}, {60, 120}, {120, 120}, {200, 100}}) {
+        const std::uint32_t id = ids.ids[static_cast<std::size_t>(y * 320 + x)];
+        std::string expected = "nothing";
+        for (const json& range : {ranges[0], ranges[1]}) {
+            const std::uint32_t first = range["first"];
+            if (id >= first && id - first < range["count"].get<std::uint32_t>())
+                expected = "node " + std::to_string(id - first) + " of " +
+                           range["body"].get<std::string>() + ", depth ";
+        }
+        const ProgramRun run = run_scb(start + std::to_string(x) + "," + std::to_string(y));
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find(": " + expected), std::string::npos) << run.out << expected;
+    }
+    EXPECT_EQ(ids.ids[0], 0u);
+    EXPECT_NE(ids.ids[120 * 320 + 60], 0u);
+}
+
 TEST_F(RenderQueries, ACameraFollowsTheContact) {
     const json index = index_of("pairs spheres-l1 --frames 20,250,480 --camera contact");
     // At frame 20 the spheres just touch; at 250, one inside the other, nothing meets.
@@ -139,6 +163,12 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs cone.off", "there is no such file");
     refused("pairs spheres-l1 --camera up", "--camera");
     refused("levels spheres-l1 --camera contact", "levels have no contact");
+    refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
+    refused("pairs spheres-l1 --pick 12", "this is no pixel");
+    refused("pairs spheres-l1 --pick 1,x", "is no whole number");
+    refused("pairs spheres-l1 --heat tests", "--heat tests: give volumes or triangles");
+    refused("pairs spheres-l1 --heat-end 100", "and --heat");
+    refused("pairs spheres-l1 --heat volumes --heat-end 1", "give at least 2");
     refused("rejections spheres-l1 --depth 0:99", "levels 0 to");
     refused("rejections spheres-l1 --depth 5:2", "--depth");
     refused("rejections spheres-l1 --stage slab-a", "'slab-a' is none here");

@@ -323,7 +323,7 @@ TEST(TraceDiff, OtherVolumesOfTheSameMeshAreComparedNodeByNode) {
     EXPECT_TRUE(d.nodes_comparable);
     ASSERT_EQ(d.asked.size(), 3u);
     EXPECT_EQ(d.asked[0].name, "volume");
-    for (std::size_t i : {1, 2})
+    for (const std::size_t i : {1u, 2u})
         EXPECT_EQ(d.asked[i].b, "-");  // margin and test mean nothing there
     EXPECT_TRUE(d.first);
 }
