@@ -126,7 +126,7 @@ class Legend {
   public:
     Legend(Overlay& overlay, std::vector<Key> keys, std::uint64_t all, int width,
            const FigureStyle& style)
-        : overlay_(overlay), keys_(std::move(keys)), all_(all), width_(width), style_(style) {
+        : overlay_(overlay), keys_(std::move(keys)), all_(all), style_(style) {
         for (const Key& key : keys_) {
             label_ = std::max(label_, overlay.measure(key.label, left()).width);
             count_ = std::max(count_, overlay.measure(count_text(key.count), right()).width);
@@ -173,7 +173,6 @@ class Legend {
     Overlay& overlay_;
     std::vector<Key> keys_;
     std::uint64_t all_;
-    int width_;
     FigureStyle style_;
     int label_ = 0, count_ = 0, share_ = 0;  ///< widths
     int columns_ = 1, rows_ = 1, pitch_ = 0;

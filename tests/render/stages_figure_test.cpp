@@ -23,6 +23,10 @@ StagesFigure figure_of(const std::vector<int>& frames) {
     return figure;
 }
 
+std::uint32_t key(Rgba8 color) {
+    return static_cast<std::uint32_t>(color.r << 16 | color.g << 8 | color.b);
+}
+
 /// How many pixels of the plot have each color: left of the panel.
 std::map<std::uint32_t, int> pixels_of(const StagesFigure& figure) {
     Drawing drawing;
@@ -33,13 +37,9 @@ std::map<std::uint32_t, int> pixels_of(const StagesFigure& figure) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width / 2; ++x) {
             const std::size_t i = 4 * static_cast<std::size_t>(y * width + x);
-            ++pixels[image.rgba[i] << 16 | image.rgba[i + 1] << 8 | image.rgba[i + 2]];
+            ++pixels[key({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]})];
         }
     return pixels;
-}
-
-std::uint32_t key(Rgba8 color) {
-    return static_cast<std::uint32_t>(color.r << 16 | color.g << 8 | color.b);
 }
 
 TEST(StagesFigure, AreasAreProportionalToTheCounts) {
