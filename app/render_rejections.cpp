@@ -5,7 +5,10 @@
 #include "app/frame_pictures.h"
 #include "app/level_list.h"
 #include "app/query_view.h"
+#include "app/text_format.h"
 #include "core/error.h"
+#include "core/first_tests.h"
+#include "core/trace_diff.h"
 #include "render/pairs_figure.h"
 #include "render/rejections_figure.h"
 #include "render/stages_figure.h"
@@ -18,6 +21,7 @@ struct Options : QueryViewOptions {
     std::string stages, depths, body;
     double opacity = 1;
     bool nested = false;
+    std::optional<std::int64_t> steps;
 };
 
 std::string names_of(const std::vector<Ending>& endings) {
@@ -64,45 +68,97 @@ RejectionsStyle style_of(const Options& options, const QuerySource& source) {
     return style;
 }
 
+/// One picture: a query, or its first tests.
+struct Shot {
+    const QuerySource& source;
+    const QueryView& view;
+    const RejectionsStyle& style;
+    const Options& options;
+    PictureRun& pictures;
+
+    /// `step`: how many tests of `whole` the frame has, where it is an animation's.
+    void draw(const TraceFrame& frame, const TestTree& tree, std::optional<std::size_t> step,
+              const TraceFrame& whole) const {
+        const QueryBodies bodies = view.bodies(frame.frame);
+        const Fronts fronts = fronts_of(bodies, frame, tree, style);
+        SceneFigure figure;
+        figure.title = view.title("rejections");
+        figure.subtitle = view.subtitle(frame.frame);
+        figure.pane = rejections_pane(bodies, fronts, style);
+        const std::vector<AnyVolume> region = contact_region(bodies, source.header(), whole);
+        figure.pane.camera = view.camera(region);
+        figure.center = view.center(region);
+        figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
+        figure.chart = endings_chart(source.header(), frame, tree);
+        figure.theme = style.theme;
+        if (step) {
+            show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
+        } else if (fronts[0].empty() && fronts[1].empty()) {
+            figure.remark = "no such node";
+        } else if (frame.found.n_v == 1) {
+            figure.remark = "no overlap: the roots were rejected";
+        }
+        nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+        entry["volumes"] = {fronts[0].size(), fronts[1].size()};
+        std::string name = view.picture_name("rejections", frame.frame);
+        if (step) {
+            entry["tests"] = *step;
+            name += format("_test-%07zu", *step);
+        }
+        const Picture picture =
+            compose(std::move(figure), options.picture.width(), options.picture.height(),
+                    options.picture.samples, pictures.overlay());
+        pictures.draw(name, picture, std::move(entry));
+        view.tell_pick(pictures, name, frame);
+    }
+
+    /// The pair that was tested last, and what its test gave.
+    void show_current_pair(SceneFigure& figure, const QueryBodies& bodies, const TraceFrame& frame,
+                           const TestTree& tree, std::uint64_t all) const {
+        const std::size_t last = frame.events.volume_tests.size() - 1;
+        const TracedTest test = traced_test(frame, tree, last);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::uint32_t node = side == 0 ? test.test.nodes.a : test.test.nodes.b;
+            const AnyVolume volume = volume_of(bodies[side], node);
+            const double radius = std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
+            figure.markers.push_back({center(volume), radius});
+        }
+        const std::string result = test.test.stage == Stage::overlapping
+                                       ? std::string("overlap")
+                                       : "rejected at " + std::string(stage_name(test.test.stage));
+        figure.remark = "test " + count_text(last + 1) + " of " + count_text(all) + ": " + result;
+    }
+};
+
 int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const RejectionsStyle style = style_of(options, source);
+    if (options.steps && *options.steps < 1)
+        throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     note_doubts(options.scene, options.query, {source.query().kind}, console);
     PictureRun pictures(options.picture);
     const QueryView view(options, source, pictures.renderer());
+    const Shot shot{source, view, style, options, pictures};
     StagesFigure stages;
     stages.theme = style.theme;
     return draw_frames(
         source, pictures, console,
         [&](const TraceFrame& frame) {
-            const QueryBodies bodies = view.bodies(frame.frame);
             const TestTree tree = test_tree(source.header(), frame);
             stages.frames.push_back(frame.frame);
             stages.counts.push_back(ending_counts(frame, tree));
-            const Fronts fronts = fronts_of(bodies, frame, tree, style);
-            SceneFigure figure;
-            figure.title = view.title("rejections");
-            figure.subtitle = view.subtitle(frame.frame);
-            figure.pane = rejections_pane(bodies, fronts, style);
-            const std::vector<AnyVolume> region = contact_region(bodies, source.header(), frame);
-            figure.pane.camera = view.camera(region);
-            figure.center = view.center(region);
-            figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
-            figure.chart = endings_chart(source.header(), frame, tree);
-            figure.theme = style.theme;
-            if (fronts[0].empty() && fronts[1].empty())
-                figure.remark = "no such node";
-            else if (frame.found.n_v == 1)
-                figure.remark = "no overlap: the roots were rejected";
-            nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
-            entry["volumes"] = {fronts[0].size(), fronts[1].size()};
-            const Picture picture =
-                compose(std::move(figure), options.picture.width(), options.picture.height(),
-                        options.picture.samples, pictures.overlay());
-            const std::string name = view.picture_name("rejections", frame.frame);
-            pictures.draw(name, picture, std::move(entry));
-            view.tell_pick(pictures, name, frame);
+            if (!options.steps) {
+                shot.draw(frame, tree, std::nullopt, frame);
+                return;
+            }
+            const std::size_t all = frame.events.volume_tests.size(),
+                              each = static_cast<std::size_t>(*options.steps);
+            for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
+                const TraceFrame part = first_tests(source.header(), frame, count);
+                shot.draw(part, test_tree(source.header(), part), count, frame);
+                if (count == all) break;
+            }
         },
         [&] {
             if (stages.frames.size() > 1) {
@@ -123,6 +179,7 @@ int run(Options& options, const Console& console) {
             if (!options.body.empty()) head["options"]["body"] = options.body;
             head["options"]["opacity"] = options.opacity;
             head["options"]["nested"] = options.nested;
+            if (options.steps) head["options"]["steps"] = *options.steps;
             return head;
         });
 }
@@ -153,6 +210,12 @@ void add_render_rejections(CLI::App& render_command, const Console& console, Act
         ->capture_default_str();
     command->add_flag("--nested", options->nested,
                       "Also nodes that hold others of the front (give an --opacity to see both)");
+    command
+        ->add_option("--steps", options->steps,
+                     "An animation: a picture of the first N tests, of the first 2N, and so on, "
+                     "with the pair that was tested last")
+        ->check(decimal_number())
+        ->type_name("N");
     command->footer(
         "Each node at which paths of the traversal ended is drawn as its exact volume. The numbers "
         "are of all paths,\n"

@@ -55,6 +55,14 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
     const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
     draw_chart(overlay, layout, below, theme, figure.chart);
     draw_scale_bar(overlay, layout.view, figure.pane.camera, figure.center, theme, layout.unit);
+    for (const SceneMarker& marker : figure.markers) {
+        // Large enough to be found.
+        const double least = layout.unit / 2.0 /
+                             pixels_per_unit(figure.pane.camera, marker.center, layout.view.height);
+        if (const auto square = marker_of(layout.view, figure.pane.camera, marker.center,
+                                          std::max(marker.radius, least)))
+            overlay.frame(*square, theme.accent, std::max(2, layout.unit / 8));
+    }
     if (!figure.remark.empty()) {
         const TextStyle style{layout.unit, FontWeight::bold, theme.accent};
         overlay.text(layout.view.x, layout.view.y,

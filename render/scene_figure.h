@@ -15,6 +15,12 @@ struct PanelChart {
     std::vector<std::vector<BarPart>> rows;
 };
 
+/// A ball in the scene around which a square is drawn, over everything.
+struct SceneMarker {
+    Vec3 center = Vec3::Zero();
+    double radius = 0;
+};
+
 /// A picture with one view of the scene: heading, view, panel of numbers, scale bar.
 struct SceneFigure {
     std::string title;
@@ -22,7 +28,8 @@ struct SceneFigure {
     Pane pane;                   ///< its viewport is set by compose()
     Vec3 center = Vec3::Zero();  ///< where the scale bar holds
     std::vector<PanelItem> panel;
-    PanelChart chart;    ///< below the panel, where there is room
+    PanelChart chart;  ///< below the panel, where there is room
+    std::vector<SceneMarker> markers;
     std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
     const Theme* theme = &light_theme;
 };

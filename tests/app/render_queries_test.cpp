@@ -123,6 +123,22 @@ TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
     EXPECT_NE(ids.ids[120 * 320 + 60], 0u);
 }
 
+TEST_F(RenderQueries, StepThroughATraversal) {
+    const json index = index_of("rejections spheres-l1 --frames 100 --steps 4000");
+    const json whole = index_of("rejections spheres-l1 --frames 100")["files"][0];
+    const std::size_t n_v = whole["n_v"];
+    ASSERT_EQ(index["files"].size(), (n_v + 3999) / 4000);
+    std::size_t tests = 0;
+    for (const json& file : index["files"]) {
+        tests = std::min<std::size_t>(tests + 4000, n_v);
+        EXPECT_EQ(file["tests"], tests);
+        EXPECT_EQ(file["n_v"], tests);
+    }
+    EXPECT_EQ(tests, n_v);
+    for (const char* key : {"pairs", "n_p", "n_u", "stages", "depth", "complete"})
+        EXPECT_EQ(index["files"].back()[key], whole[key]);
+}
+
 TEST_F(RenderQueries, ACameraFollowsTheContact) {
     const json index = index_of("pairs spheres-l1 --frames 20,250,480 --camera contact");
     // At frame 20 the spheres just touch; at 250, one inside the other, nothing meets.
@@ -163,6 +179,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs cone.off", "there is no such file");
     refused("pairs spheres-l1 --camera up", "--camera");
     refused("levels spheres-l1 --camera contact", "levels have no contact");
+    refused("rejections spheres-l1 --steps 0", "--steps 0: give at least 1");
     refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
     refused("pairs spheres-l1 --pick 12", "this is no pixel");
     refused("pairs spheres-l1 --pick 1,x", "is no whole number");
