@@ -4,19 +4,18 @@
 
 namespace scb {
 
-double decimal_logarithm(double x) {
-    constexpr double log10_2 = 0.30102999566398119521, log10_e = 0.43429448190325182765;
+double binary_logarithm(double x) {
     int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // exact, in [0.5, 1)
-    if (mantissa < 0.70710678118654752440) {
-        mantissa *= 2;
+    double m = std::frexp(x, &exponent);  // exact, in [1/2, 1)
+    if (m < 0.70710678118654752440) {
+        m *= 2;
         --exponent;
     }
-    // ln m = 2 artanh((m - 1) / (m + 1)) by its series; the argument is below 0.172.
-    const double s = (mantissa - 1) / (mantissa + 1), square = s * s;
+    // log2(m) = 2 / ln 2 * artanh(t), |t| < 0.172.
+    const double t = (m - 1) / (m + 1), t2 = t * t;
     double sum = 0;
-    for (int k = 21; k >= 1; k -= 2) sum = sum * square + 1.0 / k;
-    return exponent * log10_2 + 2 * s * sum * log10_e;
+    for (int k = 21; k >= 1; k -= 2) sum = sum * t2 + 1.0 / k;
+    return exponent + 2 * 1.44269504088896340736 * t * sum;
 }
 
 }  // namespace scb

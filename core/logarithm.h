@@ -2,8 +2,13 @@
 
 namespace scb {
 
-/// The logarithm of a positive finite number to base 10, within a few units in the last place; the
-/// same bits on every machine, which those of the C library are not.
-double decimal_logarithm(double x);
+// Logarithms of positive finite numbers by operations that IEEE 754 fixes: those of the C library
+// round differently from CPU to CPU.
+
+/// To base 2, within a few units in the last place; exact for powers of two.
+double binary_logarithm(double x);
+
+/// To base 10, the same but for the powers.
+inline double decimal_logarithm(double x) { return 0.30102999566398119521 * binary_logarithm(x); }
 
 }  // namespace scb

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/logarithm.h"
 #include "render/figure_layout.h"
 
 namespace scb {
@@ -15,22 +16,6 @@ constexpr std::array<std::string_view, 4> names = {"body", "depth", "radius", "t
 Rgba8 varied(Rgba8 color, std::uint32_t node) {
     const double t = static_cast<double>((node * 2654435761u) >> 16) / 65535.0 * 2 - 1;
     return t > 0 ? mix(color, {255, 255, 255}, 0.16 * t) : mix(color, {0, 0, 0}, -0.12 * t);
-}
-
-// The binary logarithm of a positive number by operations that IEEE 754 fixes: the C library's
-// rounds differently from CPU to CPU.
-double log2_of(double x) {
-    int exponent = 0;
-    double m = std::frexp(x, &exponent);  // in [1/2, 1)
-    if (m < 0.70710678118654752440) {
-        m *= 2;
-        --exponent;
-    }
-    // log2(m) = 2 / ln 2 * artanh(t), |t| < 0.172.
-    const double t = (m - 1) / (m + 1), t2 = t * t;
-    double sum = 0;
-    for (int k = 21; k >= 1; k -= 2) sum = sum * t2 + 1.0 / k;
-    return exponent + 2 * 1.44269504088896340736 * t * sum;
 }
 
 }  // namespace
@@ -50,9 +35,10 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
         case ColorBy::depth:
             return scale.deepest == 0 ? 0 : static_cast<double>(depth) / scale.deepest;
         case ColorBy::radius:
-            return d > 0 ? std::clamp(1 + log2_of(d / scale.root_diameter) / radius_halvings, 0.0,
-                                      1.0)
-                         : 0;
+            return d > 0
+                       ? std::clamp(1 + binary_logarithm(d / scale.root_diameter) / radius_halvings,
+                                    0.0, 1.0)
+                       : 0;
         // Most volumes of a deep level are nearly flat: the square root parts them.
         case ColorBy::thickness:
             return d > 0 ? std::sqrt(thickness(volume) / d) : 0;

@@ -16,11 +16,12 @@ TEST(DecimalLogarithm, IsThatOfTheCLibrary) {
         previous = log;
     }
     EXPECT_EQ(decimal_logarithm(1), 0);
+    for (int e = -1000; e <= 1000; e += 7) EXPECT_EQ(binary_logarithm(std::ldexp(1, e)), e);
 }
 
 TEST(DecimalLogarithm, HasTheSameBitsEverywhere) {
     EXPECT_EQ(decimal_logarithm(2), 0x1.34413509f79ffp-2);
-    EXPECT_EQ(decimal_logarithm(1e-300), -0x1.2c00000000001p+8);
+    EXPECT_EQ(decimal_logarithm(1e-300), -300);
     EXPECT_EQ(decimal_logarithm(12345.678), 0x1.05db618083a9dp+2);
 }
 
