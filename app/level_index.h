@@ -5,24 +5,16 @@
 #include <vector>
 
 #include "app/level_options.h"
-#include "render/context.h"
 #include "render/level_figure.h"
 
 namespace scb {
 
-/// What index.json says of a run of `scb render levels`: the pictures with their counts, the
-/// options, the camera, the versions.
-struct LevelIndex {
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+/// What index.json says of a picture of a level: the counts that it shows.
+nlohmann::ordered_json level_entry(VolumeKind kind, int level, int frame,
+                                   const std::vector<LevelBody>& bodies);
 
-    /// A picture of a level, with the counts that it shows.
-    void add_level(const std::string& file, const std::string& ids_file, VolumeKind kind, int level,
-                   int frame, const std::vector<LevelBody>& bodies);
-    void add_sheet(const std::string& file);
-
-    std::string text(const LevelOptions& options, const Scene& scene, int frame,
-                     const std::vector<int>& levels, const CameraSpec& camera,
-                     const GlInfo& gl) const;
-};
+/// What it says of a run of `scb render levels`: the options and the camera.
+nlohmann::ordered_json level_head(const LevelOptions& options, const Scene& scene, int frame,
+                                  const std::vector<int>& levels, const CameraSpec& camera);
 
 }  // namespace scb

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
@@ -7,13 +6,11 @@
 #include "app/level_index.h"
 #include "app/level_list.h"
 #include "app/level_options.h"
+#include "app/picture_run.h"
 #include "app/scene_camera.h"
 #include "app/scene_hierarchies.h"
 #include "core/error.h"
-#include "render/encode_queue.h"
 #include "render/level_sheet.h"
-#include "render/output_file.h"
-#include "render/renderer.h"
 #include "render/volume_titles.h"
 
 namespace scb {
@@ -35,7 +32,7 @@ std::string picture_name(const Scene& scene, VolumeKind kind, int level, int fra
 
 std::string sheet_name(const Scene& scene, int frame) {
     char numbers[32];
-    std::snprintf(numbers, sizeof numbers, "_frame-%04d.png", frame);
+    std::snprintf(numbers, sizeof numbers, "_frame-%04d", frame);
     return scene.name + "_levels_sheet" + numbers;
 }
 
@@ -101,20 +98,15 @@ int run(const LevelOptions& options, const Console& console) {
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
 
-    const Context context(options.picture.backend());
-    Renderer renderer(context);
-    const std::filesystem::path folder = options.picture.output_folder();
-    // An index of other pictures must not stand beside these if this run does not finish.
-    std::error_code ignored;
-    std::filesystem::remove(folder / "index.json", ignored);
-
+    PictureRun pictures(options.picture);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
         hierarchies.push_back(fit_meshes(topologies, kind, options.hierarchy.fit()));
     const LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
     std::vector<MeshHandle> meshes;
     if (style.mesh)
-        for (const NamedMesh& mesh : scene.meshes) meshes.push_back(renderer.upload(mesh.mesh));
+        for (const NamedMesh& mesh : scene.meshes)
+            meshes.push_back(pictures.renderer().upload(mesh.mesh));
     std::vector<std::vector<LevelBody>> bodies;  // per kind
     std::vector<Support> parts;
     for (const auto& h : hierarchies) bodies.push_back(bodies_of(scene, frame, h, meshes));
@@ -131,15 +123,8 @@ int run(const LevelOptions& options, const Console& console) {
     figure.camera = camera_for(spec, support, aspect_of(figure_layout(width, height).view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
-    EncodeQueue queue(8, options.picture.jobs());
-    Overlay overlay;
-    LevelIndex index;
-    std::vector<std::string> written;
-    const auto push = [&](const std::string& name, auto&& image) {
-        queue.push(folder / name, std::move(image));
-        written.push_back(name);
-    };
     const std::size_t total = kinds.size() * levels.size();
+    std::size_t done = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k)
         for (const int level : levels) {
             figure.title = scene.name + " · " + std::string(volume_title(kinds[k])) + " · " +
@@ -147,14 +132,10 @@ int run(const LevelOptions& options, const Console& console) {
             figure.bodies = bodies[k];
             figure.level = level;
             const Picture picture =
-                compose(figure, width, height, options.picture.samples, overlay);
-            Rendering rendering = renderer.draw(picture, &overlay, options.picture.ids);
+                compose(figure, width, height, options.picture.samples, pictures.overlay());
             const std::string name = picture_name(scene, kinds[k], level, frame);
-            push(name + ".png", rendering.image);
-            if (rendering.ids) push(name + "_ids.png", *rendering.ids);
-            index.add_level(name + ".png", rendering.ids ? name + "_ids.png" : "", kinds[k], level,
-                            frame, bodies[k]);
-            console.progress(name, index.files.size(), total);
+            pictures.draw(name, picture, level_entry(kinds[k], level, frame, bodies[k]));
+            console.progress(name, ++done, total);
         }
 
     if (total > 1 && !options.no_sheet) {
@@ -174,21 +155,11 @@ int run(const LevelOptions& options, const Console& console) {
                 row.push_back({std::string(volume_title(kinds[k])) + " · " + level_title(level),
                                bodies[k], level});
         }
-        const Picture picture = compose(sheet, options.picture.samples, overlay);
-        const std::string name = sheet_name(scene, frame);
-        push(name, renderer.draw(picture, &overlay).image);
-        index.add_sheet(name);
+        const Picture picture = compose(sheet, options.picture.samples, pictures.overlay());
+        pictures.draw(sheet_name(scene, frame), picture, {{"sheet", true}}, false);
     }
-    queue.finish();
-
-    const std::string text =
-        index.text(options, scene, frame, levels, exact_spec(spec, figure.camera, figure.center),
-                   context.info());
-    write_file_whole(folder / "index.json", text);
-    written.push_back("index.json");
-    std::string list;
-    for (const std::string& name : written) list += (folder / name).string() + "\n";
-    print_result(options.picture.json ? text : list);
+    pictures.finish(
+        level_head(options, scene, frame, levels, exact_spec(spec, figure.camera, figure.center)));
     return exit_done;
 }
 

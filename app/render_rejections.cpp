@@ -155,7 +155,7 @@ int run(Options& options, const Console& console) {
             const std::size_t all = frame.events.volume_tests.size(),
                               each = static_cast<std::size_t>(*options.steps);
             for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
-                const TraceFrame part = first_tests(source.header(), frame, count);
+                const TraceFrame part = first_tests(source.header(), frame, tree, count);
                 shot.draw(part, test_tree(source.header(), part), count, frame);
                 if (count == all) break;
             }

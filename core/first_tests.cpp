@@ -4,8 +4,8 @@
 
 namespace scb {
 
-TraceFrame first_tests(const TraceHeader& header, const TraceFrame& frame, std::size_t count) {
-    const TestTree tree = test_tree(header, frame);
+TraceFrame first_tests(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                       std::size_t count) {
     TraceFrame result{frame.frame, frame.b_to_a, {}, {}};
     const auto& tests = frame.events.volume_tests;
     count = std::min(count, tests.size());

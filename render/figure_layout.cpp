@@ -143,4 +143,11 @@ std::string count_text(std::uint64_t count) {
     return text;
 }
 
+std::string share_text(double part, double whole) {
+    if (!(whole > 0)) return "–";
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1f %%", 100 * part / whole);
+    return text;
+}
+
 }  // namespace scb

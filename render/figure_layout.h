@@ -58,4 +58,7 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 std::string number_text(double value, int digits = 3);
 std::string count_text(std::uint64_t count);
 
+/// "43.8 %"; a dash where there is no whole.
+std::string share_text(double part, double whole);
+
 }  // namespace scb

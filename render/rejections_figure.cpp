@@ -1,7 +1,5 @@
 #include "render/rejections_figure.h"
 
-#include <cstdio>
-
 #include "render/ending_colors.h"
 
 namespace scb {
@@ -21,14 +19,6 @@ Rgba8 color_of(const FrontNode& node, FrontColor by) {
             break;
     }
     return viridis(static_cast<double>(node.rejected) / node.tested);
-}
-
-std::string share_text(std::uint64_t part, std::uint64_t whole) {
-    if (whole == 0) return "–";
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1f %%",
-                  100 * static_cast<double>(part) / static_cast<double>(whole));
-    return text;
 }
 
 }  // namespace
@@ -81,8 +71,9 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
         const std::uint64_t count = count_of(group, counts);
         if (count == 0 && group.endings.front() == Ending::left_over) continue;
-        items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
-                                          share_text(count, ended)});
+        items.emplace_back(
+            PanelLegendRow{group.color, std::string(group.label), count_text(count),
+                           share_text(static_cast<double>(count), static_cast<double>(ended))});
     }
     items.emplace_back(PanelHeading{""});
     const auto shown = [&](std::size_t side) {

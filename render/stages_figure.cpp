@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "render/figure_layout.h"
 #include "render/plot_frame.h"
@@ -67,11 +66,9 @@ std::vector<PanelItem> panel_of(const StagesFigure& figure) {
     for (std::size_t g = 0; g < figure.groups.size(); ++g) {
         const double mean = bars[0].amounts[g];
         if (mean == 0 && figure.groups[g].endings.front() == Ending::left_over) continue;
-        char share[16] = "–";
-        if (bars[0].sum > 0)
-            std::snprintf(share, sizeof share, "%.1f %%", 100 * mean / bars[0].sum);
-        items.emplace_back(PanelLegendRow{
-            figure.groups[g].color, std::string(figure.groups[g].label), mean_text(mean), share});
+        items.emplace_back(PanelLegendRow{figure.groups[g].color,
+                                          std::string(figure.groups[g].label), mean_text(mean),
+                                          share_text(mean, bars[0].sum)});
     }
     items.emplace_back(PanelRow{"all", {mean_text(bars[0].sum)}, {}, true});
     return items;
