@@ -4,21 +4,23 @@
 #include "app/interrupt.h"
 #include "app/picture_run.h"
 #include "app/progress.h"
-#include "app/query_source.h"
+#include "app/query_sources.h"
 
 namespace scb {
 
-/// Calls `draw` for each frame that was asked for, with its query, until a signal comes; then
+/// Calls `draw` for each frame that was asked for, with its queries, until a signal comes; then
 /// finishes the pictures with the index that `head` gives. Returns the exit status.
 template <class Draw, class Head>
-int draw_frames(QuerySource& source, PictureRun& pictures, const Console& console, Draw draw,
+int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
                 Head head) {
     const InterruptWatch watch;
-    const std::vector<int>& frames = source.frames();
+    const std::vector<int>& frames = sources.front().frames();
     Progress progress(console, frames.size());
     std::size_t done = 0;
     for (; done < frames.size() && watch.signal() == 0; ++done) {
-        draw(source.frame(frames[done]));
+        QueryFrames queries;
+        for (QuerySource& source : sources) queries.push_back(&source.frame(frames[done]));
+        draw(queries);
         progress.step("frames");
     }
     pictures.finish(head());

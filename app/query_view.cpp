@@ -42,8 +42,8 @@ void QueryViewOptions::check() {
     hierarchy.kind();
     hierarchy.fit();
     query.collide();
-    if (scene.names.size() == 1 && names_trace(scene.names[0]))
-        refuse_for_trace(recording, scene.names[0]);
+    for (const std::string& name : scene.names)
+        if (names_trace(name)) refuse_for_trace(recording, name);
     if (pick.empty()) return;
     const std::vector<std::string> parts = split_list(pick);
     const std::string hint = "; give X,Y in pixels from the left and the top.";
@@ -57,11 +57,15 @@ void QueryViewOptions::check() {
     picture.pick = at;
 }
 
+QuerySources QueryViewOptions::open(const Console& console) const {
+    return open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+}
+
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
     add_scene_options(command, options.scene, false);
     command.get_option("SCENE")->description(
-        "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
-        "trace`)");
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
+        "trace`), or two traces to compare");
     add_hierarchy_options(command, options.hierarchy, false);
     add_query_options(command, options.query, false);
     add_query_limits(command, options.limits);
@@ -76,6 +80,12 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
             ->type_name("X,Y");
+        command
+            .add_option("--compare", options.compare,
+                        "Two overlap tests, such as corrected,printed, or two volumes, such as "
+                        "scb,ball: both side by side, and what differs outlined")
+            ->check(has_name())
+            ->type_name("A,B");
     } else {
         add_picture_options(command, options.picture);
     }
@@ -83,10 +93,12 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
         ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
 }
 
-QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer)
-    : options_(options), source_(source) {
+QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
+                     Renderer& renderer, std::optional<ComparisonLayout> layout)
+    : options_(options), sources_(sources), layout_(layout) {
+    if (compares()) labels_ = query_labels(sources[0].header(), sources[1].header());
     if (options.shown == Shown::nothing) return;
-    const SceneQuery& query = source.query();
+    const SceneQuery& query = sources.front().query();
     for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
     std::size_t ids = 1;
     for (const std::size_t body : {query.a, query.b})
@@ -98,18 +110,19 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySource& source,
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
-    for (const int frame : source.frames()) {
-        const QueryBodies at_frame = bodies(frame);
-        for (std::size_t side = 0; side < 2; ++side)
-            for (const std::uint32_t node : nodes[side])
-                held_.push_back(volume_of(at_frame[side], node));
-    }
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        for (const int frame : sources[i].frames()) {
+            const QueryBodies at_frame = bodies(frame, i);
+            for (std::size_t side = 0; side < 2; ++side)
+                for (const std::uint32_t node : nodes[side])
+                    held_.push_back(volume_of(at_frame[side], node));
+        }
     support_ = support_of(held_);
     center_ = center_of(support_);
 }
 
-QueryBodies QueryView::bodies(int frame) const {
-    const SceneQuery& query = source_.query();
+QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
+    const SceneQuery& query = sources_[query_index].query();
     QueryBodies bodies;
     std::uint32_t next_id = 1;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -132,8 +145,9 @@ QueryBodies QueryView::bodies(int frame) const {
 }
 
 Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
-    const double aspect =
-        aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+    const double aspect = aspect_of(
+        layout_ ? layout_->sides[0].view
+                : figure_layout(options_.picture.width(), options_.picture.height()).view);
     if (!follows_contact() || region.empty()) return camera_for(spec_, support_, aspect);
     // Not so close that a single small triangle fills the view.
     std::vector<AnyVolume> wide = region;
@@ -143,7 +157,7 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     spec.target.reset();
     spec.distance.reset();
     spec.view_height.reset();
-    const SceneQuery& query = source_.query();
+    const SceneQuery& query = sources_.front().query();
     const double smaller =
         std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
@@ -157,29 +171,41 @@ Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
 }
 
 std::string QueryView::title(const std::string& what) const {
-    return source_.query().scene.name + " · " + std::string(volume_title(source_.query().kind)) +
-           " · " + what;
+    const SceneQuery& query = sources_.front().query();
+    const bool one_kind = sources_.back().query().kind == query.kind;
+    return query.scene.name + " · " +
+           (one_kind ? std::string(volume_title(query.kind)) + " · " : "") + what;
 }
 
 std::string QueryView::subtitle(std::optional<int> frame) const {
-    const TraceHeader& header = source_.header();
-    const Scene& scene = source_.query().scene;
+    const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
+    const Scene& scene = sources_.front().query().scene;
     std::string text;
     const auto add = [&text](const std::string& part) {
         text += (text.empty() ? "" : ", ") + part;
     };
+    // Of two queries, what they have in common; captions say the rest.
+    const std::vector<TraceField> of_first = fields_of(header), of_other = fields_of(other);
+    const auto common = [&](const char* name) {
+        for (const TraceField& x : of_first)
+            for (const TraceField& y : of_other)
+                if (x.name == name && y.name == name && x.value != y.value) return false;
+        return true;
+    };
     if (frame && scene.frames > 1)
         add("frame " + std::to_string(*frame) + " of 0 to " + std::to_string(scene.frames - 1));
-    if (header.volume == VolumeKind::scb) {
-        add("test " + std::string(overlap_test_name(header.options.overlap.test)));
-        if (has_threshold(header.options.overlap.test) &&
-            header.options.overlap.threshold != OverlapOptions{}.threshold)
-            add(format("threshold %g", header.options.overlap.threshold));
+    const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
+    if (of_scb.volume == VolumeKind::scb) {
+        const OverlapOptions& overlap = of_scb.options.overlap;
+        if (common("test")) add("test " + std::string(overlap_test_name(overlap.test)));
+        if (common("threshold") && has_threshold(overlap.test) &&
+            overlap.threshold != OverlapOptions{}.threshold)
+            add(format("threshold %g", overlap.threshold));
     }
-    if (header.options.descent != CollideOptions{}.descent)
+    if (common("descent") && header.options.descent != CollideOptions{}.descent)
         add("descent by " + std::string(descent_rule_name(header.options.descent)));
-    if (header.growth != FitOptions{}.growth) add("growth radius");
-    if (header.margin != 0) add(format("margin %g", header.margin));
+    if (common("growth") && header.growth != FitOptions{}.growth) add("growth radius");
+    if (common("margin") && header.margin != 0) add(format("margin %g", header.margin));
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
     if (spec_.orthographic.value_or(false)) add("orthographic");
@@ -187,8 +213,14 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
 }
 
 std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
-    return source_.query().scene.name + "_" + std::string(volume_kind_name(source_.query().kind)) +
-           "_" + what + (frame ? format("_frame-%04d", *frame) : "");
+    const SceneQuery& query = sources_.front().query();
+    std::string queries(volume_kind_name(query.kind));
+    if (compares()) {
+        const std::string both = labels_[0].name + "-vs-" + labels_[1].name;
+        queries = sources_.back().query().kind == query.kind ? queries + "_" + both : both;
+    }
+    return query.scene.name + "_" + queries + "_" + what +
+           (frame ? format("_frame-%04d", *frame) : "");
 }
 
 Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
@@ -215,10 +247,15 @@ Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
 }
 
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
-                          const TraceFrame& frame) const {
+                          const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
     const PixelPosition at = *options_.picture.pick;
-    const Json what = what_is(pictures.id_at(at.x, at.y), frame);
+    std::size_t query = 0;
+    if (layout_) {
+        const PixelRect& second = layout_->sides[1].view;
+        query = at.x >= second.x && at.y >= second.y;
+    }
+    const Json what = what_is(pictures.id_at(at.x, at.y), *frames[query]);
     std::string text = name + format(".png at %d,%d: ", at.x, at.y);
     if (what.is_null())
         text += "nothing";
@@ -235,14 +272,21 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
 }
 
 Json QueryView::index_head(const std::string& command) const {
-    const TraceHeader& header = source_.header();
     Json head = {{"command", command}};
-    Json asked = trace_header_json(header);
-    asked.erase("version");
-    head.update(asked);
-    head["frames"] = source_.frames();
+    Json asked = Json::array();
+    for (const QuerySource& source : sources_) {
+        asked.push_back(trace_header_json(source.header()));
+        asked.back().erase("version");
+    }
+    if (compares()) {
+        head["compare"] = {labels_[0].name, labels_[1].name};
+        head["queries"] = std::move(asked);
+    } else {
+        head.update(asked[0]);
+    }
+    head["frames"] = sources_.front().frames();
     if (options_.shown != Shown::nothing) {
-        const QueryBodies both = bodies(source_.frames().front());
+        const QueryBodies both = bodies(sources_.front().frames().front());
         head["ids"] = Json::array();
         for (const QueryBody& b : both)
             head["ids"].push_back(range_json("node", b.name, b.first_node_id,
@@ -260,14 +304,20 @@ Json QueryView::index_head(const std::string& command) const {
     return head;
 }
 
-Json QueryView::index_entry(const TraceFrame& frame) const {
-    const TraceHeader& header = source_.header();
-    return count_json(frame.frame, frame.b_to_a, frame.found,
-                      counted_stages(header.volume, header.options.overlap));
+Json QueryView::index_entry(const QueryFrames& frames) const {
+    Json counts = Json::array();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const TraceHeader& header = sources_[i].header();
+        const TraceFrame& frame = *frames[i];
+        counts.push_back(count_json(frame.frame, frame.b_to_a, frame.found,
+                                    counted_stages(header.volume, header.options.overlap)));
+    }
+    if (!compares()) return counts[0];
+    return {{"frame", frames[0]->frame}, {"queries", std::move(counts)}};
 }
 
-Json QueryView::index_entry(const TraceFrame& frame, const Camera& camera) const {
-    Json entry = index_entry(frame);
+Json QueryView::index_entry(const QueryFrames& frames, const Camera& camera) const {
+    Json entry = index_entry(frames);
     if (follows_contact())
         entry["camera"] = Json::parse(camera_json(exact_spec(spec_, camera, center_)));
     return entry;

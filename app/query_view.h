@@ -7,8 +7,9 @@
 
 #include "app/number_list.h"
 #include "app/picture_run.h"
-#include "app/query_source.h"
+#include "app/query_sources.h"
 #include "app/scene_camera.h"
+#include "render/comparison_figure.h"
 #include "render/query_body.h"
 #include "render/scene_figure.h"
 
@@ -28,10 +29,13 @@ struct QueryViewOptions {
     std::string pick;  ///< "X,Y", see PictureOptions::pick
     /// What was given of what a trace already knows, see given_recording_options.
     std::vector<std::string> recording;
+    std::string compare;  ///< see CompareOptions::names
     Shown shown = Shown::meshes;
 
     /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
     void check();
+    /// Opens what was asked for.
+    QuerySources open(const Console& console) const;
 };
 /// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
@@ -41,10 +45,14 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
 /// there are names only: titles, file names, what index.json says.
 class QueryView {
   public:
-    QueryView(const QueryViewOptions& options, const QuerySource& source, Renderer& renderer);
+    /// `layout`: of the pictures, where two queries are compared.
+    QueryView(const QueryViewOptions& options, const QuerySources& sources, Renderer& renderer,
+              std::optional<ComparisonLayout> layout = std::nullopt);
 
-    /// The bodies at a frame.
-    QueryBodies bodies(int frame) const;
+    /// Whether there are two queries.
+    bool compares() const { return sources_.size() == 2; }
+    /// The bodies at a frame, with the hierarchies of one of the queries.
+    QueryBodies bodies(int frame, std::size_t query = 0) const;
     /// The camera for the view of a picture of the options' size: one for all frames, or, where it
     /// follows the contact and there is one, fitted to `region`.
     Camera camera(const std::vector<AnyVolume>& region) const;
@@ -54,11 +62,15 @@ class QueryView {
     std::uint32_t first_free_id() const { return first_free_id_; }
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
+    const std::optional<ComparisonLayout>& layout() const { return layout_; }
+    /// What the two queries are called that are compared.
+    const std::array<QueryLabel, 2>& labels() const { return labels_; }
     /// "spheres-l1 · SCB · " and what the picture shows.
     std::string title(const std::string& what) const;
     /// The frame, and every option that changes what is drawn but cannot be seen.
     std::string subtitle(std::optional<int> frame = std::nullopt) const;
-    /// SCENE_VOLUME_WHAT_frame-0250, or without a frame.
+    /// SCENE_VOLUME_WHAT_frame-0250, or without a frame. Where two queries are compared, their
+    /// labels are a part of it: SCENE_scb_corrected-vs-printed_WHAT_frame-0250.
     std::string picture_name(const std::string& what,
                              std::optional<int> frame = std::nullopt) const;
 
@@ -68,17 +80,20 @@ class QueryView {
     nlohmann::ordered_json what_is(std::uint32_t id, const TraceFrame& frame) const;
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
-    void tell_pick(PictureRun& pictures, const std::string& name, const TraceFrame& frame) const;
+    void tell_pick(PictureRun& pictures, const std::string& name, const QueryFrames& frames) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;
-    /// What it says of one picture: the query's counts, and the camera where it moves.
-    nlohmann::ordered_json index_entry(const TraceFrame& frame, const Camera& camera) const;
-    nlohmann::ordered_json index_entry(const TraceFrame& frame) const;
+    /// What it says of one picture: the counts of its query, or of both as `queries`; and the
+    /// camera, where it moves.
+    nlohmann::ordered_json index_entry(const QueryFrames& frames, const Camera& camera) const;
+    nlohmann::ordered_json index_entry(const QueryFrames& frames) const;
 
   private:
     const QueryViewOptions& options_;
-    const QuerySource& source_;
+    const QuerySources& sources_;
+    std::optional<ComparisonLayout> layout_;
+    std::array<QueryLabel, 2> labels_;
     std::vector<MeshHandle> meshes_;
     CameraSpec spec_;
     Support support_;

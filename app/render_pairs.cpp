@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/frame_pictures.h"
-#include "app/query_view.h"
+#include "app/query_comparison.h"
 #include "core/error.h"
 #include "render/heat_figure.h"
 #include "render/pairs_figure.h"
@@ -24,16 +24,38 @@ void describe_pairs(SceneFigure& figure, const QueryView& view, const QuerySourc
     if (frame.found.pairs.empty()) figure.remark = "no contact";
 }
 
+std::optional<std::uint32_t> heat_end_of(const Options& options) {
+    if (!options.heat_end) return std::nullopt;
+    return static_cast<std::uint32_t>(*options.heat_end);
+}
+
 void describe_heat(SceneFigure& figure, const QueryView& view, const Options& options,
                    const TraceFrame& frame, const QueryBodies& bodies) {
     const HeatOf of = *heat_of_of(options.heat);
-    const Heat heat =
-        heat_of(bodies, frame, of,
-                options.heat_end ? std::optional<std::uint32_t>(*options.heat_end) : std::nullopt);
+    const Heat heat = heat_of(bodies, frame, of, heat_end_of(options));
     figure.title = view.title("heat");
     figure.pane = heat_pane(bodies, heat);
     figure.panel = heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
+}
+
+ComparisonLayout layout_of(const Options& options) {
+    return comparison_layout(options.picture.width(), options.picture.height(),
+                             options.heat.empty() ? compared_pairs_rows() : compared_heat_rows());
+}
+
+void draw_compared(const QueryView& view, const QuerySources& sources, const QueryFrames& frames,
+                   const Options& options, const PairsStyle& style, const std::string& what,
+                   PictureRun& pictures) {
+    const ComparedQueries queries = compared_queries(view, sources, frames);
+    const bool heat = !options.heat.empty();
+    std::array<ComparedView, 2> views =
+        heat ? compared_heat(queries, *heat_of_of(options.heat), heat_end_of(options), *style.theme)
+             : compared_pairs(queries, style, view.first_free_id());
+    for (std::size_t i = 0; i < 2; ++i)
+        if (!heat && frames[i]->found.pairs.empty()) views[i].remark = "no contact";
+    draw_comparison(view, queries, std::move(views), heat ? "heat" : "pairs", what, options,
+                    pictures);
 }
 
 int run(Options& options, const Console& console) {
@@ -43,18 +65,24 @@ int run(Options& options, const Console& console) {
     if (options.heat_end && (options.heat.empty() || *options.heat_end < 2))
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
-    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    QuerySources sources = options.open(console);
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer());
+    const QueryView view(options, sources, pictures.renderer(),
+                         sources.size() == 2 ? std::optional(layout_of(options)) : std::nullopt);
 
     PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
     const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
     return draw_frames(
-        source, pictures, console,
-        [&](const TraceFrame& frame) {
+        sources, pictures, console,
+        [&](const QueryFrames& frames) {
+            if (view.compares()) {
+                draw_compared(view, sources, frames, options, style, what, pictures);
+                return;
+            }
+            const TraceFrame& frame = *frames[0];
+            const QuerySource& source = sources[0];
             const QueryBodies bodies = view.bodies(frame.frame);
             SceneFigure figure;
             if (options.heat.empty())
@@ -66,7 +94,7 @@ int run(Options& options, const Console& console) {
             figure.pane.camera = view.camera(region);
             figure.center = view.center(region);
             figure.theme = style.theme;
-            nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+            nlohmann::ordered_json entry = view.index_entry(frames, figure.pane.camera);
             // Of the segments, in the order of `scb collide --pairs-out`.
             if (options.heat.empty())
                 entry["pair_ids"] = {{"first", view.first_free_id()},
@@ -76,7 +104,7 @@ int run(Options& options, const Console& console) {
                         options.picture.samples, pictures.overlay());
             const std::string name = view.picture_name(what, frame.frame);
             pictures.draw(name, picture, std::move(entry));
-            view.tell_pick(pictures, name, frame);
+            view.tell_pick(pictures, name, frames);
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render pairs");

@@ -4,7 +4,7 @@
 #include "app/commands.h"
 #include "app/frame_pictures.h"
 #include "app/level_list.h"
-#include "app/query_view.h"
+#include "app/query_comparison.h"
 #include "app/text_format.h"
 #include "core/error.h"
 #include "core/first_tests.h"
@@ -31,12 +31,17 @@ std::string names_of(const std::vector<Ending>& endings) {
     return names;
 }
 
-RejectionsStyle style_of(const Options& options, const QuerySource& source) {
+RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
+    const QuerySource& source = sources.front();
     RejectionsStyle style;
     const std::optional<FrontColor> by = front_color_of(options.by);
     if (!by) throw InputError("--by " + options.by + ": give first, last, dominant or share.");
     style.by = *by;
-    const std::vector<Ending> known = endings_of(source.header().volume, source.header().options);
+    std::vector<Ending> known;
+    for (const QuerySource& each : sources)
+        for (const Ending ending : endings_of(each.header().volume, each.header().options))
+            if (std::find(known.begin(), known.end(), ending) == known.end())
+                known.push_back(ending);
     if (!options.stages.empty())
         for (const std::string& name : split_list(options.stages)) {
             const std::optional<Ending> ending = ending_of(name);
@@ -70,7 +75,7 @@ RejectionsStyle style_of(const Options& options, const QuerySource& source) {
 
 /// One picture: a query, or its first tests.
 struct Shot {
-    const QuerySource& source;
+    const QuerySources& sources;
     const QueryView& view;
     const RejectionsStyle& style;
     const Options& options;
@@ -79,6 +84,7 @@ struct Shot {
     /// `step`: how many tests of `whole` the frame has, where it is an animation's.
     void draw(const TraceFrame& frame, const TestTree& tree, std::optional<std::size_t> step,
               const TraceFrame& whole) const {
+        const QuerySource& source = sources.front();
         const QueryBodies bodies = view.bodies(frame.frame);
         const Fronts fronts = fronts_of(bodies, frame, tree, style);
         SceneFigure figure;
@@ -98,7 +104,7 @@ struct Shot {
         } else if (frame.found.n_v == 1) {
             figure.remark = "no overlap: the roots were rejected";
         }
-        nlohmann::ordered_json entry = view.index_entry(frame, figure.pane.camera);
+        nlohmann::ordered_json entry = view.index_entry({&frame}, figure.pane.camera);
         entry["volumes"] = {fronts[0].size(), fronts[1].size()};
         std::string name = view.picture_name("rejections", frame.frame);
         if (step) {
@@ -109,7 +115,19 @@ struct Shot {
             compose(std::move(figure), options.picture.width(), options.picture.height(),
                     options.picture.samples, pictures.overlay());
         pictures.draw(name, picture, std::move(entry));
-        view.tell_pick(pictures, name, frame);
+        view.tell_pick(pictures, name, {&frame});
+    }
+
+    void draw_compared(const QueryFrames& frames) const {
+        const ComparedQueries queries = compared_queries(view, sources, frames);
+        std::array<ComparedView, 2> views = compared_rejections(queries, style);
+        for (std::size_t i = 0; i < 2; ++i)
+            if (views[i].pane.volumes.empty())
+                views[i].remark = "no such node";
+            else if (frames[i]->found.n_v == 1)
+                views[i].remark = "no overlap: the roots were rejected";
+        draw_comparison(view, queries, std::move(views), "rejections", "rejections", options,
+                        pictures);
     }
 
     /// The pair that was tested last, and what its test gave.
@@ -130,24 +148,59 @@ struct Shot {
     }
 };
 
+/// How the paths of each frame ended: a picture for each query.
+void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
+                 const QueryView& view, const Options& options, PictureRun& pictures) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const TraceHeader& header = sources[i].header();
+        StagesFigure& figure = stages[i];
+        figure.title = view.title("rejections by frame");
+        figure.subtitle = view.subtitle();
+        std::string name = "rejections_stages";
+        if (view.compares()) {
+            figure.title += " · " + view.labels()[i].caption;
+            name += "_" + view.labels()[i].name;
+        }
+        figure.groups = ending_groups(endings_of(header.volume, header.options));
+        figure.theme = options.picture.theme();
+        const Picture picture =
+            compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
+        pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);
+    }
+}
+
 int run(Options& options, const Console& console) {
     options.check();
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
-    const RejectionsStyle style = style_of(options, source);
+    QuerySources sources = options.open(console);
+    const RejectionsStyle style = style_of(options, sources);
     if (options.steps && *options.steps < 1)
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
-    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    if (options.steps && sources.size() == 2)
+        throw InputError("--steps: an animation is of one query; leave it out to compare two.");
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer());
-    const Shot shot{source, view, style, options, pictures};
-    StagesFigure stages;
-    stages.theme = style.theme;
+    std::optional<ComparisonLayout> layout;
+    if (sources.size() == 2)
+        layout = comparison_layout(
+            options.picture.width(), options.picture.height(),
+            compared_rejections_rows(sources[0].header(), sources[1].header(), style));
+    const QueryView view(options, sources, pictures.renderer(), layout);
+    const Shot shot{sources, view, style, options, pictures};
+    std::vector<StagesFigure> stages(sources.size());
     return draw_frames(
-        source, pictures, console,
-        [&](const TraceFrame& frame) {
+        sources, pictures, console,
+        [&](const QueryFrames& frames) {
+            for (std::size_t i = 0; i < sources.size(); ++i) {
+                stages[i].frames.push_back(frames[i]->frame);
+                stages[i].counts.push_back(
+                    ending_counts(*frames[i], test_tree(sources[i].header(), *frames[i])));
+            }
+            if (view.compares()) {
+                shot.draw_compared(frames);
+                return;
+            }
+            const QuerySource& source = sources.front();
+            const TraceFrame& frame = *frames.front();
             const TestTree tree = test_tree(source.header(), frame);
-            stages.frames.push_back(frame.frame);
-            stages.counts.push_back(ending_counts(frame, tree));
             if (!options.steps) {
                 shot.draw(frame, tree, std::nullopt, frame);
                 return;
@@ -161,16 +214,7 @@ int run(Options& options, const Console& console) {
             }
         },
         [&] {
-            if (stages.frames.size() > 1) {
-                stages.title = view.title("rejections by frame");
-                stages.subtitle = view.subtitle();
-                stages.groups =
-                    ending_groups(endings_of(source.header().volume, source.header().options));
-                const Picture picture = compose(stages, options.picture.width(),
-                                                options.picture.height(), pictures.overlay());
-                pictures.draw(view.picture_name("rejections_stages"), picture, {{"stages", true}},
-                              false);
-            }
+            if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
             nlohmann::ordered_json head = view.index_head("render rejections");
             head["options"]["by"] = options.by;
             if (!options.stages.empty()) head["options"]["stages"] = split_list(options.stages);

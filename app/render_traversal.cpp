@@ -28,10 +28,11 @@ struct Options : QueryViewOptions {
 
 int run(Options& options, const Console& console) {
     options.check();
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
-    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    QuerySources sources = options.open(console);
+    if (sources.size() == 2)
+        throw InputError("a picture of a traversal is of one query; give one trace.");
     PictureRun pictures(options.picture);
-    const QueryView view(options, source, pictures.renderer());
+    const QueryView view(options, sources, pictures.renderer());
 
     TraversalFigure figure;
     figure.title = view.title("traversal");
@@ -40,13 +41,15 @@ int run(Options& options, const Console& console) {
     figure.icicle = options.show != "matrix";
     figure.theme = options.picture.theme();
     return draw_frames(
-        source, pictures, console,
-        [&](const TraceFrame& frame) {
+        sources, pictures, console,
+        [&](const QueryFrames& frames) {
+            const TraceFrame& frame = *frames.front();
             figure.subtitle = view.subtitle(frame.frame);
-            const Picture picture = compose(figure, source.header(), frame, options.picture.width(),
-                                            options.picture.height(), pictures.overlay());
+            const Picture picture =
+                compose(figure, sources.front().header(), frame, options.picture.width(),
+                        options.picture.height(), pictures.overlay());
             pictures.draw(view.picture_name("traversal", frame.frame), picture,
-                          view.index_entry(frame));
+                          view.index_entry(frames));
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render traversal");

@@ -47,6 +47,16 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
     return pane;
 }
 
+PanelItem heat_key(const Heat& heat) {
+    PanelScale scale{
+        heat.of == HeatOf::volumes ? "volume tests of a triangle" : "triangle tests of a triangle",
+        {}};
+    for (const AxisTick& tick : heat.scale.ticks)
+        if (!tick.label.empty())
+            scale.ticks.emplace_back(axis_position(heat.scale, tick.value), tick.label);
+    return scale;
+}
+
 std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
                                   const Heat& heat) {
     std::vector<PanelItem> items;
@@ -66,13 +76,7 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     items.emplace_back(std::move(most));
     items.emplace_back(std::move(none));
     items.emplace_back(PanelHeading{""});
-    PanelScale scale{
-        heat.of == HeatOf::volumes ? "volume tests of a triangle" : "triangle tests of a triangle",
-        {}};
-    for (const AxisTick& tick : heat.scale.ticks)
-        if (!tick.label.empty())
-            scale.ticks.emplace_back(axis_position(heat.scale, tick.value), tick.label);
-    items.emplace_back(std::move(scale));
+    items.push_back(heat_key(heat));
     items.emplace_back(PanelNote{heat.of == HeatOf::volumes
                                      ? "tests of two volumes, one of which holds the triangle"
                                      : "tests of the triangle against one of the other body"});

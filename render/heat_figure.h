@@ -31,6 +31,9 @@ Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
 /// Both meshes, each triangle in viridis by its count.
 Pane heat_pane(const QueryBodies& bodies, const Heat& heat);
 
+/// The scale of its colors.
+PanelItem heat_key(const Heat& heat);
+
 /// Its numbers and its scale.
 std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
                                   const Heat& heat);

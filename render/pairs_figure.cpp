@@ -35,6 +35,12 @@ void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint3
         pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
 }
 
+void add_keys(std::vector<PanelItem>& items, const PairsStyle& style) {
+    items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
+    if (style.leaves)
+        items.emplace_back(PanelKey{ending_color(Ending::triangles_apart), "leaves that overlap"});
+}
+
 }  // namespace
 
 std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFrame& frame,
@@ -60,7 +66,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
     for (std::size_t side = 0; side < 2; ++side) {
         const QueryBody& body = bodies[side];
         MeshDraw mesh = mesh_draw(body, dimmed_body_color(side, *style.theme));
-        if (!stops_at_level(header) && !frame.found.pairs.empty()) {
+        if (!stops_at_level(header)) {
             mesh.triangle_colors.assign(body.mesh->triangles.size(), mesh.color);
             mesh.shown_through = side_of(frame.found.pairs, side);
             for (const std::uint32_t triangle : mesh.shown_through)
@@ -110,13 +116,20 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
                                      std::to_string(header.options.stop_level) + " that overlap"});
         return items;
     }
-    items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
-    if (style.leaves)
-        items.emplace_back(PanelKey{ending_color(Ending::triangles_apart), "leaves that overlap"});
+    add_keys(items, style);
     items.emplace_back(
         PanelNote{"strong: triangles that intersect; " +
                   std::string(style.leaves ? "leaves are shown where their triangles do not"
                                            : "leaf volumes are left out")});
+    return items;
+}
+
+std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
+                                    const PairsStyle& style) {
+    std::vector<PanelItem> items;
+    for (std::size_t side = 0; side < 2; ++side)
+        items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
+    if (!stops_at_level(header)) add_keys(items, style);
     return items;
 }
 

@@ -27,6 +27,10 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
                                    const TraceFrame& frame, const PairsStyle& style);
 
+/// What its colors mean.
+std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
+                                    const PairsStyle& style);
+
 /// The points that a camera which follows the contact has to show: the corners of the triangles
 /// that intersect, or the centers of nodes. Empty without contact.
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,

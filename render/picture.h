@@ -67,11 +67,20 @@ struct PixelRect {
     int height = 0;
 };
 
+/// Things of a pane that are outlined, all together, in front of everything.
+struct Outline {
+    std::vector<std::uint32_t> ids;  ///< ascending; what has none of their pixels is not outlined
+    Rgba8 color;
+    Rgba8 halo;     ///< a thinner ring about it
+    int width = 2;  ///< pixels
+};
+
 /// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
 /// order: opaque meshes, volumes and segments by depth; what shows through these of meshes, in the
 /// order of the list; then translucent volumes from far to near
 /// (by the distance of their centers along the view axis, ties by id, then by position in the
-/// list), their back sides before their fronts; then the segments that are on top.
+/// list), their back sides before their fronts; then the segments that are on top; then the
+/// outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;
@@ -79,6 +88,7 @@ struct Pane {
     std::vector<MeshDraw> meshes;
     std::vector<VolumeInstance> volumes;
     std::vector<Segment> segments;
+    Outline outline;
 };
 
 /// What to draw. Panes are drawn in order; where two overlap, the later one covers the earlier one

@@ -1,5 +1,7 @@
 #include "render/rejections_figure.h"
 
+#include <numeric>
+
 #include "render/ending_colors.h"
 
 namespace scb {
@@ -56,40 +58,50 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
     return pane;
 }
 
+PanelItem front_color_key(const RejectionsStyle& style) {
+    if (style.by == FrontColor::share)
+        return PanelScale{"share of a node's tests rejected",
+                          {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
+    return PanelNote{"a node's " +
+                     std::string(style.by == FrontColor::dominant ? "most frequent"
+                                                                  : front_color_name(style.by)) +
+                     " ending" + (style.nested ? "" : "; those that hold others are left out")};
+}
+
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
+                                      const TestTree& tree) {
+    const EndingCounts counts = ending_counts(frame, tree);
+    const auto ended =
+        static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+    std::vector<PanelItem> items;
+    items.emplace_back(PanelHeading{"paths that ended"});
+    for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
+        const std::uint64_t count = count_of(group, counts);
+        if (count == 0 && group.endings.front() == Ending::left_over) continue;
+        items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
+                                          share_text(static_cast<double>(count), ended)});
+    }
+    return items;
+}
+
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
                                         const TraceFrame& frame, const TestTree& tree,
                                         const Fronts& fronts, const RejectionsStyle& style) {
     const EndingCounts counts = ending_counts(frame, tree);
-    std::uint64_t ended = 0;
-    for (const std::uint64_t count : counts) ended += count;
+    const std::uint64_t ended = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     std::vector<PanelItem> items;
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - ended)}});
-    items.emplace_back(PanelHeading{"paths that ended"});
-    for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
-        const std::uint64_t count = count_of(group, counts);
-        if (count == 0 && group.endings.front() == Ending::left_over) continue;
-        items.emplace_back(
-            PanelLegendRow{group.color, std::string(group.label), count_text(count),
-                           share_text(static_cast<double>(count), static_cast<double>(ended))});
-    }
+    for (PanelItem& item : endings_legend(header, frame, tree)) items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
     const auto shown = [&](std::size_t side) {
         return style.sides[side] ? count_text(fronts[side].size()) : std::string("–");
     };
     items.emplace_back(
         PanelRow{"volumes", {bodies[0].name + " " + shown(0), bodies[1].name + " " + shown(1)}});
-    if (style.by == FrontColor::share)
-        items.emplace_back(PanelScale{"share of a node's tests rejected",
-                                      {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
-    else
-        items.emplace_back(
-            PanelNote{"a node's " +
-                      std::string(style.by == FrontColor::dominant ? "most frequent"
-                                                                   : front_color_name(style.by)) +
-                      " ending" + (style.nested ? "" : "; those that hold others are left out")});
+    items.push_back(front_color_key(style));
     return items;
 }
 

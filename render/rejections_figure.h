@@ -35,6 +35,13 @@ Fronts fronts_of(const QueryBodies& bodies, const TraceFrame& frame, const TestT
 /// ending's color.
 Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts, const RejectionsStyle& style);
 
+/// The query's endings with their counts and shares.
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
+                                      const TestTree& tree);
+
+/// What the color of a node tells.
+PanelItem front_color_key(const RejectionsStyle& style);
+
 /// Its numbers and legend: every ending of the query with its count and share, whatever the filter
 /// shows.
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,

@@ -8,6 +8,7 @@
 #include "render/embedded.h"
 #include "render/eye_view.h"
 #include "render/mesh_painter.h"
+#include "render/outline.h"
 #include "render/overlay_painter.h"
 #include "render/render_target.h"
 #include "render/segment_painter.h"
@@ -175,11 +176,17 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
 
     parts_->resolve(scale);
     if (overlay) parts_->overlay.paint(*overlay, picture.width, picture.height);
-    Rendering result = parts_->read_back(with_ids);
+    const bool outlined = std::any_of(picture.panes.begin(), picture.panes.end(),
+                                      [](const Pane& pane) { return !pane.outline.ids.empty(); });
+    Rendering result = parts_->read_back(with_ids || outlined);
     if (gl.GetError() != GL_NO_ERROR)
         throw DrawError("The OpenGL library could not draw a picture of " +
                         size_text(picture.width, picture.height) +
                         " pixels; it may be out of memory.");
+    for (const Pane& pane : picture.panes)
+        if (!pane.outline.ids.empty())
+            draw_outline(result.image, *result.ids, pane.viewport, pane.outline);
+    if (!with_ids) result.ids.reset();
     return result;
 }
 

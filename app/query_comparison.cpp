@@ -1,0 +1,48 @@
+#include "app/query_comparison.h"
+
+namespace scb {
+
+ComparedQueries compared_queries(const QueryView& view, const QuerySources& sources,
+                                 const QueryFrames& frames) {
+    ComparedQueries queries;
+    for (std::size_t i = 0; i < 2; ++i)
+        queries[i] = {view.bodies(frames[i]->frame, i), &sources[i].header(), frames[i]};
+    return queries;
+}
+
+void draw_comparison(const QueryView& view, const ComparedQueries& queries,
+                     std::array<ComparedView, 2> views, const std::string& title,
+                     const std::string& what, const QueryViewOptions& options,
+                     PictureRun& pictures) {
+    const QueryFrames frames = {queries[0].frame, queries[1].frame};
+    std::vector<AnyVolume> region;
+    for (const ComparedQuery& query : queries) {
+        const std::vector<AnyVolume> contact =
+            contact_region(query.bodies, *query.header, *query.frame);
+        region.insert(region.end(), contact.begin(), contact.end());
+    }
+    ComparisonFigure figure;
+    const Camera camera = view.camera(region);
+    nlohmann::ordered_json entry = view.index_entry(frames, camera);
+    entry["only_in_one"] = nlohmann::ordered_json::array();
+    for (const std::vector<IndexPair>& pairs : pairs_of_one(queries))
+        entry["only_in_one"].push_back(pairs.size());
+    entry["outlined"] = views[0].pane.outline.ids.size();
+    for (std::size_t i = 0; i < 2; ++i) {
+        views[i].caption = view.labels()[i].caption;
+        views[i].pane.camera = camera;
+    }
+    figure.title = view.title(title);
+    figure.subtitle = view.subtitle(frames[0]->frame);
+    figure.views = std::move(views);
+    figure.center = view.center(region);
+    figure.theme = options.picture.theme();
+    const Picture picture =
+        compose(std::move(figure), *view.layout(), options.picture.width(),
+                options.picture.height(), options.picture.samples, pictures.overlay());
+    const std::string name = view.picture_name(what, frames[0]->frame);
+    pictures.draw(name, picture, std::move(entry));
+    view.tell_pick(pictures, name, frames);
+}
+
+}  // namespace scb

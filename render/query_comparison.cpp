@@ -1,0 +1,135 @@
+#include "render/query_comparison.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "render/ending_colors.h"
+#include "render/heat_figure.h"
+
+namespace scb {
+namespace {
+
+constexpr int number_rows = 6, scale_rows = 4;
+
+/// "+432", "−17", "±0": an exact difference.
+std::string difference_text(std::uint64_t from, std::uint64_t to) {
+    if (from == to) return "±0";
+    return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
+}
+
+/// The counts of both, the second's with what they differ by.
+void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
+                 std::size_t outlined) {
+    const auto lost = pairs_of_one(queries);
+    const auto counts = [&](std::size_t side) {
+        const Collision& found = queries[side].frame->found;
+        return std::array<std::uint64_t, 4>{found.pairs.size(), found.n_v, found.n_p, found.n_u};
+    };
+    const std::array<std::uint64_t, 4> first = counts(0), second = counts(1);
+    constexpr std::array<const char*, 4> names = {"pairs", "N_v", "N_p", "N_u"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        views[0].numbers.emplace_back(PanelRow{names[i], {count_text(first[i]), ""}, {}, i == 0});
+        views[1].numbers.emplace_back(PanelRow{
+            names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        views[side].numbers.emplace_back(
+            PanelRow{"only here", {count_text(lost[side].size()), ""}, {}, !lost[side].empty()});
+        views[side].numbers.emplace_back(PanelRow{"outlined", {count_text(outlined), ""}});
+    }
+}
+
+/// Outlines differences, and adds the numbers.
+void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
+             const Theme& theme) {
+    add_numbers(views, queries, outline_differences(views, theme));
+}
+
+}  // namespace
+
+std::array<std::vector<IndexPair>, 2> pairs_of_one(const ComparedQueries& queries) {
+    const std::vector<IndexPair>&a = queries[0].frame->found.pairs,
+          &b = queries[1].frame->found.pairs;
+    std::array<std::vector<IndexPair>, 2> result;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result[0]));
+    std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(result[1]));
+    return result;
+}
+
+std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries, const PairsStyle& style,
+                                           std::uint32_t first_pair_id) {
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        views[side].pane =
+            pairs_pane(query.bodies, *query.header, *query.frame, style, first_pair_id);
+        views[side].legend = pairs_legend(query.bodies, *query.header, style);
+    }
+    compare(views, queries, *style.theme);
+    if (queries[0].header->options.stop_level >= 0) return views;
+    const auto lost = pairs_of_one(queries);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        for (Segment& segment : contact_segments(query.bodies, *query.frame, 0)) {
+            const IndexPair pair = query.frame->found.pairs[segment.id];
+            if (!std::binary_search(lost[side].begin(), lost[side].end(), pair)) continue;
+            segment.id = 0;
+            segment.color = style.theme->warning;
+            segment.width = 3;
+            segment.on_top = true;
+            for (ComparedView& view : views) view.pane.segments.push_back(segment);
+        }
+        views[side].legend.emplace_back(
+            PanelKey{style.theme->warning, "where only one found pairs"});
+    }
+    return views;
+}
+
+std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
+                                                const RejectionsStyle& style) {
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        const TestTree tree = test_tree(*query.header, *query.frame);
+        const Fronts fronts = fronts_of(query.bodies, *query.frame, tree, style);
+        views[side].pane = rejections_pane(query.bodies, fronts, style);
+        views[side].legend = endings_legend(*query.header, *query.frame, tree);
+        if (style.by == FrontColor::share) views[side].legend.push_back(front_color_key(style));
+    }
+    compare(views, queries, *style.theme);
+    return views;
+}
+
+std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries, HeatOf of,
+                                          std::optional<std::uint32_t> scale_end,
+                                          const Theme& theme) {
+    std::array<Heat, 2> heats;
+    for (std::size_t side = 0; side < 2; ++side)
+        heats[side] = heat_of(queries[side].bodies, *queries[side].frame, of, scale_end);
+    const std::size_t larger = heats[1].most > heats[0].most ? 1 : 0;
+    heats[1 - larger].scale = heats[larger].scale;
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        views[side].pane = heat_pane(queries[side].bodies, heats[side]);
+        views[side].legend = {heat_key(heats[side])};
+    }
+    compare(views, queries, theme);
+    return views;
+}
+
+ComparisonRows compared_pairs_rows() { return {number_rows, 5}; }
+
+ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
+                                        const RejectionsStyle& style) {
+    std::size_t groups = 0;
+    for (const TraceHeader* header : {&a, &b})
+        groups =
+            std::max(groups, ending_groups(endings_of(header->volume, header->options)).size());
+    // The heading, which stands off.
+    const int key = style.by == FrontColor::share ? scale_rows : 0;
+    return {number_rows, static_cast<int>(groups) + 2 + key};
+}
+
+ComparisonRows compared_heat_rows() { return {number_rows, scale_rows}; }
+
+}  // namespace scb
