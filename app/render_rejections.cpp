@@ -89,7 +89,7 @@ struct Shot {
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
         figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
-        figure.chart = endings_chart(source.header(), frame, tree);
+        figure.chart = endings_chart(source.header(), frame, tree, *style.theme);
         figure.theme = style.theme;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
@@ -164,8 +164,8 @@ int run(Options& options, const Console& console) {
             if (stages.frames.size() > 1) {
                 stages.title = view.title("rejections by frame");
                 stages.subtitle = view.subtitle();
-                stages.groups =
-                    ending_groups(endings_of(source.header().volume, source.header().options));
+                stages.groups = ending_groups(
+                    endings_of(source.header().volume, source.header().options), *style.theme);
                 const Picture picture = compose(stages, options.picture.width(),
                                                 options.picture.height(), pictures.overlay());
                 pictures.draw(view.picture_name("rejections_stages"), picture, {{"stages", true}},

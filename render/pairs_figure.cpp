@@ -71,8 +71,9 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
             add_volumes(pane, body, side_of(frame.found.pairs, side),
                         with_opacity(body_color(side), leaf_opacity));
         else if (style.leaves)
-            add_volumes(pane, body, side_of(apart_leaves(frame), side),
-                        with_opacity(ending_color(Ending::triangles_apart), leaf_opacity));
+            add_volumes(
+                pane, body, side_of(apart_leaves(frame), side),
+                with_opacity(ending_color(Ending::triangles_apart, *style.theme), leaf_opacity));
     }
     if (stops_at_level(header)) return pane;
     // A thin line where a body hides it, a strong one where it can be seen.
@@ -112,7 +113,8 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     }
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
     if (style.leaves)
-        items.emplace_back(PanelKey{ending_color(Ending::triangles_apart), "leaves that overlap"});
+        items.emplace_back(
+            PanelKey{ending_color(Ending::triangles_apart, *style.theme), "leaves that overlap"});
     items.emplace_back(
         PanelNote{"strong: triangles that intersect; " +
                   std::string(style.leaves ? "leaves are shown where their triangles do not"

@@ -7,14 +7,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> color_names = {"first", "last", "dominant", "share"};
 
-Rgba8 color_of(const FrontNode& node, FrontColor by) {
+Rgba8 color_of(const FrontNode& node, FrontColor by, const Theme& theme) {
     switch (by) {
         case FrontColor::first:
-            return ending_color(node.first);
+            return ending_color(node.first, theme);
         case FrontColor::last:
-            return ending_color(node.last);
+            return ending_color(node.last, theme);
         case FrontColor::dominant:
-            return ending_color(node.dominant);
+            return ending_color(node.dominant, theme);
         case FrontColor::share:
             break;
     }
@@ -50,9 +50,10 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side)
         for (const FrontNode& node : fronts[side])
-            pane.volumes.push_back({volume_of(bodies[side], node.node),
-                                    with_opacity(color_of(node, style.by), style.opacity),
-                                    bodies[side].first_node_id + node.node});
+            pane.volumes.push_back(
+                {volume_of(bodies[side], node.node),
+                 with_opacity(color_of(node, style.by, *style.theme), style.opacity),
+                 bodies[side].first_node_id + node.node});
     return pane;
 }
 
@@ -68,7 +69,8 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - ended)}});
     items.emplace_back(PanelHeading{"paths that ended"});
-    for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
+    for (const EndingGroup& group :
+         ending_groups(endings_of(header.volume, header.options), *style.theme)) {
         const std::uint64_t count = count_of(group, counts);
         if (count == 0 && group.endings.front() == Ending::left_over) continue;
         items.emplace_back(
@@ -93,11 +95,12 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     return items;
 }
 
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree) {
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                         const Theme& theme) {
     PanelChart chart;
     chart.title = "by depth of the pair";
     const std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options));
+        ending_groups(endings_of(header.volume, header.options), theme);
     for (const EndingCounts& counts : endings_by_depth(frame, tree)) {
         std::vector<BarPart>& row = chart.rows.emplace_back();
         for (const EndingGroup& group : groups)

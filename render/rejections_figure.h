@@ -42,6 +42,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
                                         const Fronts& fronts, const RejectionsStyle& style);
 
 /// How the tests of each depth of pairs ended, as stacked bars.
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree);
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                         const Theme& theme);
 
 }  // namespace scb
