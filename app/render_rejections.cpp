@@ -95,7 +95,7 @@ struct Shot {
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
         figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
-        figure.chart = endings_chart(source.header(), frame, tree);
+        figure.chart = endings_chart(source.header(), frame, tree, *style.theme);
         figure.theme = style.theme;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
@@ -161,8 +161,8 @@ void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
             figure.title += " · " + view.labels()[i].caption;
             name += "_" + view.labels()[i].name;
         }
-        figure.groups = ending_groups(endings_of(header.volume, header.options));
         figure.theme = options.picture.theme();
+        figure.groups = ending_groups(endings_of(header.volume, header.options), *figure.theme);
         const Picture picture =
             compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
         pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);

@@ -5,14 +5,14 @@ namespace {
 
 constexpr Rgba8 grey{0x99, 0x99, 0x99}, blue{0x00, 0x72, 0xB2}, sky{0x56, 0xB4, 0xE9},
     green{0x00, 0x9E, 0x73}, yellow{0xF0, 0xE4, 0x42}, vermillion{0xD5, 0x5E, 0x00},
-    purple{0xCC, 0x79, 0xA7}, black{0x30, 0x30, 0x30};
+    purple{0xCC, 0x79, 0xA7};
 
 struct Look {
     std::string_view label;
     Rgba8 color;
 };
 
-Look look_of(Ending ending) {
+Look look_of(Ending ending, const Theme& theme) {
     switch (ending) {
         case Ending::triangles_apart:
             return {"triangles apart", purple};
@@ -21,7 +21,7 @@ Look look_of(Ending ending) {
         case Ending::found:
             return {"overlap", vermillion};
         case Ending::left_over:
-            return {"left over", black};
+            return {"left over", theme.left_over};
     }
     const auto stage = static_cast<Stage>(ending);
     switch (stage) {
@@ -67,10 +67,10 @@ Look look_of(Ending ending) {
 
 }  // namespace
 
-std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings) {
+std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings, const Theme& theme) {
     std::vector<EndingGroup> groups;
     for (const Ending ending : endings) {
-        const Look look = look_of(ending);
+        const Look look = look_of(ending, theme);
         if (groups.empty() || groups.back().label != look.label)
             groups.push_back({look.label, look.color, {}});
         groups.back().endings.push_back(ending);
@@ -78,7 +78,7 @@ std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings) {
     return groups;
 }
 
-Rgba8 ending_color(Ending ending) { return look_of(ending).color; }
+Rgba8 ending_color(Ending ending, const Theme& theme) { return look_of(ending, theme).color; }
 
 std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts) {
     std::uint64_t sum = 0;

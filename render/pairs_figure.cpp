@@ -38,7 +38,8 @@ void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint3
 void add_keys(std::vector<PanelItem>& items, const PairsStyle& style) {
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
     if (style.leaves)
-        items.emplace_back(PanelKey{ending_color(Ending::triangles_apart), "leaves that overlap"});
+        items.emplace_back(
+            PanelKey{ending_color(Ending::triangles_apart, *style.theme), "leaves that overlap"});
 }
 
 }  // namespace
@@ -77,8 +78,9 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
             add_volumes(pane, body, side_of(frame.found.pairs, side),
                         with_opacity(body_color(side), leaf_opacity));
         else if (style.leaves)
-            add_volumes(pane, body, side_of(apart_leaves(frame), side),
-                        with_opacity(ending_color(Ending::triangles_apart), leaf_opacity));
+            add_volumes(
+                pane, body, side_of(apart_leaves(frame), side),
+                with_opacity(ending_color(Ending::triangles_apart, *style.theme), leaf_opacity));
     }
     if (stops_at_level(header)) return pane;
     // A thin line where a body hides it, a strong one where it can be seen.

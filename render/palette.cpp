@@ -86,7 +86,8 @@ const Theme light_theme = {.background = {255, 255, 255},
                            .faint_text = {96, 103, 112},
                            .mesh = {176, 180, 186},
                            .accent = {0xD5, 0x5E, 0x00},
-                           .warning = {0xB4, 0x00, 0x3C}};
+                           .warning = {0xB4, 0x00, 0x3C},
+                           .left_over = {0x30, 0x30, 0x30}};
 
 const Theme dark_theme = {.background = {22, 25, 30},
                           .panel = {22, 25, 30, 224},
@@ -95,6 +96,7 @@ const Theme dark_theme = {.background = {22, 25, 30},
                           .faint_text = {160, 168, 178},
                           .mesh = {122, 128, 136},
                           .accent = {0xF0, 0xE4, 0x42},
-                          .warning = {0xFF, 0x7A, 0x90}};
+                          .warning = {0xFF, 0x7A, 0x90},
+                          .left_over = {236, 239, 243}};
 
 }  // namespace scb

@@ -47,6 +47,7 @@ struct Theme {
     Rgba8 mesh;        ///< a mesh that is not the subject
     Rgba8 accent;      ///< what the reader should look at first
     Rgba8 warning;     ///< text about what is wrong; always with words that say so
+    Rgba8 left_over;   ///< areas and volumes of what a query had no need to go into
 };
 
 extern const Theme light_theme;

@@ -93,7 +93,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         const TestTree tree = test_tree(*query.header, *query.frame);
         const Fronts fronts = fronts_of(query.bodies, *query.frame, tree, style);
         views[side].pane = rejections_pane(query.bodies, fronts, style);
-        views[side].legend = endings_legend(*query.header, *query.frame, tree);
+        views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
         if (style.by == FrontColor::share) views[side].legend.push_back(front_color_key(style));
     }
     compare(views, queries, *style.theme);
@@ -123,8 +123,9 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
                                         const RejectionsStyle& style) {
     std::size_t groups = 0;
     for (const TraceHeader* header : {&a, &b})
-        groups =
-            std::max(groups, ending_groups(endings_of(header->volume, header->options)).size());
+        groups = std::max(
+            groups,
+            ending_groups(endings_of(header->volume, header->options), *style.theme).size());
     // The heading, which stands off.
     const int key = style.by == FrontColor::share ? scale_rows : 0;
     return {number_rows, static_cast<int>(groups) + 2 + key};

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> color_names = {"first", "last", "dominant", "share"};
 
-Rgba8 color_of(const FrontNode& node, FrontColor by) {
+Rgba8 color_of(const FrontNode& node, FrontColor by, const Theme& theme) {
     switch (by) {
         case FrontColor::first:
-            return ending_color(node.first);
+            return ending_color(node.first, theme);
         case FrontColor::last:
-            return ending_color(node.last);
+            return ending_color(node.last, theme);
         case FrontColor::dominant:
-            return ending_color(node.dominant);
+            return ending_color(node.dominant, theme);
         case FrontColor::share:
             break;
     }
@@ -52,9 +52,10 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side)
         for (const FrontNode& node : fronts[side])
-            pane.volumes.push_back({volume_of(bodies[side], node.node),
-                                    with_opacity(color_of(node, style.by), style.opacity),
-                                    bodies[side].first_node_id + node.node});
+            pane.volumes.push_back(
+                {volume_of(bodies[side], node.node),
+                 with_opacity(color_of(node, style.by, *style.theme), style.opacity),
+                 bodies[side].first_node_id + node.node});
     return pane;
 }
 
@@ -69,13 +70,14 @@ PanelItem front_color_key(const RejectionsStyle& style) {
 }
 
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TestTree& tree) {
+                                      const TestTree& tree, const Theme& theme) {
     const EndingCounts counts = ending_counts(frame, tree);
     const auto ended =
         static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
     std::vector<PanelItem> items;
     items.emplace_back(PanelHeading{"paths that ended"});
-    for (const EndingGroup& group : ending_groups(endings_of(header.volume, header.options))) {
+    for (const EndingGroup& group :
+         ending_groups(endings_of(header.volume, header.options), theme)) {
         const std::uint64_t count = count_of(group, counts);
         if (count == 0 && group.endings.front() == Ending::left_over) continue;
         items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
@@ -94,7 +96,8 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - ended)}});
-    for (PanelItem& item : endings_legend(header, frame, tree)) items.push_back(std::move(item));
+    for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
+        items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
     const auto shown = [&](std::size_t side) {
         return style.sides[side] ? count_text(fronts[side].size()) : std::string("–");
@@ -105,11 +108,12 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     return items;
 }
 
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree) {
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                         const Theme& theme) {
     PanelChart chart;
     chart.title = "by depth of the pair";
     const std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options));
+        ending_groups(endings_of(header.volume, header.options), theme);
     for (const EndingCounts& counts : endings_by_depth(frame, tree)) {
         std::vector<BarPart>& row = chart.rows.emplace_back();
         for (const EndingGroup& group : groups)

@@ -37,7 +37,7 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts, const Reje
 
 /// The query's endings with their counts and shares.
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TestTree& tree);
+                                      const TestTree& tree, const Theme& theme);
 
 /// What the color of a node tells.
 PanelItem front_color_key(const RejectionsStyle& style);
@@ -49,6 +49,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
                                         const Fronts& fronts, const RejectionsStyle& style);
 
 /// How the tests of each depth of pairs ended, as stacked bars.
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree);
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                         const Theme& theme);
 
 }  // namespace scb

@@ -85,15 +85,6 @@ int draw_numbers(Overlay& overlay, const PixelRect& rect, const std::vector<Numb
     return y + unit * 5 / 4;
 }
 
-/// The groups of a query's endings, in colors for the theme.
-std::vector<EndingGroup> groups_of(const TraceHeader& header, const Theme& theme) {
-    std::vector<EndingGroup> groups = ending_groups(endings_of(header.volume, header.options));
-    // Their dark color would be that of divided pairs on a dark background.
-    for (EndingGroup& group : groups)
-        if (group.endings.front() == Ending::left_over) group.color = theme.text;
-    return groups;
-}
-
 /// A color of the icicle, what it means, and how many tests had that outcome.
 struct Key {
     std::string label;
@@ -219,7 +210,8 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     const int unit = layout.unit, margin = layout.heading.x, inside = width - 2 * margin;
     const TestTree tree = test_tree(header, frame);
     const DepthMatrix matrix = depth_matrix(frame.events);
-    const std::vector<EndingGroup> groups = groups_of(header, theme);
+    const std::vector<EndingGroup> groups =
+        ending_groups(endings_of(header.volume, header.options), theme);
 
     overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);

@@ -20,6 +20,14 @@ struct Drawing {
     Renderer renderer{context};
 };
 
+/// Two triangles in the plane y = 0: the lower right and the upper left half, seen from -y.
+inline Mesh quad() {
+    Mesh mesh;
+    mesh.vertices = {Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(1, 0, 1), Vec3(-1, 0, 1)};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
 /// A picture of one pane that shows the volumes, with ids 1, 2, ... and the colors of categories.
 inline Picture picture_of(const std::vector<AnyVolume>& volumes, int width, int height,
                           int samples) {
