@@ -29,7 +29,8 @@ ComparisonLayout::Side lay_out_side(const PixelRect& cell, int unit, ComparisonR
                        end - y};
     } else {
         side.numbers = {cell.x, y, cell.width, std::min(numbers, end - y)};
-        side.legend = {cell.x, y + numbers, cell.width, std::max(0, end - y - numbers)};
+        const int below_numbers = std::min(y + numbers, end);
+        side.legend = {cell.x, below_numbers, cell.width, end - below_numbers};
     }
     return side;
 }
