@@ -76,16 +76,13 @@ Picture compose(ComparisonFigure figure, const ComparisonLayout& layout, int wid
     heading.heading = layout.heading;
     draw_heading(overlay, heading, theme, figure.title, figure.subtitle);
     const TextStyle caption{unit, FontWeight::bold, theme.text};
-    const TextStyle remark{unit, FontWeight::bold, theme.accent};
     for (std::size_t i = 0; i < 2; ++i) {
         ComparedView& view = figure.views[i];
         const ComparisonLayout::Side& side = layout.sides[i];
         overlay.rectangle({side.caption.x, side.caption.y, side.caption.width, 1}, theme.border);
         overlay.text(side.caption.x, side.caption.y + unit / 4,
                      fitted_text(overlay, view.caption, caption, side.caption.width), caption);
-        if (!view.remark.empty())
-            overlay.text(side.view.x, side.view.y,
-                         fitted_text(overlay, view.remark, remark, side.view.width), remark);
+        draw_remark(overlay, side.view, view.remark, theme, unit);
         if (i == 0)
             draw_scale_bar(overlay, side.view, view.pane.camera, figure.center, theme, unit);
         draw_side_panel(overlay, side.numbers, theme, unit, view.numbers);

@@ -107,6 +107,17 @@ void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camer
                    scale, {theme, unit});
 }
 
+void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,
+                 const Theme& theme, int unit) {
+    if (remark.empty()) return;
+    const TextStyle style{unit, FontWeight::bold, theme.accent};
+    const std::string text = fitted_text(overlay, remark, style, view.width);
+    const TextSize size = overlay.measure(text, style);
+    overlay.rectangle({view.x, view.y, std::min(view.width, size.width + unit / 4), size.height},
+                      theme.panel);
+    overlay.text(view.x, view.y, text, style);
+}
+
 std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
                                    double radius) {
     if (!(-to_eye(camera, center)[2] > 0)) return std::nullopt;

@@ -49,6 +49,10 @@ std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
                     const Theme& theme, int unit);
 
+/// A sentence at the top left of a view, in the color of what to look at first, on a panel.
+void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,
+                 const Theme& theme, int unit);
+
 /// Where a ball about `center` appears in the view: the square around it, or nothing where it is
 /// behind the eye or outside.
 std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,

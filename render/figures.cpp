@@ -116,12 +116,18 @@ PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, doub
     std::snprintf(label, sizeof label, "%g", value);
 
     const int end = std::max(4, style.unit / 3), thickness = std::max(1, style.unit / 10);
+    // Legible in front of any subject.
+    const int label_width = overlay.measure(label, body(style)).width, edge = style.unit / 4;
+    const int left = std::min(x, x + (width - label_width) / 2) - edge;
+    const PixelRect panel{left, y - end - line_height(style) - edge, 2 * (x - left) + width,
+                          end + line_height(style) + 2 * edge};
+    overlay.rectangle(panel, style.theme.panel);
     overlay.rectangle({x, y - end / 2 - thickness, width, thickness}, style.theme.text);
     overlay.rectangle({x, y - end, thickness, end}, style.theme.text);
     overlay.rectangle({x + width - thickness, y - end, thickness, end}, style.theme.text);
     const PixelRect text = write(overlay, x + width / 2, y - end - line_height(style), label,
                                  aligned(body(style), Align::center));
-    return together({x, y - end, width, end}, text);
+    return together(panel, text);
 }
 
 }  // namespace scb

@@ -63,11 +63,7 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
                                           std::max(marker.radius, least)))
             overlay.frame(*square, theme.accent, std::max(2, layout.unit / 8));
     }
-    if (!figure.remark.empty()) {
-        const TextStyle style{layout.unit, FontWeight::bold, theme.accent};
-        overlay.text(layout.view.x, layout.view.y,
-                     fitted_text(overlay, figure.remark, style, layout.view.width), style);
-    }
+    draw_remark(overlay, layout.view, figure.remark, theme, layout.unit);
     figure.pane.viewport = layout.view;
     picture.panes.push_back(std::move(figure.pane));
     return picture;
