@@ -124,6 +124,7 @@ int run(const Options& options, const Console& console) {
         throw InputError("--json and --csv exclude each other; give one of them.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", query.scene);
     if (options.first) query.options.max_pairs = 1;
     note_doubts(options.scene, options.query, {query.kind}, console);
 

@@ -47,6 +47,7 @@ int run(const Options& options, const Console& console) {
                          ": a file holds one kind; give one.");
     check_output(options.output, "-o", options.scene);
     const Scene scene = options.scene.load();
+    check_output(options.output, "-o", scene);
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies = build_topologies(scene);
     const std::vector<int> levels = parse_levels(options.level, deepest(topologies), "--level");

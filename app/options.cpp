@@ -22,6 +22,14 @@ bool parses_as(const std::string& text) {
     return parsed.ec == std::errc() && parsed.ptr == end;
 }
 
+void refuse_same_file(const std::string& output, const std::string& option,
+                      const std::filesystem::path& input) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(output, input, ignored))
+        throw InputError(option + " " + output +
+                         ": the scene is read from this file; name another.");
+}
+
 }  // namespace
 
 Scene SceneOptions::load() const {
@@ -64,15 +72,17 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     return result;
 }
 
+void check_output(const std::string& path, const std::string& option, const Scene& scene) {
+    for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
+}
+
 void check_output(const std::string& path, const std::string& option, const SceneOptions& scene) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
     for (const std::string& name : scene.names)
         for (const std::filesystem::path& folder :
              {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
-            if (std::filesystem::equivalent(path, folder / name, ignored))
-                throw InputError(option + " " + path +
-                                 ": the scene is read from this file; name another.");
+            refuse_same_file(path, option, folder / name);
     // Before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";

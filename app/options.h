@@ -31,6 +31,9 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names);
 /// OutputError where there cannot be such a file.
 void check_output(const std::string& path, const std::string& option, const SceneOptions& scene);
 
+/// Throws InputError where a mesh of the scene was read from `path`: a scene file may name any.
+void check_output(const std::string& path, const std::string& option, const Scene& scene);
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);
 
 /// How hierarchies are fitted.

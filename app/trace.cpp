@@ -38,6 +38,7 @@ int record(const Options& options, const Console& console) {
                          " prints a trace that exists; record it first, then give its file.");
     check_output(options.output, "-o", options.scene);
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    check_output(options.output, "-o", query.scene);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;

@@ -78,7 +78,7 @@ fs::path find_mesh(const std::string& name, const fs::path& models_dir) {
 Scene one_mesh(const std::string& name, const fs::path& file) {
     Scene scene;
     scene.name = file_name_of(stem(name));
-    scene.meshes.push_back({stem(name), load_mesh(file)});
+    scene.meshes.push_back({stem(name), load_mesh(file), file});
     scene.bodies.push_back({stem(name), 0, {}});
     return scene;
 }
@@ -93,7 +93,7 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     Scene scene = one_mesh(first, first_file);
     std::error_code ignored;
     const bool same_file = fs::equivalent(first_file, second_file, ignored);
-    if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file)});
+    if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file), second_file});
     scene.name = file_name_of(stem(first) + "-" + stem(second));
     scene.bodies[0].name = "A";
     scene.bodies.push_back({"B", scene.meshes.size() - 1, {}});

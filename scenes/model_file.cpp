@@ -83,18 +83,18 @@ void check_counts(const Mesh& mesh, const fs::path& path, const Expected& expect
 
 }  // namespace
 
-Mesh read_model_file(const JsonPlace& model, const SceneContext& context) {
-    const JsonPlace file = field(model, "file");
-    const Expected expected = read_expected(model);
+NamedMesh read_model_file(const JsonPlace& place, const SceneContext& context) {
+    const JsonPlace file = field(place, "file");
+    const Expected expected = read_expected(place);
     const fs::path path = find_file(file, expected, context);
-    Mesh mesh;
+    NamedMesh model{"", {}, path};
     try {
-        mesh = load_mesh(path);
+        model.mesh = load_mesh(path);
     } catch (const InputError& error) {
         refuse(file, error.what());
     }
-    check_counts(mesh, path, expected, file);
-    return mesh;
+    check_counts(model.mesh, path, expected, file);
+    return model;
 }
 
 }  // namespace scb

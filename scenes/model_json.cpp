@@ -142,7 +142,7 @@ void store_rotated(Mesh& mesh, const JsonPlace& place) {
     for (Vec3& v : mesh.vertices) v = rotate(back, v);
 }
 
-Mesh read_source(const JsonPlace& place, const SceneContext& context) {
+NamedMesh read_source(const JsonPlace& place, const SceneContext& context) {
     const Shape* chosen = nullptr;
     int sources = has(place, "file") ? 1 : 0;
     for (const Shape& shape : shapes) {
@@ -163,7 +163,7 @@ Mesh read_source(const JsonPlace& place, const SceneContext& context) {
     const JsonPlace shape = field(place, chosen->field);
     // The readers refuse with the place in front already, the makers of meshes without.
     try {
-        return chosen->read(shape);
+        return {"", chosen->read(shape)};
     } catch (const InputError& error) {
         const std::string sentence = error.what();
         if (sentence.rfind(shape.file + ": ", 0) == 0) throw;
@@ -177,7 +177,9 @@ NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
     check_fields(place, {"name", "file", "vertices", "triangles", "published", "icosphere",
                          "torus_knot", "box", "plane", "cone", "cylinder", "soup", "normalize",
                          "scale", "stored_rotation"});
-    NamedMesh model{read_plain_text(field(place, "name")), read_source(place, context)};
+    std::string name = read_plain_text(field(place, "name"));
+    NamedMesh model = read_source(place, context);
+    model.name = std::move(name);
     if (has(place, "normalize")) {
         const JsonPlace normalize = field(place, "normalize");
         if (read_text(normalize) != "unit-box") refuse_value(normalize, "\"unit-box\"");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ inline constexpr int most_frames = 1'000'000;
 struct NamedMesh {
     std::string name;
     Mesh mesh;
+    std::filesystem::path file{};  ///< that it was read from; empty where it was made by formula
 };
 
 /// A mesh that moves.

@@ -202,10 +202,17 @@ TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
     const TemporaryFolder folder;
     const std::string mesh = folder / "m.off", bytes = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     write_text(mesh, bytes);
-    const ProgramRun run = run_scb("collide " + mesh + " " + mesh + " --pairs-out " + mesh);
-    EXPECT_EQ(run.status, 2);
-    EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
-    EXPECT_EQ(file_text(mesh), bytes);
+    const std::string scene = folder / "s.json";
+    write_text(scene, R"({"scb_scene": 1, "name": "s", "models": [{"name": "m", "file": "m.off"}],
+        "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})");
+    for (const std::string& arguments :
+         {"collide " + mesh + " " + mesh + " --pairs-out ", "collide " + scene + " --pairs-out ",
+          "trace " + scene + " -o ", "export " + scene + " --level 0 -o "}) {
+        const ProgramRun run = run_scb(arguments + mesh);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_EQ(file_text(mesh), bytes);
+    }
 }
 
 }  // namespace
