@@ -48,7 +48,7 @@ TEST(OverlapSoundness, NoSoundFormRejectsAnOverlap) {
                 << overlap_test_name(test) << ", " << scb_pair_families[k].name << ", the first:\n"
                 << to_text(
                        tally.wrongly_rejected[static_cast<std::size_t>(test)].value_or(ScbPair{}));
-        undecided += count(tally, Contact::undecided);
+        undecided += count(tally, Contact::touching);
         overlapping += count(tally, Contact::overlapping);
         disjoint += count(tally, Contact::disjoint);
     }

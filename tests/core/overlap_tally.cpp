@@ -29,11 +29,11 @@ double processor_seconds() {
 
 void ask_exact_test(std::span<Drawn> batch, OverlapTally& tally) {
     const double start = processor_seconds();
-    for (Drawn& d : batch) d.proof = exact_overlap(d.pair.a, d.b_in_a);
+    for (Drawn& d : batch) d.proof = exact_overlap(d.pair.a, d.b_in_a, 1e-13);
     tally.exact_seconds += processor_seconds() - start;
     for (const Drawn& d : batch)
         tally.unproven +=
-            d.proof.contact != Contact::undecided && !verify(d.pair.a, d.b_in_a, d.proof);
+            d.proof.contact != Contact::touching && !verify(d.pair.a, d.b_in_a, d.proof);
 }
 
 void ask_test(OverlapTest test, std::span<Drawn> batch, OverlapTally& tally) {
@@ -125,7 +125,7 @@ void print_tally_header() {
 void print_tally(std::string_view name, const OverlapTally& tally) {
     const std::uint64_t overlapping = count(tally, Contact::overlapping),
                         disjoint = count(tally, Contact::disjoint),
-                        undecided = count(tally, Contact::undecided),
+                        undecided = count(tally, Contact::touching),
                         all = overlapping + disjoint + undecided;
     const auto nanoseconds = [&](double seconds) {
         return all == 0 ? 0 : 1e9 * seconds / static_cast<double>(all);

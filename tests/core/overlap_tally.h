@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "core/exact_overlap.h"
 #include "core/overlap.h"
-#include "tests/core/exact_scb_overlap.h"
 #include "tests/core/random_scb_pairs.h"
 
 namespace scb {

@@ -1,4 +1,4 @@
-#include "tests/core/exact_scb_overlap.h"
+#include "core/exact_overlap.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,15 @@ constexpr int many = 2000;
 constexpr int many = 112000;
 #endif
 
+// Narrower than what counts as touching by default: what the search can tell.
+constexpr double strict = 1e-13;
+
 Scb ball(const Vec3& c, double r) { return {c, r, Vec3::UnitZ(), r, -r}; }
 Scb disc(const Vec3& c, double r, const Vec3& n) { return {c, r, n, 0, 0}; }
 
 Contact verdict(const Scb& a, const Scb& b) {
-    const ContactProof proof = exact_overlap(a, b);
-    EXPECT_TRUE(proof.contact == Contact::undecided || verify(a, b, proof)) << proof.margin;
+    const ContactProof proof = exact_overlap(a, b, strict);
+    EXPECT_TRUE(proof.contact == Contact::touching || verify(a, b, proof)) << proof.margin;
     return proof.contact;
 }
 
@@ -31,7 +34,7 @@ Contact verdict(const Scb& a, const Scb& b) {
 void expect_contact(const Scb& a, Scb b, const Vec3& contact, const Vec3& outward) {
     for (const double gap : {1e-11, 1e-9, 1e-6, 1e-3}) {
         b.c = contact + gap * outward;
-        const ContactProof apart = exact_overlap(a, b);
+        const ContactProof apart = exact_overlap(a, b, strict);
         EXPECT_EQ(apart.contact, Contact::disjoint) << gap;
         EXPECT_TRUE(verify(a, b, apart)) << gap;
         EXPECT_NEAR(apart.margin, gap, 1e-14 + 1e-6 * gap);
@@ -39,7 +42,7 @@ void expect_contact(const Scb& a, Scb b, const Vec3& contact, const Vec3& outwar
         EXPECT_EQ(verdict(a, b), Contact::overlapping) << gap;
     }
     b.c = contact;
-    EXPECT_EQ(verdict(a, b), Contact::undecided);
+    EXPECT_EQ(verdict(a, b), Contact::touching);
 }
 
 struct FramedPair {
@@ -85,7 +88,7 @@ TEST(ExactScbOverlap, KnowsFlatDiscsInParallelPlanes) {
     EXPECT_EQ(verdict(a, disc(Vec3(0, 0, 1e-12), 1, Vec3::UnitZ())), Contact::disjoint);
     EXPECT_EQ(verdict(a, disc(Vec3(0, 2 + 1e-12, 0), 1, -Vec3::UnitZ())), Contact::disjoint);
     // In one plane they only touch: the least move parts them.
-    EXPECT_EQ(verdict(a, disc(Vec3(0, 0.5, 0), 1, Vec3::UnitZ())), Contact::undecided);
+    EXPECT_EQ(verdict(a, disc(Vec3(0, 0.5, 0), 1, Vec3::UnitZ())), Contact::touching);
 }
 
 TEST(ExactScbOverlap, KnowsThinSlabsThatAreNearlyParallel) {
@@ -112,12 +115,12 @@ TEST(ExactScbOverlap, TakesPointsAndPoles) {
     EXPECT_EQ(verdict(point, a), Contact::overlapping);
     EXPECT_EQ(verdict(a, ball(Vec3(0, 0, 0.6), 0)), Contact::disjoint);
     EXPECT_EQ(verdict(ball(Vec3(0, 0, 0.6), 0), a), Contact::disjoint);
-    EXPECT_EQ(verdict(point, point), Contact::undecided);
+    EXPECT_EQ(verdict(point, point), Contact::touching);
     EXPECT_EQ(verdict(point, ball(Vec3(1, 0, 0), 0)), Contact::disjoint);
     // All that is left of the ball is the pole: no point is both in the ball and on the plane but
     // by rounding, so nothing is proven.
     const Scb pole{Vec3(0, 0, 1.2), 1, Vec3::UnitZ(), -1, -1};
-    EXPECT_EQ(verdict(a, pole), Contact::undecided);
+    EXPECT_EQ(verdict(a, pole), Contact::touching);
     EXPECT_EQ(verdict(a, {Vec3(0, 0, 1.6), 1, Vec3::UnitZ(), -1, -1}), Contact::disjoint);
 }
 
@@ -127,8 +130,8 @@ TEST(ExactScbOverlap, ProvesNearlyEveryPair) {
         Random random(7);
         for (int i = 0; i < many; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
-            const ContactProof proof = exact_overlap(p.a, p.b);
-            if (proof.contact == Contact::undecided) {
+            const ContactProof proof = exact_overlap(p.a, p.b, strict);
+            if (proof.contact == Contact::touching) {
                 ++undecided;
                 continue;
             }
@@ -152,7 +155,7 @@ TEST(ExactScbOverlap, AgreesWithSamples) {
     for (const ScbPairFamily& family : scb_pair_families)
         for (int i = 0; i < std::max(many / 500, 40); ++i) {
             const FramedPair p = random_pair(random, family);
-            const Contact found = exact_overlap(p.a, p.b).contact;
+            const Contact found = exact_overlap(p.a, p.b, strict).contact;
             for (int k = 0; k < 200; ++k) {
                 const Scb& from = p.a.r < p.b.r ? p.a : p.b;
                 const Vec3 x = from.c + from.r * random_point(random);
@@ -184,15 +187,16 @@ TEST(ExactScbOverlap, IsInvariant) {
             const FramedPair p = random_pair(random, family);
             const Pose pose = random_pose(random);
             const double factor = log_uniform(random, 1e-6, 1e6);
-            const Contact found = exact_overlap(p.a, p.b).contact;
+            const Contact found = exact_overlap(p.a, p.b, strict).contact;
             for (const Contact other :
-                 {exact_overlap(p.b, p.a).contact, exact_overlap(flipped(p.a), p.b).contact,
-                  exact_overlap(p.a, flipped(p.b)).contact,
-                  exact_overlap(moved(pose, p.a), moved(pose, p.b)).contact,
-                  exact_overlap(scaled(p.a, factor), scaled(p.b, factor)).contact}) {
+                 {exact_overlap(p.b, p.a, strict).contact,
+                  exact_overlap(flipped(p.a), p.b, strict).contact,
+                  exact_overlap(p.a, flipped(p.b), strict).contact,
+                  exact_overlap(moved(pose, p.a), moved(pose, p.b), strict).contact,
+                  exact_overlap(scaled(p.a, factor), scaled(p.b, factor), strict).contact}) {
                 if (other == found) continue;
                 ++changed;
-                ASSERT_TRUE(other == Contact::undecided || found == Contact::undecided)
+                ASSERT_TRUE(other == Contact::touching || found == Contact::touching)
                     << family.name << " pair " << i;
             }
         }
@@ -214,7 +218,7 @@ TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
                 for (const double side : {-1.0, 1.0}) {
                     Scb away = p.b;
                     away.c += 0.999 * side * depth * d;
-                    ASSERT_NE(exact_overlap(p.a, away).contact, Contact::disjoint)
+                    ASSERT_NE(exact_overlap(p.a, away, strict).contact, Contact::disjoint)
                         << family.name << " pair " << i;
                 }
         }
@@ -260,7 +264,7 @@ TEST(ScbContactProof, IsRefusedWhereItDoesNotHold) {
     EXPECT_TRUE(verify(a, close, {Contact::overlapping, up, 0.75 * up, 0.5}));
     EXPECT_FALSE(verify(a, close, {Contact::overlapping, up, 0.75 * up, 0.51}));
     EXPECT_FALSE(verify(a, close, {Contact::overlapping, up, 1.1 * up, 0.1}));
-    EXPECT_FALSE(verify(a, close, {Contact::undecided, up, 0.75 * up, 0.5}));
+    EXPECT_FALSE(verify(a, close, {Contact::touching, up, 0.75 * up, 0.5}));
     // A direction of no length.
     EXPECT_FALSE(verify(a, apart, {Contact::disjoint, Vec3::Zero(), Vec3::Zero(), 0.5}));
 }

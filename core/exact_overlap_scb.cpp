@@ -1,4 +1,4 @@
-#include "tests/core/exact_scb_overlap.h"
+#include "core/exact_overlap.h"
 
 #include <algorithm>
 #include <cmath>

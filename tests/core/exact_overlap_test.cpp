@@ -1,0 +1,151 @@
+#include "core/exact_overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/overlap.h"
+#include "tests/core/random_scb_pairs.h"
+
+namespace scb {
+namespace {
+
+#ifdef SCB_SANITIZED
+constexpr int many = 2000;
+#else
+constexpr int many = 50000;
+#endif
+
+Obb random_box(Random& random) {
+    const Pose pose = random_pose(random);
+    Obb box{pose.translation, pose.rotation, Vec3::Zero()};
+    for (int i = 0; i < 3; ++i)
+        box.half[i] = random.below(8) == 0 ? 0 : log_uniform(random, 1e-3, 1);
+    return box;
+}
+
+Ball random_ball(Random& random) {
+    return {random_pose(random).translation,
+            random.below(8) == 0 ? 0 : log_uniform(random, 1e-3, 1)};
+}
+
+/// B moved so that the gap along the best direction found is near nothing, or by `gap`.
+template <class V>
+V moved_to_contact(const V& a, V b, double gap) {
+    // A step along the separating direction changes the gap by the step at most, so a few come
+    // close to where the two touch.
+    for (int i = 0; i < 30; ++i) {
+        const ContactProof proof = exact_overlap(a, b);
+        if (proof.contact == Contact::disjoint) b.center -= proof.margin * proof.direction;
+        if (proof.contact != Contact::disjoint) break;
+    }
+    const Vec3 direction = (b.center - a.center).normalized();
+    b.center += gap * direction;
+    return b;
+}
+
+template <class V>
+void expect_proven(const V& a, const V& b) {
+    const ContactProof proof = exact_overlap(a, b);
+    const Stage stage = overlap(a, b, Pose{});
+    if (proof.contact == Contact::disjoint) {
+        EXPECT_TRUE(verify(a, b, proof));
+        EXPECT_NE(stage, Stage::overlapping) << "the test of these volumes is exact";
+    } else if (proof.contact == Contact::overlapping) {
+        EXPECT_TRUE(verify(a, b, proof));
+        EXPECT_EQ(stage, Stage::overlapping) << "the test of these volumes is exact";
+    }
+}
+
+TEST(ExactOverlap, OfBoxesAgreesWithTheFifteenAxesAndProvesIt) {
+    Random random(1);
+    int counts[3] = {};
+    for (int i = 0; i < many; ++i) {
+        const Obb a = random_box(random);
+        Obb b = random_box(random);
+        b.center = a.center + 2 * random.uniform() * (b.center - a.center);
+        if (i % 2 == 0) {
+            const double gap = log_uniform(random, 1e-8, 1e-3);
+            b = moved_to_contact(a, b, i % 4 == 0 ? gap : -gap);
+        }
+        expect_proven(a, b);
+        ++counts[static_cast<int>(exact_overlap(a, b).contact)];
+    }
+    for (const Contact contact : {Contact::disjoint, Contact::overlapping})
+        EXPECT_GT(counts[static_cast<int>(contact)], many / 10);
+    EXPECT_LT(counts[static_cast<int>(Contact::touching)], many / 20);
+}
+
+TEST(ExactOverlap, OfBallsAgreesWithTheirTestAndProvesIt) {
+    Random random(2);
+    int counts[3] = {};
+    for (int i = 0; i < many; ++i) {
+        const Ball a = random_ball(random);
+        Ball b = random_ball(random);
+        b.center = a.center + random.uniform() * (b.center - a.center);
+        if (i % 2 == 0) {
+            const double gap = log_uniform(random, 1e-8, 1e-3);
+            b = moved_to_contact(a, b, i % 4 == 0 ? gap : -gap);
+        }
+        expect_proven(a, b);
+        ++counts[static_cast<int>(exact_overlap(a, b).contact)];
+    }
+    for (const Contact contact : {Contact::disjoint, Contact::overlapping})
+        EXPECT_GT(counts[static_cast<int>(contact)], many / 10);
+}
+
+TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
+    const Obb unit{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(1)};
+    for (const Vec3& at : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 2, 2), Vec3(0, -2, 0.3)}) {
+        EXPECT_EQ(exact_overlap(unit, Obb{at, unit.axes, unit.half}).contact, Contact::touching);
+        EXPECT_EQ(exact_overlap(unit, Obb{at * (1 + 1e-7), unit.axes, unit.half}).contact,
+                  Contact::disjoint);
+        EXPECT_EQ(exact_overlap(unit, Obb{at * (1 - 1e-7), unit.axes, unit.half}).contact,
+                  Contact::overlapping);
+    }
+    // Two flat boxes that cross, though no ball fits into either.
+    const Obb flat{Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0)},
+        upright{Vec3::Zero(), Mat3::Identity(), Vec3(0, 0.5, 0.5)};
+    const ContactProof proof = exact_overlap(flat, upright);
+    EXPECT_EQ(proof.contact, Contact::overlapping);
+    EXPECT_TRUE(verify(flat, upright, proof));
+}
+
+TEST(SharpenedProof, IsTheDistanceOrTheDepthOfBalls) {
+    const Ball a{Vec3(1, 2, 3), 1}, apart{Vec3(1, 2, 6), 1.5}, close{Vec3(1, 2, 5), 1.5};
+    const ContactProof gap =
+        sharpened(a, apart, {Contact::disjoint, Vec3(0.3, 0, 1).normalized(), Vec3::Zero(), 0.01});
+    EXPECT_NEAR(gap.margin, 0.5, 1e-9);
+    EXPECT_TRUE(verify(a, apart, gap));
+    const ContactProof depth = sharpened(a, close, exact_overlap(a, close));
+    EXPECT_NEAR(depth.margin, 0.5, 1e-9);
+    EXPECT_TRUE(verify(a, close, depth));
+}
+
+TEST(SharpenedProof, IsNeverWorseAndStillProven) {
+    Random random(3);
+    int distances = 0, close = 0;
+    for (const ScbPairFamily& family : scb_pair_families)
+        for (int i = 0; i < 30; ++i) {
+            const ScbPair pair = random_scb_pair(random, family);
+            const Scb b = moved(pair.b_to_a, pair.b);
+            const ContactProof proof = exact_overlap(pair.a, b),
+                               better = sharpened(pair.a, b, proof);
+            EXPECT_EQ(better.contact, proof.contact);
+            if (proof.contact == Contact::touching) continue;
+            EXPECT_GE(better.margin, proof.margin);
+            EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
+            if (family.near_contact && pair.gap > 0 && proof.contact == Contact::disjoint) {
+                EXPECT_LE(better.margin, pair.gap * (1 + 1e-9) + 1e-13);
+                ++distances;
+                close += better.margin >= 0.98 * pair.gap - 1e-13;
+            }
+        }
+    // Not where the two are thin, nearly parallel and nearly touch.
+    EXPECT_GE(close, distances * 9 / 10);
+    EXPECT_GT(distances, 50);
+}
+
+}  // namespace
+}  // namespace scb
