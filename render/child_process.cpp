@@ -89,6 +89,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     settings.give(said_.descriptor(), STDOUT_FILENO);
     settings.give(said_.descriptor(), STDERR_FILENO);
     settings.give(output.descriptor(), output_descriptor);
+    posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given);
     ::close(sockets[1]);
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
