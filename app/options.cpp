@@ -76,7 +76,8 @@ void check_output(const std::string& path, const std::string& option, const Scen
     for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
 }
 
-void check_output(const std::string& path, const std::string& option, const SceneOptions& scene) {
+void check_output(const std::string& path, const std::string& option, const SceneOptions& scene,
+                  const std::string& folder_to_make) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
     for (const std::string& name : scene.names)
@@ -86,7 +87,14 @@ void check_output(const std::string& path, const std::string& option, const Scen
     // Before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";
-    if (!std::filesystem::is_directory(parent, ignored))
+    const auto folder_of = [](const std::filesystem::path& file) {
+        std::error_code none;
+        return std::filesystem::weakly_canonical(file, none).parent_path();
+    };
+    const bool will_be_made =
+        !folder_to_make.empty() &&
+        folder_of(std::filesystem::path(folder_to_make) / "file") == folder_of(parent / "file");
+    if (!will_be_made && !std::filesystem::is_directory(parent, ignored))
         throw OutputError(option + " " + path + ": there is no folder " + parent.string() +
                           "; create it first.");
     if (std::filesystem::is_directory(path, ignored) || path.back() == '/')

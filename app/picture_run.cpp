@@ -16,12 +16,17 @@ PictureRun::PictureRun(const PictureOptions& options)
     // An index of other pictures must not stand beside these if this run does not finish.
     std::error_code ignored;
     std::filesystem::remove(folder_ / "index.json", ignored);
+    if (options.video.wanted())
+        video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
+                       options.theme()->background);
 }
 
-void PictureRun::draw(const std::string& name, const Picture& picture, Json entry, bool with_ids) {
+void PictureRun::draw(const std::string& name, const Picture& picture, Json entry,
+                      bool of_sequence) {
     Rendering rendering =
-        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && with_ids);
+        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && of_sequence);
     Json files = {{"file", name + ".png"}};
+    if (video_ && of_sequence) video_->push(rendering.image);
     queue_.push(folder_ / (name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
@@ -41,6 +46,11 @@ std::uint32_t PictureRun::id_at(int x, int y) const {
 
 void PictureRun::finish(Json head) {
     queue_.finish();
+    const bool with_video = video_ && video_->frames() > 0;
+    if (with_video) {
+        video_->finish();
+        head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
+    }
     Json versions_json;
     const GlInfo info = context_.info();
     for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
@@ -52,6 +62,7 @@ void PictureRun::finish(Json head) {
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    if (with_video) list += options_.video.file + "\n";
     print_result(options_.json ? text : said_ + list);
 }
 

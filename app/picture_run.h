@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "render/encode_queue.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
+#include "render/video_file.h"
 
 namespace scb {
 
@@ -25,19 +27,21 @@ class PictureRun {
     const Context& context() const { return context_; }
     Overlay& overlay() { return overlay_; }
 
-    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; with ids, and
-    /// as NAME_ids.png, where that was asked for and `with_ids` says that it has some. `entry` is
-    /// what the index says of it beside the file names.
+    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; and, where it
+    /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, and as a frame of
+    /// the video, each where that was asked for. `entry` is what the index says of it beside the
+    /// file names.
     void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
-              bool with_ids = true);
+              bool of_sequence = true);
 
     /// Notes a line that is printed before the file names.
     void say(std::string line) { said_ += std::move(line) + "\n"; }
     /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
     std::uint32_t id_at(int x, int y) const;
 
-    /// Waits until everything is written; then writes index.json, which is `head` with `files` and
-    /// the versions at its end, and prints it, or the names of all files, as was asked for.
+    /// Waits until everything is written, the video too; then writes index.json, which is `head`
+    /// with `files` and the versions at its end, and prints it, or the names of all files, as was
+    /// asked for.
     void finish(nlohmann::ordered_json head);
 
   private:
@@ -46,6 +50,7 @@ class PictureRun {
     Renderer renderer_;
     std::filesystem::path folder_;
     EncodeQueue queue_;
+    std::optional<VideoFile> video_;
     Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;

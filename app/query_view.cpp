@@ -44,6 +44,7 @@ void QueryViewOptions::check() {
     query.collide();
     for (const std::string& name : scene.names)
         if (names_trace(name)) refuse_for_trace(recording, name);
+    picture.video.check(scene, picture.output);
     if (pick.empty()) return;
     const std::vector<std::string> parts = split_list(pick);
     const std::string hint = "; give X,Y in pixels from the left and the top.";
@@ -89,6 +90,7 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
     } else {
         add_picture_options(command, options.picture);
     }
+    add_video_options(command, options.picture.video);
     command.get_option("--frames")
         ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
 }
