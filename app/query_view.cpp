@@ -59,7 +59,11 @@ void QueryViewOptions::check() {
 }
 
 QuerySources QueryViewOptions::open(const Console& console) const {
-    return open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+    QuerySources sources =
+        open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+    if (picture.video.wanted())
+        check_output(picture.video.file, "--video", sources.front().query().scene);
+    return sources;
 }
 
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
