@@ -94,6 +94,7 @@ int run(int argc, char** argv) {
     add_render_pairs(*render, console, action);
     add_render_rejections(*render, console, action);
     add_render_traversal(*render, console, action);
+    add_inspect(program, console, action);
     add_collide(program, console, action);
     add_bench(program, console, action);
     add_trace(program, console, action);

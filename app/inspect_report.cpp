@@ -1,0 +1,249 @@
+#include "app/inspect_report.h"
+
+#include <algorithm>
+
+#include "app/text_format.h"
+#include "app/trace_report.h"
+#include "render/figure_layout.h"
+#include "render/volume_titles.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+unsigned long long wide(std::uint64_t value) { return value; }
+
+/// "corrected, a = 0.7"
+std::string test_title(const OverlapOptions& overlap) {
+    const std::string name(overlap_test_name(overlap.test));
+    return has_threshold(overlap.test) ? name + format(", a = %g", overlap.threshold) : name;
+}
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return share_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+std::string frame_row(const std::string& name, const Inspection& i) {
+    return format("%5s %8llu %9llu %9llu %8llu %8llu %8llu %9llu %8s %9llu %8s", name.c_str(),
+                  wide(i.pairs), wide(i.n_v), wide(i.passed()), wide(i.passed(PassReason::contact)),
+                  wide(i.passed(PassReason::loose_fit)), wide(i.passed(PassReason::weak_test)),
+                  wide(i.wasted.volume_tests), share(i.wasted.volume_tests, i.n_v).c_str(),
+                  wide(i.wasted.triangle_tests), share(i.wasted.triangle_tests, i.n_p).c_str()) +
+           (i.wrongly_rejected > 0 ? format("  REJECTED WRONGLY: %llu", wide(i.wrongly_rejected))
+                                   : "") +
+           "\n";
+}
+
+std::string frames_text(const InspectReport& report) {
+    std::string text =
+        "frame    pairs       N_v    passed     true      fit     test    wasted    share    "
+        "wasted "
+        "   share\n"
+        "                                                                   N_v   of N_v       N_p "
+        "  of N_p\n";
+    for (const InspectedFrame& frame : report.frames)
+        text += frame_row(std::to_string(frame.frame), frame.found);
+    if (report.frames.size() > 1) text += frame_row("sum", report.sum);
+    return text + "\n";
+}
+
+std::string reasons_text(const Inspection& sum) {
+    std::string text =
+        "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
+    constexpr std::array<const char*, pass_reason_count> titles = {"test too weak", "fit too loose",
+                                                                   "true contact"};
+    for (std::size_t r = 0; r < pass_reason_count; ++r) {
+        const Work& wasted = sum.wasted_by[r];
+        text += format("%-14s %10llu %9llu ", titles[r], wide(sum.inner[r]), wide(sum.leaves[r]));
+        text += r == static_cast<std::size_t>(PassReason::contact)
+                    ? "          –           –                  –\n"
+                    : format("%11llu %11llu %18llu\n", wide(wasted.volume_tests),
+                             wide(wasted.triangle_tests), wide(wasted.operations));
+    }
+    return text + "\n";
+}
+
+std::string depths_text(const Inspection& sum) {
+    std::string text = "depth     tests    passed     true      fit     test    wasted    share\n";
+    for (std::size_t d = 0; d < sum.depths.size(); ++d) {
+        const DepthInspection& at = sum.depths[d];
+        const auto of = [&](PassReason r) { return at.passed[static_cast<std::size_t>(r)]; };
+        text += format(
+            "%5zu %9llu %9llu %8llu %8llu %8llu %9llu %8s\n", d, wide(at.tests),
+            wide(of(PassReason::contact) + of(PassReason::loose_fit) + of(PassReason::weak_test)),
+            wide(of(PassReason::contact)), wide(of(PassReason::loose_fit)),
+            wide(of(PassReason::weak_test)), wide(at.wasted), share(at.wasted, at.tests).c_str());
+    }
+    return text + "\n";
+}
+
+std::string worst_text(const InspectReport& report) {
+    if (report.worst.empty()) return "no pair passed that should not have\n";
+    std::string text =
+        format("worst pairs: nodes of %s and %s\n", report.header.bodies[0].name.c_str(),
+               report.header.bodies[1].name.c_str());
+    text += "frame          nodes     depths  passed because  wasted N_v       N_p   operations\n";
+    for (const FalsePair& p : report.worst) {
+        const Work& below = p.pair.below;
+        const std::string gap =
+            p.pair.reason == PassReason::weak_test ? format("  %.3g apart", p.pair.gap) : "";
+        text += format("%5d %8u %8u   %3d %3d  %-14s %11llu %9llu %12llu%s\n", p.frame,
+                       p.test.nodes.a, p.test.nodes.b, p.test.depth_a, p.test.depth_b,
+                       p.pair.reason == PassReason::weak_test ? "test too weak" : "fit too loose",
+                       wide(below.volume_tests), wide(below.triangle_tests), wide(below.operations),
+                       gap.c_str());
+    }
+    return text + "\n";
+}
+
+std::string others_text(const InspectReport& report) {
+    if (report.others.empty()) return "";
+    const std::uint64_t weak = report.sum.passed(PassReason::weak_test);
+    std::string text = format(
+        "what would have caught it: of the %llu pairs that %s passed though their volumes are "
+        "disjoint\n"
+        "test                  caught       N_v                N_p           operations\n",
+        wide(weak), test_title(report.header.options.overlap).c_str());
+    const auto change = [](std::uint64_t from, std::uint64_t to) {
+        return from == 0 ? std::string("–")
+                         : format("%+.1f %%",
+                                  100 * (static_cast<double>(to) - static_cast<double>(from)) /
+                                      static_cast<double>(from));
+    };
+    for (const OtherTest& other : report.others)
+        text += format("%-19s %8llu %9llu %8s %9llu %8s %12llu %8s\n",
+                       test_title(other.overlap).c_str(), wide(other.caught),
+                       wide(other.all.volume_tests),
+                       change(report.sum.all.volume_tests, other.all.volume_tests).c_str(),
+                       wide(other.all.triangle_tests),
+                       change(report.sum.all.triangle_tests, other.all.triangle_tests).c_str(),
+                       wide(other.all.operations),
+                       change(report.sum.all.operations, other.all.operations).c_str());
+    return text;
+}
+
+Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
+    Json json;
+    for (std::size_t r = 0; r < pass_reason_count; ++r)
+        json[std::string(pass_reason_name(static_cast<PassReason>(r)))] = counts[r];
+    return json;
+}
+
+Json work_json(const Work& work) {
+    return {
+        {"n_v", work.volume_tests}, {"n_p", work.triangle_tests}, {"operations", work.operations}};
+}
+
+Json inspection_json(const Inspection& i) {
+    Json wasted_by;
+    for (const PassReason r : {PassReason::weak_test, PassReason::loose_fit})
+        wasted_by[std::string(pass_reason_name(r))] =
+            work_json(i.wasted_by[static_cast<std::size_t>(r)]);
+    return {{"pairs", i.pairs},
+            {"n_v", i.n_v},
+            {"n_p", i.n_p},
+            {"passed", i.passed()},
+            {"inner", reasons_json(i.inner)},
+            {"leaves", reasons_json(i.leaves)},
+            {"touching", i.touching},
+            {"wrongly_rejected", i.wrongly_rejected},
+            {"work", work_json(i.all)},
+            {"wasted", work_json(i.wasted)},
+            {"wasted_by", std::move(wasted_by)}};
+}
+
+Json pair_json(const FalsePair& p) {
+    return {{"frame", p.frame},
+            {"nodes", {p.test.nodes.a, p.test.nodes.b}},
+            {"depths", {p.test.depth_a, p.test.depth_b}},
+            {"test", p.pair.test},
+            {"reason", pass_reason_name(p.pair.reason)},
+            {"exact", contact_name(p.pair.exact)},
+            {"gap", p.pair.gap},
+            {"leaves", p.pair.leaves},
+            {"wasted", work_json(p.pair.below)}};
+}
+
+}  // namespace
+
+void InspectReport::finish() {
+    for (const InspectedFrame& frame : frames) sum.add(frame.found);
+    std::sort(frames.begin(), frames.end(), [](const InspectedFrame& x, const InspectedFrame& y) {
+        const std::uint64_t of_x = x.found.wasted.volume_tests, of_y = y.found.wasted.volume_tests;
+        return of_x != of_y ? of_x > of_y : x.frame < y.frame;
+    });
+}
+
+std::string inspect_text(const InspectReport& report) {
+    const TraceHeader& header = report.header;
+    std::string title = header.scene + ": " + header.bodies[0].name + " and " +
+                        header.bodies[1].name + ", " + std::string(volume_title(header.volume));
+    if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
+    return title + "\n\n" + frames_text(report) + reasons_text(report.sum) +
+           depths_text(report.sum) + worst_text(report) + others_text(report);
+}
+
+Json inspect_json(const InspectReport& report) {
+    Json json = trace_header_json(report.header);
+    json["frames"] = Json::array();
+    for (const InspectedFrame& frame : report.frames) {
+        Json entry = {{"frame", frame.frame}};
+        entry.update(inspection_json(frame.found));
+        json["frames"].push_back(std::move(entry));
+    }
+    json["sum"] = inspection_json(report.sum);
+    json["depths"] = Json::array();
+    for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
+        const DepthInspection& at = report.sum.depths[d];
+        json["depths"].push_back({{"depth", d},
+                                  {"n_v", at.tests},
+                                  {"passed", reasons_json(at.passed)},
+                                  {"wasted", at.wasted}});
+    }
+    json["worst"] = Json::array();
+    for (const FalsePair& p : report.worst) json["worst"].push_back(pair_json(p));
+    json["other_tests"] = Json::array();
+    for (const OtherTest& other : report.others) {
+        Json entry = {{"test", overlap_test_name(other.overlap.test)}};
+        if (has_threshold(other.overlap.test)) entry["threshold"] = other.overlap.threshold;
+        entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
+        entry.update(work_json(other.all));
+        json["other_tests"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+std::string inspect_frames_csv(const InspectReport& report) {
+    std::string text =
+        "frame,pairs,n_v,n_p,passed,true,fit,test,wasted_n_v,wasted_n_p,wasted_operations,"
+        "operations,wrongly_rejected\n";
+    for (const InspectedFrame& frame : report.frames) {
+        const Inspection& i = frame.found;
+        text += format("%d", frame.frame);
+        for (const std::uint64_t value :
+             {i.pairs, i.n_v, i.n_p, i.passed(), i.passed(PassReason::contact),
+              i.passed(PassReason::loose_fit), i.passed(PassReason::weak_test),
+              i.wasted.volume_tests, i.wasted.triangle_tests, i.wasted.operations, i.all.operations,
+              i.wrongly_rejected})
+            text += format(",%llu", wide(value));
+        text += "\n";
+    }
+    return text;
+}
+
+std::string inspect_pairs_csv(const InspectReport& report) {
+    std::string text =
+        "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,leaves,wasted_n_v,wasted_n_p,"
+        "wasted_operations\n";
+    for (const FalsePair& p : report.worst)
+        text += format("%d,%u,%u,%d,%d,%s,%s,%.17g,%d,%llu,%llu,%llu\n", p.frame, p.test.nodes.a,
+                       p.test.nodes.b, p.test.depth_a, p.test.depth_b,
+                       std::string(pass_reason_name(p.pair.reason)).c_str(),
+                       std::string(contact_name(p.pair.exact)).c_str(), p.pair.gap,
+                       p.pair.leaves ? 1 : 0, wide(p.pair.below.volume_tests),
+                       wide(p.pair.below.triangle_tests), wide(p.pair.below.operations));
+    return text;
+}
+
+}  // namespace scb
