@@ -104,7 +104,10 @@ struct Renderer::Parts {
         const Rgba8 background = pane.background.value_or(picture.background);
         gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
         gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
-        clear(gl, background);
+        // The first one is clear if it has the picture's background. (With a scissor this is not
+        // for nothing: quads are drawn.)
+        if (&pane != &picture.panes.front() || background != picture.background)
+            clear(gl, background);
         for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
         volumes.draw_opaque(pane.volumes, view);
         segments.draw(pane.segments, view, false);
