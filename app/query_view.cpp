@@ -116,6 +116,7 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
+    held_.reserve(sources.size() * query.frames.size() * (nodes[0].size() + nodes[1].size()));
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (const int frame : sources[i].frames()) {
             const QueryBodies at_frame = bodies(frame, i);
@@ -125,6 +126,10 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
         }
     support_ = support_of(held_);
     center_ = center_of(support_);
+    whole_ = camera_for(spec_, support_, aspect());
+    if (follows_contact()) return;
+    support_ = nullptr;
+    held_ = {};
 }
 
 QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
@@ -150,11 +155,13 @@ QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
     return bodies;
 }
 
+double QueryView::aspect() const {
+    if (layout_) return aspect_of(layout_->sides[0].view);
+    return aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+}
+
 Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
-    const double aspect = aspect_of(
-        layout_ ? layout_->sides[0].view
-                : figure_layout(options_.picture.width(), options_.picture.height()).view);
-    if (!follows_contact() || region.empty()) return camera_for(spec_, support_, aspect);
+    if (!follows_contact() || region.empty()) return whole_;
     // Not so close that a single small triangle fills the view.
     std::vector<AnyVolume> wide = region;
     const Support of_region = support_of(region);
@@ -167,7 +174,7 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     const double smaller =
         std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
-    Camera camera = camera_for(spec, support_of(wide), aspect);
+    Camera camera = camera_for(spec, support_of(wide), aspect());
     set_depth_range(camera, support_);
     return camera;
 }

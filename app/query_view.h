@@ -90,15 +90,21 @@ class QueryView {
     nlohmann::ordered_json index_entry(const QueryFrames& frames) const;
 
   private:
+    double aspect() const;
+
     const QueryViewOptions& options_;
     const QuerySources& sources_;
     std::optional<ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
     std::vector<MeshHandle> meshes_;
     CameraSpec spec_;
-    Support support_;
+    /// Of both bodies at all frames: what all pictures show.
     Vec3 center_ = Vec3::Zero();
-    std::vector<AnyVolume> held_;  ///< of both bodies at all frames: what support_ is of
+    Camera whole_;
+    /// Kept where the camera follows the contact, for its depth range: volumes of both bodies at
+    /// all frames, and their support.
+    std::vector<AnyVolume> held_;
+    Support support_;
     std::uint32_t first_free_id_ = 1;
 };
 
