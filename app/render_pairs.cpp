@@ -52,6 +52,7 @@ int run(Options& options, const Console& console) {
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
     const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
+    view.begin_sheet(pictures, what, source.frames().size());
     return draw_frames(
         source, pictures, console,
         [&](const TraceFrame& frame) {
@@ -71,6 +72,7 @@ int run(Options& options, const Console& console) {
             if (options.heat.empty())
                 entry["pair_ids"] = {{"first", view.first_free_id()},
                                      {"count", frame.found.pairs.size()}};
+            pictures.explain(figure);
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());

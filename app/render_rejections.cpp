@@ -105,6 +105,7 @@ struct Shot {
             entry["tests"] = *step;
             name += format("_test-%07zu", *step);
         }
+        pictures.explain(figure);
         const Picture picture =
             compose(std::move(figure), options.picture.width(), options.picture.height(),
                     options.picture.samples, pictures.overlay());
@@ -130,6 +131,17 @@ struct Shot {
     }
 };
 
+/// How many pictures there will be. An animation's queries are made for it: a sheet is laid out
+/// before the first picture is drawn.
+std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t> steps) {
+    if (!steps) return source.frames().size();
+    const auto each = static_cast<std::uint64_t>(*steps);
+    std::uint64_t count = 0;
+    for (const int frame : source.frames())
+        count += (source.query().collide(frame).n_v + each - 1) / each;
+    return count;
+}
+
 int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
@@ -140,6 +152,8 @@ int run(Options& options, const Console& console) {
     PictureRun pictures(options.picture);
     const QueryView view(options, source, pictures.renderer());
     const Shot shot{source, view, style, options, pictures};
+    if (options.sheet)
+        view.begin_sheet(pictures, "rejections", picture_count(source, options.steps));
     StagesFigure stages;
     stages.theme = style.theme;
     return draw_frames(
