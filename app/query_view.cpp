@@ -77,7 +77,8 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
             ->type_name("X,Y");
-        command.add_flag("--sheet", options.sheet, "Also write all pictures in one, small");
+        command.add_flag("--sheet", options.sheet,
+                         "Also all pictures in one, small, with their counts");
     } else {
         add_picture_options(command, options.picture);
     }

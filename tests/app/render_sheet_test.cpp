@@ -40,7 +40,7 @@ struct RenderSheet : testing::Test {
         EXPECT_LE(sheet.height, layout.height);
         const int cell_height = layout.view_height + 4 * layout.unit;
         const int first_y = sheet.height - layout.bands * cell_height;
-        EXPECT_GT(first_y, 3 * layout.unit);
+        ASSERT_GT(first_y, 3 * layout.unit);
         std::set<std::string> looks;
         for (std::size_t i = 0; i < count; ++i) {
             const int column = static_cast<int>(i) % layout.columns,
