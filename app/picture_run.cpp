@@ -27,6 +27,7 @@ void PictureRun::draw(const std::string& name, const Picture& picture, Json entr
         renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && of_sequence);
     Json files = {{"file", name + ".png"}};
     if (video_ && of_sequence) video_->push(rendering.image);
+    if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
     queue_.push(folder_ / (name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
@@ -44,7 +45,15 @@ std::uint32_t PictureRun::id_at(int x, int y) const {
                          static_cast<std::size_t>(x)];
 }
 
+void PictureRun::draw_sheet() {
+    const std::string file = sheet_->name + ".png";
+    queue_.push(folder_ / file, scb::draw(sheet_->sheet, renderer_, overlay_));
+    written_.push_back(file);
+    files_.push_back({{"file", file}, {"sheet", true}});
+}
+
 void PictureRun::finish(Json head) {
+    if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
     const bool with_video = video_ && video_->frames() > 0;
     if (with_video) {

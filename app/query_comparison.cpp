@@ -34,6 +34,10 @@ void draw_comparison(const QueryView& view, const ComparedQueries& queries,
     }
     figure.title = view.title(title);
     figure.subtitle = view.subtitle(frames[0]->frame);
+    for (const ComparedView& each : views)
+        pictures.explain(
+            figure.title + " · " + view.labels()[0].caption + " / " + view.labels()[1].caption,
+            each.legend);
     figure.views = std::move(views);
     figure.center = view.center(region);
     figure.theme = options.picture.theme();

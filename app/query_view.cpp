@@ -91,6 +91,8 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
                         "scb,ball: both side by side, and what differs outlined")
             ->check(has_name())
             ->type_name("A,B");
+        command.add_flag("--sheet", options.sheet,
+                         "Also all pictures in one, small, with their counts");
     } else {
         add_picture_options(command, options.picture);
     }
@@ -282,6 +284,31 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
         text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
                 (what["triangles"] == 1 ? " triangle" : " triangles");
     pictures.say(text);
+}
+
+void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
+                            std::size_t count) const {
+    if (!options_.sheet) return;
+    SheetRun run;
+    run.view = figure_layout(options_.picture.width(), options_.picture.height()).view;
+    if (layout_) {
+        // Both views, and what is between them.
+        const PixelRect &first = layout_->sides[0].view, &second = layout_->sides[1].view;
+        run.view = {first.x, first.y, second.x + second.width - first.x,
+                    second.y + second.height - first.y};
+    }
+    const std::optional<FrameSheetLayout> layout = frame_sheet_layout(count, run.view);
+    if (!layout)
+        throw InputError("--sheet: a sheet has room for " + count_text(most_frame_cells(run.view)) +
+                         " pictures, and this run has " + count_text(count) +
+                         "; give fewer, or leave out --sheet.");
+    const std::vector<int>& frames = sources_.front().frames();
+    run.one_frame = frames.size() == 1;
+    run.name = picture_name(what + "_sheet");
+    run.sheet.layout = *layout;
+    run.sheet.theme = options_.picture.theme();
+    run.sheet.subtitle = subtitle(run.one_frame ? std::optional(frames[0]) : std::nullopt);
+    pictures.begin_sheet(std::move(run));
 }
 
 Json QueryView::index_head(const std::string& command) const {

@@ -27,6 +27,7 @@ struct QueryViewOptions {
     PictureOptions picture;
     CameraOptions camera;
     std::string pick;  ///< "X,Y", see PictureOptions::pick
+    bool sheet = false;
     /// What was given of what a trace already knows, see given_recording_options.
     std::vector<std::string> recording;
     std::string compare;  ///< see CompareOptions::names
@@ -81,6 +82,10 @@ class QueryView {
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
     void tell_pick(PictureRun& pictures, const std::string& name, const QueryFrames& frames) const;
+
+    /// Begins the sheet of this many pictures of WHAT, where one is asked for. Throws InputError
+    /// where they are too many.
+    void begin_sheet(PictureRun& pictures, const std::string& what, std::size_t count) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;

@@ -74,6 +74,7 @@ int run(Options& options, const Console& console) {
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
     const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
+    view.begin_sheet(pictures, what, sources.front().frames().size());
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames) {
@@ -99,6 +100,7 @@ int run(Options& options, const Console& console) {
             if (options.heat.empty())
                 entry["pair_ids"] = {{"first", view.first_free_id()},
                                      {"count", frame.found.pairs.size()}};
+            pictures.explain(figure.title, figure.panel);
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());

@@ -111,6 +111,7 @@ struct Shot {
             entry["tests"] = *step;
             name += format("_test-%07zu", *step);
         }
+        pictures.explain(figure.title, figure.panel);
         const Picture picture =
             compose(std::move(figure), options.picture.width(), options.picture.height(),
                     options.picture.samples, pictures.overlay());
@@ -169,6 +170,17 @@ void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
     }
 }
 
+/// How many pictures there will be. An animation's queries are made for it: a sheet is laid out
+/// before the first picture is drawn.
+std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t> steps) {
+    if (!steps) return source.frames().size();
+    const auto each = static_cast<std::uint64_t>(*steps);
+    std::uint64_t count = 0;
+    for (const int frame : source.frames())
+        count += (source.query().collide(frame).n_v + each - 1) / each;
+    return count;
+}
+
 int run(Options& options, const Console& console) {
     options.check();
     QuerySources sources = options.open(console);
@@ -185,6 +197,8 @@ int run(Options& options, const Console& console) {
             compared_rejections_rows(sources[0].header(), sources[1].header(), style));
     const QueryView view(options, sources, pictures.renderer(), layout);
     const Shot shot{sources, view, style, options, pictures};
+    if (options.sheet)
+        view.begin_sheet(pictures, "rejections", picture_count(sources.front(), options.steps));
     std::vector<StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,
