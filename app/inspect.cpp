@@ -56,7 +56,8 @@ int run(Options& options, const Console& console) {
 
     InspectReport report;
     report.header = source.header();
-    WorstPairs worst(static_cast<std::size_t>(options.top));
+    const auto top = static_cast<std::size_t>(options.top);
+    WorstPairs weak_tests(PassReason::weak_test, top), loose_fits(PassReason::loose_fit, top);
     for (const OverlapOptions& other : other_tests(report.header)) {
         report.others.emplace_back();
         report.others.back().overlap = other;
@@ -70,13 +71,15 @@ int run(Options& options, const Console& console) {
         const Attribution attribution =
             attribute(a, b, report.header, frame, tree, contacts_of(source, frame));
         report.frames.push_back({number, inspection(frame, tree, attribution)});
-        worst.add(frame, attribution);
+        weak_tests.add(frame, attribution);
+        loose_fits.add(frame, attribution);
         for (OtherTest& other : report.others)
             other.add(try_other_test(a, query.mesh(query.a), b, query.mesh(query.b), report.header,
                                      frame, attribution, other.overlap));
         progress.step("frames");
     }
-    report.worst = worst.pairs();
+    report.weak_tests = weak_tests.pairs();
+    report.loose_fits = loose_fits.pairs();
     report.finish();
     print_result(options.json ? inspect_json(report).dump(
                                     2, ' ', false, nlohmann::json::error_handler_t::replace) +
@@ -114,7 +117,8 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         ->check(decimal_number())
         ->excludes(frames)
         ->type_name("N");
-    command->add_option("--top", options->top, "How many of the worst pairs to list")
+    command
+        ->add_option("--top", options->top, "How many of the worst pairs to list, of each reason")
         ->check(decimal_number())
         ->type_name("K")
         ->capture_default_str();

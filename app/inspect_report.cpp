@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/console.h"
 #include "app/text_format.h"
 #include "app/trace_report.h"
 #include "render/figure_layout.h"
@@ -51,16 +52,18 @@ std::string frames_text(const InspectReport& report) {
 std::string reasons_text(const Inspection& sum) {
     std::string text =
         "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
-    constexpr std::array<const char*, pass_reason_count> titles = {"test too weak", "fit too loose",
-                                                                   "true contact"};
-    for (std::size_t r = 0; r < pass_reason_count; ++r) {
-        const Work& wasted = sum.wasted_by[r];
-        text += format("%-14s %10llu %9llu ", titles[r], wide(sum.inner[r]), wide(sum.leaves[r]));
-        text += r == static_cast<std::size_t>(PassReason::contact)
-                    ? "          –           –                  –\n"
-                    : format("%11llu %11llu %18llu\n", wide(wasted.volume_tests),
-                             wide(wasted.triangle_tests), wide(wasted.operations));
-    }
+    const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
+        const auto r = static_cast<std::size_t>(reason);
+        text += format("%-14s %10llu %9llu", title, wide(sum.inner[r]), wide(sum.leaves[r]));
+        if (wasted != nullptr)
+            text += format(" %11llu %11llu %18llu", wide(wasted->volume_tests),
+                           wide(wasted->triangle_tests), wide(wasted->operations));
+        text += "\n";
+    };
+    const Work by_fit = sum.wasted_by_fit();
+    row("true contact", PassReason::contact, nullptr);
+    row("fit too loose", PassReason::loose_fit, &by_fit);
+    row("test too weak", PassReason::weak_test, &sum.wasted_by_tests);
     return text + "\n";
 }
 
@@ -78,21 +81,20 @@ std::string depths_text(const Inspection& sum) {
     return text + "\n";
 }
 
-std::string worst_text(const InspectReport& report) {
-    if (report.worst.empty()) return "no pair passed that should not have\n";
-    std::string text =
-        format("worst pairs: nodes of %s and %s\n", report.header.bodies[0].name.c_str(),
-               report.header.bodies[1].name.c_str());
-    text += "frame          nodes     depths  passed because  wasted N_v       N_p   operations\n";
-    for (const FalsePair& p : report.worst) {
+std::string worst_text(const InspectReport& report, const std::vector<FalsePair>& worst,
+                       const char* title) {
+    if (worst.empty()) return std::string(title) + ": none\n\n";
+    std::string text = format("%s: the worst, by nodes of %s and %s\n", title,
+                              printable(report.header.bodies[0].name).c_str(),
+                              printable(report.header.bodies[1].name).c_str());
+    text += "frame          nodes     depths  wasted N_v       N_p   operations         gap\n";
+    for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
-        const std::string gap =
-            p.pair.reason == PassReason::weak_test ? format("  %.3g apart", p.pair.gap) : "";
-        text += format("%5d %8u %8u   %3d %3d  %-14s %11llu %9llu %12llu%s\n", p.frame,
-                       p.test.nodes.a, p.test.nodes.b, p.test.depth_a, p.test.depth_b,
-                       p.pair.reason == PassReason::weak_test ? "test too weak" : "fit too loose",
-                       wide(below.volume_tests), wide(below.triangle_tests), wide(below.operations),
-                       gap.c_str());
+        text += format("%5d %8u %8u   %3d %3d %11llu %9llu %12llu", p.frame, p.test.nodes.a,
+                       p.test.nodes.b, p.test.depth_a, p.test.depth_b, wide(below.volume_tests),
+                       wide(below.triangle_tests), wide(below.operations));
+        if (p.pair.exact == Contact::disjoint) text += format("  %10.3g", p.pair.gap);
+        text += "\n";
     }
     return text + "\n";
 }
@@ -136,10 +138,6 @@ Json work_json(const Work& work) {
 }
 
 Json inspection_json(const Inspection& i) {
-    Json wasted_by;
-    for (const PassReason r : {PassReason::weak_test, PassReason::loose_fit})
-        wasted_by[std::string(pass_reason_name(r))] =
-            work_json(i.wasted_by[static_cast<std::size_t>(r)]);
     return {{"pairs", i.pairs},
             {"n_v", i.n_v},
             {"n_p", i.n_p},
@@ -150,7 +148,8 @@ Json inspection_json(const Inspection& i) {
             {"wrongly_rejected", i.wrongly_rejected},
             {"work", work_json(i.all)},
             {"wasted", work_json(i.wasted)},
-            {"wasted_by", std::move(wasted_by)}};
+            {"wasted_by",
+             {{"test", work_json(i.wasted_by_tests)}, {"fit", work_json(i.wasted_by_fit())}}}};
 }
 
 Json pair_json(const FalsePair& p) {
@@ -177,11 +176,13 @@ void InspectReport::finish() {
 
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    std::string title = header.scene + ": " + header.bodies[0].name + " and " +
-                        header.bodies[1].name + ", " + std::string(volume_title(header.volume));
+    std::string title =
+        printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
+        ", " + std::string(volume_title(header.volume));
     if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
     return title + "\n\n" + frames_text(report) + reasons_text(report.sum) +
-           depths_text(report.sum) + worst_text(report) + others_text(report);
+           depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
+           worst_text(report, report.weak_tests, "test too weak") + others_text(report);
 }
 
 Json inspect_json(const InspectReport& report) {
@@ -202,7 +203,8 @@ Json inspect_json(const InspectReport& report) {
                                   {"wasted", at.wasted}});
     }
     json["worst"] = Json::array();
-    for (const FalsePair& p : report.worst) json["worst"].push_back(pair_json(p));
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(p));
     json["other_tests"] = Json::array();
     for (const OtherTest& other : report.others) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};
@@ -236,13 +238,14 @@ std::string inspect_pairs_csv(const InspectReport& report) {
     std::string text =
         "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,leaves,wasted_n_v,wasted_n_p,"
         "wasted_operations\n";
-    for (const FalsePair& p : report.worst)
-        text += format("%d,%u,%u,%d,%d,%s,%s,%.17g,%d,%llu,%llu,%llu\n", p.frame, p.test.nodes.a,
-                       p.test.nodes.b, p.test.depth_a, p.test.depth_b,
-                       std::string(pass_reason_name(p.pair.reason)).c_str(),
-                       std::string(contact_name(p.pair.exact)).c_str(), p.pair.gap,
-                       p.pair.leaves ? 1 : 0, wide(p.pair.below.volume_tests),
-                       wide(p.pair.below.triangle_tests), wide(p.pair.below.operations));
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst)
+            text += format("%d,%u,%u,%d,%d,%s,%s,%.17g,%d,%llu,%llu,%llu\n", p.frame,
+                           p.test.nodes.a, p.test.nodes.b, p.test.depth_a, p.test.depth_b,
+                           std::string(pass_reason_name(p.pair.reason)).c_str(),
+                           std::string(contact_name(p.pair.exact)).c_str(), p.pair.gap,
+                           p.pair.leaves ? 1 : 0, wide(p.pair.below.volume_tests),
+                           wide(p.pair.below.triangle_tests), wide(p.pair.below.operations));
     return text;
 }
 

@@ -19,7 +19,7 @@ struct InspectReport {
     TraceHeader header;
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
-    std::vector<FalsePair> worst;
+    std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<OtherTest> others;
 
     /// Puts the frames in order, and adds them up.

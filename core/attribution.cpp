@@ -139,12 +139,20 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
     for (std::size_t i = 0; i < tests.size(); ++i)
         result.all += {1, 0, operation_cost(header.volume, header.options.overlap, tests[i].stage)};
     result.all.triangle_tests = frame.events.triangle_tests.size();
+    // Parents come before their children.
+    std::vector<char> weak_so_far(tests.size());
     for (PassedPair& pair : result.passed) {
         pair.below = below[pair.test];
         const std::uint32_t parent = tree.parents[pair.test];
-        pair.within_false_pair = parent != none && !contact[parent];
+        if (parent != none) {
+            pair.within_false_pair = !contact[parent];
+            pair.within_weak_test = weak_so_far[parent] != 0;
+        }
+        const bool weak = pair.reason == PassReason::weak_test;
+        weak_so_far[pair.test] = weak || pair.within_weak_test;
         if (pair.reason != PassReason::contact && !pair.within_false_pair)
             result.wasted += pair.below;
+        if (weak && !pair.within_weak_test) result.wasted_by_tests += pair.below;
         ++(pair.leaves ? result.leaves : result.inner)[static_cast<std::size_t>(pair.reason)];
     }
     return result;

@@ -35,8 +35,10 @@ struct Work {
 struct PassedPair {
     std::uint32_t test = 0;  ///< index into Events::volume_tests
     PassReason reason = PassReason::contact;
-    bool leaves = false;             ///< both nodes are leaves
-    bool within_false_pair = false;  ///< the pair whose division led here should not have passed
+    bool leaves = false;  ///< both nodes are leaves
+    /// Whether the division of a false pair led here, at whatever distance; or that of one that
+    /// passed because of a weak test.
+    bool within_false_pair = false, within_weak_test = false;
     Contact exact = Contact::overlapping;  ///< of the volumes
     double gap = 0;                        ///< of disjoint volumes, at least; in the scene's unit
     Work below;                            ///< what came of it: wasted, where the pair is false
@@ -47,12 +49,14 @@ struct PassedPair {
 /// A test is wasted where the pair whose division led to it is false, that is, passed for another
 /// reason than contact; so is the test of two triangles after a false pair of leaves. The wasted
 /// work is that below the false pairs that are not within another one, and all work is that and
-/// the work that is not wasted.
+/// the work that is not wasted. An exact overlap test would save the wasted work below pairs that
+/// passed because of a weak test; the rest is due to the fit.
 struct Attribution {
     std::vector<PassedPair> passed;  ///< in the order of the tests
     /// Tests that rejected volumes which overlap: errors of the test. Ascending.
     std::vector<std::uint32_t> wrongly_rejected;
     Work all, wasted;
+    Work wasted_by_tests;  ///< of the wasted work, what an exact test would save
     /// Passed pairs by reason: of inner nodes and of two leaves.
     std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};
     std::uint64_t touching = 0;  ///< passed pairs whose volumes touch, within contact_tolerance

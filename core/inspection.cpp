@@ -34,6 +34,12 @@ std::uint64_t Inspection::passed() const {
            std::accumulate(leaves.begin(), leaves.end(), std::uint64_t{0});
 }
 
+Work Inspection::wasted_by_fit() const {
+    return {wasted.volume_tests - wasted_by_tests.volume_tests,
+            wasted.triangle_tests - wasted_by_tests.triangle_tests,
+            wasted.operations - wasted_by_tests.operations};
+}
+
 void Inspection::add(const Inspection& other) {
     pairs += other.pairs;
     n_v += other.n_v;
@@ -44,7 +50,7 @@ void Inspection::add(const Inspection& other) {
     wrongly_rejected += other.wrongly_rejected;
     all += other.all;
     wasted += other.wasted;
-    for (std::size_t i = 0; i < wasted_by.size(); ++i) wasted_by[i] += other.wasted_by[i];
+    wasted_by_tests += other.wasted_by_tests;
     depths.resize(std::max(depths.size(), other.depths.size()));
     for (std::size_t d = 0; d < other.depths.size(); ++d) {
         depths[d].tests += other.depths[d].tests;
@@ -66,6 +72,7 @@ Inspection inspection(const TraceFrame& frame, const TestTree& tree,
     result.wrongly_rejected = attribution.wrongly_rejected.size();
     result.all = attribution.all;
     result.wasted = attribution.wasted;
+    result.wasted_by_tests = attribution.wasted_by_tests;
     result.depths.resize(static_cast<std::size_t>(frame.found.depth) + 1);
     const auto depth_of = [&](std::size_t test) -> DepthInspection& {
         return result.depths[static_cast<std::size_t>(tests[test].depth_a + tests[test].depth_b)];
@@ -75,7 +82,6 @@ Inspection inspection(const TraceFrame& frame, const TestTree& tree,
         const auto reason = static_cast<std::size_t>(pair.reason);
         ++depth_of(pair.test).passed[reason];
         is_false[pair.test] = pair.reason != PassReason::contact;
-        if (is_false[pair.test] && !pair.within_false_pair) result.wasted_by[reason] += pair.below;
     }
     for (std::size_t i = 0; i < tests.size(); ++i) {
         ++depth_of(i).tests;
@@ -86,8 +92,9 @@ Inspection inspection(const TraceFrame& frame, const TestTree& tree,
 }
 
 void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
+    const bool weak = reason_ == PassReason::weak_test;
     for (const PassedPair& pair : attribution.passed)
-        if (pair.reason != PassReason::contact && !pair.within_false_pair)
+        if (pair.reason == reason_ && !(weak ? pair.within_weak_test : pair.within_false_pair))
             pairs_.push_back({frame.frame, pair, frame.events.volume_tests[pair.test]});
     std::sort(pairs_.begin(), pairs_.end(), is_worse);
     if (pairs_.size() > most_) pairs_.resize(most_);

@@ -18,9 +18,7 @@ struct Inspection {
     std::uint64_t touching = 0;          ///< passed pairs whose volumes only touch
     std::uint64_t wrongly_rejected = 0;  ///< tests that rejected volumes which overlap
     Work all, wasted;
-    /// The wasted work by the reason of the false pair that it began with: of those that are not
-    /// within another one. [contact] is empty.
-    std::array<Work, pass_reason_count> wasted_by{};
+    Work wasted_by_tests;                 ///< of the wasted work, what an exact test would save
     std::vector<DepthInspection> depths;  ///< from 0
 
     std::uint64_t passed(PassReason reason) const {
@@ -28,6 +26,8 @@ struct Inspection {
         return inner[i] + leaves[i];
     }
     std::uint64_t passed() const;
+    /// The wasted work that is not the tests' fault.
+    Work wasted_by_fit() const;
     void add(const Inspection& other);
 };
 
@@ -41,18 +41,20 @@ struct FalsePair {
     VolumeTest test;
 };
 
-/// The false pairs that cost the most, of as many frames as are added: those that are not within
-/// another one, by the tests below them (of volumes and of triangles), then by frame and by the
-/// order of the tests.
+/// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
+/// below them (of volumes and of triangles), then by frame and by the order of the tests. Of weak
+/// tests those that are not within another one; of loose fits those that are not within any false
+/// pair.
 class WorstPairs {
   public:
-    explicit WorstPairs(std::size_t most) : most_(most) {}
+    WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
     void add(const TraceFrame& frame, const Attribution& attribution);
     /// The worst one first.
     const std::vector<FalsePair>& pairs() const { return pairs_; }
 
   private:
+    PassReason reason_;
     std::size_t most_;
     std::vector<FalsePair> pairs_;
 };

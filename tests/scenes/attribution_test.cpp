@@ -66,6 +66,19 @@ void check_counts(const Query& q) {
     for (const TriangleTest& test : q.frame.events.triangle_tests)
         ++(is_false[test.after] ? wasted : useful).triangle_tests;
     EXPECT_EQ(r.wasted, wasted);
+    // An exact test saves what a pair that passed a weak one led to, at whatever distance.
+    std::vector<char> is_weak(tests.size());
+    for (const PassedPair& pair : r.passed)
+        is_weak[pair.test] = pair.reason == PassReason::weak_test;
+    std::uint64_t saved = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        for (std::uint32_t at = q.tree.parents[i]; at != TestTree::no_parent;
+             at = q.tree.parents[at])
+            if (is_weak[at]) {
+                ++saved;
+                break;
+            }
+    EXPECT_EQ(r.wasted_by_tests.volume_tests, saved);
     Work sum = useful;
     sum += r.wasted;
     EXPECT_EQ(sum, r.all);
