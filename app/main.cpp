@@ -156,5 +156,7 @@ int main(int argc, char** argv) {
     // A file that may not grow is reported as an error of the write. A closed pipe ends the program
     // silently, as it does others.
     std::signal(SIGXFSZ, SIG_IGN);
+    // Whoever started this program may ignore it, and then nobody learns how a child of it ended.
+    std::signal(SIGCHLD, SIG_DFL);
     return scb::run(argc, argv);
 }

@@ -132,19 +132,26 @@ std::optional<int> ChildProcess::wait(std::chrono::milliseconds most) {
     ::shutdown(input_, SHUT_WR);
     using Clock = std::chrono::steady_clock;
     const Clock::time_point end = Clock::now() + most;
-    bool killed = false;
+    bool known = true;
     int status = 0;
-    while (::waitpid(id_, &status, killed ? 0 : WNOHANG) != id_) {
+    for (pid_t ended = 0; ended != id_;) {
+        ended = ::waitpid(id_, &status, known ? WNOHANG : 0);
+        if (ended < 0 && errno == ECHILD) {
+            // Where SIGCHLD is ignored, how children ended is forgotten.
+            known = false;
+            break;
+        }
+        if (ended != 0) continue;
         if (Clock::now() < end) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         } else {
             kill();
-            killed = true;
+            known = false;
         }
     }
     ::close(input_);
     id_ = -1;
-    if (killed) return std::nullopt;
+    if (!known) return std::nullopt;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 

@@ -112,6 +112,15 @@ TEST_F(RenderVideo, IsTheSameBytesTwice) {
     EXPECT_EQ(file_text(file), bytes);
 }
 
+// Who started the program may ignore that children end.
+TEST_F(RenderVideo, NeedsNoSignalOfItsChildren) {
+    const ProgramRun run = run_scb(
+        "render pairs spheres-l1 --frames 0:3 --size 320x240 --video " + file + " -o " + out,
+        "timeout 60 env --ignore-signal=CHLD");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(probed()["nb_read_frames"], "4");
+}
+
 TEST_F(RenderVideo, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
     const std::string scene = folder / "endless.json";
     write_text(scene, endless_scene);
