@@ -34,25 +34,13 @@ struct Options {
     }
 };
 
-/// All pairs of triangles that intersect: those of the query, unless it ended before it had them
-/// all, or made another test.
-std::vector<IndexPair> contacts_of(const QuerySource& source, const TraceFrame& frame) {
-    const CollideOptions& asked = source.header().options;
-    const bool sound =
-        source.header().volume != VolumeKind::scb || asked.overlap.test != OverlapTest::printed;
-    if (sound && frame.found.complete && asked.stop_level < 0) return frame.found.pairs;
-    const SceneQuery& query = source.query();
-    return collide(query.hierarchy(query.a), query.mesh(query.a), query.hierarchy(query.b),
-                   query.mesh(query.b), frame.b_to_a, {})
-        .pairs;
-}
-
 int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
+    const Mesh &mesh_a = query.mesh(query.a), &mesh_b = query.mesh(query.b);
 
     InspectReport report;
     report.header = source.header();
@@ -69,18 +57,20 @@ int run(Options& options, const Console& console) {
         const TraceFrame& frame = source.frame(number);
         const TestTree tree = test_tree(report.header, frame);
         const Attribution attribution =
-            attribute(a, b, report.header, frame, tree, contacts_of(source, frame));
+            attribute(a, b, report.header, frame, tree,
+                      all_contacts(a, mesh_a, b, mesh_b, report.header, frame));
         report.frames.push_back({number, inspection(frame, tree, attribution)});
         weak_tests.add(frame, attribution);
         loose_fits.add(frame, attribution);
         for (OtherTest& other : report.others)
-            other.add(try_other_test(a, query.mesh(query.a), b, query.mesh(query.b), report.header,
-                                     frame, attribution, other.overlap));
+            other.add(try_other_test(a, mesh_a, b, mesh_b, report.header, frame, attribution,
+                                     other.overlap));
         progress.step("frames");
     }
     report.weak_tests = weak_tests.pairs();
     report.loose_fits = loose_fits.pairs();
-    report.finish();
+    for (const InspectedFrame& frame : report.frames) report.sum += frame.found;
+    sort_by_waste(report.frames);
     print_result(options.json ? inspect_json(report).dump(
                                     2, ' ', false, nlohmann::json::error_handler_t::replace) +
                                     "\n"
@@ -90,8 +80,9 @@ int run(Options& options, const Console& console) {
                      std::to_string(source.frames().size()) + " frames were inspected.");
         return exit_interrupted(watch.signal());
     }
-    if (report.sum.wrongly_rejected > 0) {
-        console.alarm("scb: the test rejected " + std::to_string(report.sum.wrongly_rejected) +
+    if (report.sum.counts.wrongly_rejected > 0) {
+        console.alarm("scb: the test rejected " +
+                      std::to_string(report.sum.counts.wrongly_rejected) +
                       " pairs of volumes that overlap; collisions may be missing.");
         return exit_different;
     }

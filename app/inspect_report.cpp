@@ -27,12 +27,16 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 
 std::string frame_row(const std::string& name, const Inspection& i) {
     return format("%5s %8llu %9llu %9llu %8llu %8llu %8llu %9llu %8s %9llu %8s", name.c_str(),
-                  wide(i.pairs), wide(i.n_v), wide(i.passed()), wide(i.passed(PassReason::contact)),
-                  wide(i.passed(PassReason::loose_fit)), wide(i.passed(PassReason::weak_test)),
-                  wide(i.wasted.volume_tests), share(i.wasted.volume_tests, i.n_v).c_str(),
-                  wide(i.wasted.triangle_tests), share(i.wasted.triangle_tests, i.n_p).c_str()) +
-           (i.wrongly_rejected > 0 ? format("  REJECTED WRONGLY: %llu", wide(i.wrongly_rejected))
-                                   : "") +
+                  wide(i.pairs), wide(i.counts.all.volume_tests), wide(i.counts.passed()),
+                  wide(i.counts.passed(PassReason::triangles_meet)),
+                  wide(i.counts.passed(PassReason::loose_fit)),
+                  wide(i.counts.passed(PassReason::weak_test)), wide(i.counts.wasted.volume_tests),
+                  share(i.counts.wasted.volume_tests, i.counts.all.volume_tests).c_str(),
+                  wide(i.counts.wasted.triangle_tests),
+                  share(i.counts.wasted.triangle_tests, i.counts.all.triangle_tests).c_str()) +
+           (i.counts.wrongly_rejected > 0
+                ? format("  REJECTED WRONGLY: %llu", wide(i.counts.wrongly_rejected))
+                : "") +
            "\n";
 }
 
@@ -49,7 +53,7 @@ std::string frames_text(const InspectReport& report) {
     return text + "\n";
 }
 
-std::string reasons_text(const Inspection& sum) {
+std::string reasons_text(const PassCounts& sum) {
     std::string text =
         "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
     const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
@@ -61,7 +65,7 @@ std::string reasons_text(const Inspection& sum) {
         text += "\n";
     };
     const Work by_fit = sum.wasted_by_fit();
-    row("true contact", PassReason::contact, nullptr);
+    row("true contact", PassReason::triangles_meet, nullptr);
     row("fit too loose", PassReason::loose_fit, &by_fit);
     row("test too weak", PassReason::weak_test, &sum.wasted_by_tests);
     return text + "\n";
@@ -72,11 +76,12 @@ std::string depths_text(const Inspection& sum) {
     for (std::size_t d = 0; d < sum.depths.size(); ++d) {
         const DepthInspection& at = sum.depths[d];
         const auto of = [&](PassReason r) { return at.passed[static_cast<std::size_t>(r)]; };
-        text += format(
-            "%5zu %9llu %9llu %8llu %8llu %8llu %9llu %8s\n", d, wide(at.tests),
-            wide(of(PassReason::contact) + of(PassReason::loose_fit) + of(PassReason::weak_test)),
-            wide(of(PassReason::contact)), wide(of(PassReason::loose_fit)),
-            wide(of(PassReason::weak_test)), wide(at.wasted), share(at.wasted, at.tests).c_str());
+        text += format("%5zu %9llu %9llu %8llu %8llu %8llu %9llu %8s\n", d, wide(at.tests),
+                       wide(of(PassReason::triangles_meet) + of(PassReason::loose_fit) +
+                            of(PassReason::weak_test)),
+                       wide(of(PassReason::triangles_meet)), wide(of(PassReason::loose_fit)),
+                       wide(of(PassReason::weak_test)), wide(at.wasted),
+                       share(at.wasted, at.tests).c_str());
     }
     return text + "\n";
 }
@@ -101,7 +106,7 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
 
 std::string others_text(const InspectReport& report) {
     if (report.others.empty()) return "";
-    const std::uint64_t weak = report.sum.passed(PassReason::weak_test);
+    const std::uint64_t weak = report.sum.counts.passed(PassReason::weak_test);
     std::string text = format(
         "what would have caught it: of the %llu pairs that %s passed though their volumes are "
         "disjoint\n"
@@ -114,14 +119,14 @@ std::string others_text(const InspectReport& report) {
                                       static_cast<double>(from));
     };
     for (const OtherTest& other : report.others)
-        text += format("%-19s %8llu %9llu %8s %9llu %8s %12llu %8s\n",
-                       test_title(other.overlap).c_str(), wide(other.caught),
-                       wide(other.all.volume_tests),
-                       change(report.sum.all.volume_tests, other.all.volume_tests).c_str(),
-                       wide(other.all.triangle_tests),
-                       change(report.sum.all.triangle_tests, other.all.triangle_tests).c_str(),
-                       wide(other.all.operations),
-                       change(report.sum.all.operations, other.all.operations).c_str());
+        text += format(
+            "%-19s %8llu %9llu %8s %9llu %8s %12llu %8s\n", test_title(other.overlap).c_str(),
+            wide(other.caught), wide(other.all.volume_tests),
+            change(report.sum.counts.all.volume_tests, other.all.volume_tests).c_str(),
+            wide(other.all.triangle_tests),
+            change(report.sum.counts.all.triangle_tests, other.all.triangle_tests).c_str(),
+            wide(other.all.operations),
+            change(report.sum.counts.all.operations, other.all.operations).c_str());
     return text;
 }
 
@@ -139,17 +144,18 @@ Json work_json(const Work& work) {
 
 Json inspection_json(const Inspection& i) {
     return {{"pairs", i.pairs},
-            {"n_v", i.n_v},
-            {"n_p", i.n_p},
-            {"passed", i.passed()},
-            {"inner", reasons_json(i.inner)},
-            {"leaves", reasons_json(i.leaves)},
-            {"touching", i.touching},
-            {"wrongly_rejected", i.wrongly_rejected},
-            {"work", work_json(i.all)},
-            {"wasted", work_json(i.wasted)},
+            {"n_v", i.counts.all.volume_tests},
+            {"n_p", i.counts.all.triangle_tests},
+            {"passed", i.counts.passed()},
+            {"inner", reasons_json(i.counts.inner)},
+            {"leaves", reasons_json(i.counts.leaves)},
+            {"touching", i.counts.touching},
+            {"wrongly_rejected", i.counts.wrongly_rejected},
+            {"work", work_json(i.counts.all)},
+            {"wasted", work_json(i.counts.wasted)},
             {"wasted_by",
-             {{"test", work_json(i.wasted_by_tests)}, {"fit", work_json(i.wasted_by_fit())}}}};
+             {{"test", work_json(i.counts.wasted_by_tests)},
+              {"fit", work_json(i.counts.wasted_by_fit())}}}};
 }
 
 Json pair_json(const FalsePair& p) {
@@ -166,21 +172,13 @@ Json pair_json(const FalsePair& p) {
 
 }  // namespace
 
-void InspectReport::finish() {
-    for (const InspectedFrame& frame : frames) sum.add(frame.found);
-    std::sort(frames.begin(), frames.end(), [](const InspectedFrame& x, const InspectedFrame& y) {
-        const std::uint64_t of_x = x.found.wasted.volume_tests, of_y = y.found.wasted.volume_tests;
-        return of_x != of_y ? of_x > of_y : x.frame < y.frame;
-    });
-}
-
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
     std::string title =
         printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
         ", " + std::string(volume_title(header.volume));
     if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
-    return title + "\n\n" + frames_text(report) + reasons_text(report.sum) +
+    return title + "\n\n" + frames_text(report) + reasons_text(report.sum.counts) +
            depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
            worst_text(report, report.weak_tests, "test too weak") + others_text(report);
 }
@@ -224,10 +222,11 @@ std::string inspect_frames_csv(const InspectReport& report) {
         const Inspection& i = frame.found;
         text += format("%d", frame.frame);
         for (const std::uint64_t value :
-             {i.pairs, i.n_v, i.n_p, i.passed(), i.passed(PassReason::contact),
-              i.passed(PassReason::loose_fit), i.passed(PassReason::weak_test),
-              i.wasted.volume_tests, i.wasted.triangle_tests, i.wasted.operations, i.all.operations,
-              i.wrongly_rejected})
+             {i.pairs, i.counts.all.volume_tests, i.counts.all.triangle_tests, i.counts.passed(),
+              i.counts.passed(PassReason::triangles_meet), i.counts.passed(PassReason::loose_fit),
+              i.counts.passed(PassReason::weak_test), i.counts.wasted.volume_tests,
+              i.counts.wasted.triangle_tests, i.counts.wasted.operations, i.counts.all.operations,
+              i.counts.wrongly_rejected})
             text += format(",%llu", wide(value));
         text += "\n";
     }

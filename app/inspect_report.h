@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "core/inspection.h"
+#include "core/other_test.h"
+#include "core/worst_pairs.h"
 
 namespace scb {
-
-/// One frame of an inspection.
-struct InspectedFrame {
-    int frame = 0;
-    Inspection found;
-};
 
 /// Everything that `scb inspect` found.
 struct InspectReport {
@@ -21,9 +17,6 @@ struct InspectReport {
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<OtherTest> others;
-
-    /// Puts the frames in order, and adds them up.
-    void finish();
 };
 
 /// As tables for a reader.

@@ -86,42 +86,19 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
         pair.exact = proof.contact;
         pair.leaves = a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf();
         if (contact[i]) {
-            pair.reason = PassReason::contact;
+            pair.reason = PassReason::triangles_meet;
         } else if (proof.contact == Contact::disjoint) {
             pair.reason = PassReason::weak_test;
             pair.gap = proof.margin;
         } else {
             pair.reason = PassReason::loose_fit;
         }
-        result.touching += proof.contact == Contact::touching;
+        result.counts.touching += proof.contact == Contact::touching;
         result.passed.push_back(pair);
     }
 }
 
 }  // namespace
-
-std::string_view pass_reason_name(PassReason reason) {
-    switch (reason) {
-        case PassReason::weak_test:
-            return "test";
-        case PassReason::loose_fit:
-            return "fit";
-        case PassReason::contact:
-            break;
-    }
-    return "true";
-}
-
-Work& Work::operator+=(const Work& other) {
-    volume_tests += other.volume_tests;
-    triangle_tests += other.triangle_tests;
-    operations += other.operations;
-    return *this;
-}
-
-std::uint64_t Attribution::count(PassReason reason) const {
-    return inner[static_cast<std::size_t>(reason)] + leaves[static_cast<std::size_t>(reason)];
-}
 
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, const TestTree& tree,
@@ -135,12 +112,12 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
             add_verdicts(result, hierarchy, std::get<Hierarchy<V>>(b), frame, contact);
         },
         a);
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
-    for (std::size_t i = 0; i < tests.size(); ++i)
-        result.all += {1, 0, operation_cost(header.volume, header.options.overlap, tests[i].stage)};
-    result.all.triangle_tests = frame.events.triangle_tests.size();
+    PassCounts& counts = result.counts;
+    counts.all = {frame.found.n_v, frame.found.n_p,
+                  operation_count(header.volume, header.options.overlap, frame.found.stages)};
+    counts.wrongly_rejected = result.wrongly_rejected.size();
     // Parents come before their children.
-    std::vector<char> weak_so_far(tests.size());
+    std::vector<char> weak_so_far(frame.events.volume_tests.size());
     for (PassedPair& pair : result.passed) {
         pair.below = below[pair.test];
         const std::uint32_t parent = tree.parents[pair.test];
@@ -150,12 +127,20 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
         }
         const bool weak = pair.reason == PassReason::weak_test;
         weak_so_far[pair.test] = weak || pair.within_weak_test;
-        if (pair.reason != PassReason::contact && !pair.within_false_pair)
-            result.wasted += pair.below;
-        if (weak && !pair.within_weak_test) result.wasted_by_tests += pair.below;
-        ++(pair.leaves ? result.leaves : result.inner)[static_cast<std::size_t>(pair.reason)];
+        if (pair.reason != PassReason::triangles_meet && !pair.within_false_pair)
+            counts.wasted += pair.below;
+        if (weak && !pair.within_weak_test) counts.wasted_by_tests += pair.below;
+        ++(pair.leaves ? counts.leaves : counts.inner)[static_cast<std::size_t>(pair.reason)];
     }
     return result;
+}
+
+std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
+                                    const AnyHierarchy& b, const Mesh& mesh_b,
+                                    const TraceHeader& header, const TraceFrame& frame) {
+    const bool sound = header.volume != VolumeKind::scb || is_sound(header.options.overlap.test);
+    if (sound && frame.found.complete && header.options.stop_level < 0) return frame.found.pairs;
+    return collide(a, mesh_a, b, mesh_b, frame.b_to_a).pairs;
 }
 
 }  // namespace scb

@@ -34,7 +34,7 @@ struct Query {
         frame = record_frame(a, b, 0, pose, header);
         tree = test_tree(header, frame);
         const auto i = static_cast<std::size_t>(kind);
-        contacts = collide(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, pose, {}).pairs;
+        contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
         result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
     }
 };
@@ -45,18 +45,18 @@ void check_counts(const Query& q) {
     std::uint64_t passed = 0;
     for (const VolumeTest& test : tests) passed += test.stage == Stage::overlapping;
     EXPECT_EQ(r.passed.size(), passed);
-    EXPECT_EQ(r.count(PassReason::weak_test) + r.count(PassReason::loose_fit) +
-                  r.count(PassReason::contact),
+    EXPECT_EQ(r.counts.passed(PassReason::weak_test) + r.counts.passed(PassReason::loose_fit) +
+                  r.counts.passed(PassReason::triangles_meet),
               passed);
-    EXPECT_EQ(r.all.volume_tests, q.frame.found.n_v);
-    EXPECT_EQ(r.all.triangle_tests, q.frame.found.n_p);
-    EXPECT_EQ(r.all.operations,
+    EXPECT_EQ(r.counts.all.volume_tests, q.frame.found.n_v);
+    EXPECT_EQ(r.counts.all.triangle_tests, q.frame.found.n_p);
+    EXPECT_EQ(r.counts.all.operations,
               operation_count(q.header.volume, q.header.options.overlap, q.frame.found.stages));
 
     // Test by test: wasted is what a false pair led to.
     std::vector<char> is_false(tests.size());
     for (const PassedPair& pair : r.passed)
-        is_false[pair.test] = pair.reason != PassReason::contact;
+        is_false[pair.test] = pair.reason != PassReason::triangles_meet;
     Work wasted, useful;
     for (std::size_t i = 0; i < tests.size(); ++i) {
         const std::uint32_t parent = q.tree.parents[i];
@@ -65,7 +65,7 @@ void check_counts(const Query& q) {
     }
     for (const TriangleTest& test : q.frame.events.triangle_tests)
         ++(is_false[test.after] ? wasted : useful).triangle_tests;
-    EXPECT_EQ(r.wasted, wasted);
+    EXPECT_EQ(r.counts.wasted, wasted);
     // An exact test saves what a pair that passed a weak one led to, at whatever distance.
     std::vector<char> is_weak(tests.size());
     for (const PassedPair& pair : r.passed)
@@ -78,10 +78,10 @@ void check_counts(const Query& q) {
                 ++saved;
                 break;
             }
-    EXPECT_EQ(r.wasted_by_tests.volume_tests, saved);
+    EXPECT_EQ(r.counts.wasted_by_tests.volume_tests, saved);
     Work sum = useful;
-    sum += r.wasted;
-    EXPECT_EQ(sum, r.all);
+    sum += r.counts.wasted;
+    EXPECT_EQ(sum, r.counts.all);
 }
 
 /// By sets of triangles, for some of the pairs.
@@ -95,7 +95,7 @@ void check_contacts(const Query& q) {
         const bool contact = std::any_of(
             q.contacts.begin(), q.contacts.end(),
             [&](const IndexPair& c) { return of_a.contains(c.a) && of_b.contains(c.b); });
-        EXPECT_EQ(contact, pair.reason == PassReason::contact) << pair.test;
+        EXPECT_EQ(contact, pair.reason == PassReason::triangles_meet) << pair.test;
         EXPECT_EQ(pair.reason == PassReason::weak_test,
                   !contact && pair.exact == Contact::disjoint);
     }
@@ -127,12 +127,12 @@ TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
                 else
                     EXPECT_EQ(query.result.wrongly_rejected.size(), 0u);
                 if (kind != VolumeKind::scb) {
-                    EXPECT_EQ(query.result.count(PassReason::weak_test), 0u)
+                    EXPECT_EQ(query.result.counts.passed(PassReason::weak_test), 0u)
                         << "the test of these volumes is exact";
                 } else {
-                    weak += query.result.count(PassReason::weak_test);
+                    weak += query.result.counts.passed(PassReason::weak_test);
                 }
-                loose += query.result.count(PassReason::loose_fit);
+                loose += query.result.counts.passed(PassReason::loose_fit);
             }
     }
     EXPECT_GT(weak, 0u);
@@ -154,9 +154,9 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     ASSERT_FALSE(frame.found.complete);
     const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame,
                                     test_tree(header, frame), contacts);
-    EXPECT_EQ(r.all.volume_tests, frame.found.n_v);
+    EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
     // The roots are of a pair that meets, although it is not the one that was found.
-    EXPECT_EQ(r.passed.front().reason, PassReason::contact);
+    EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
 }
 
 }  // namespace
