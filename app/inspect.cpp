@@ -4,7 +4,6 @@
 #include "app/exit_status.h"
 #include "app/inspect_report.h"
 #include "app/interrupt.h"
-#include "app/number_list.h"
 #include "app/progress.h"
 #include "app/query_source.h"
 #include "core/error.h"
@@ -15,7 +14,7 @@ namespace {
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
+    QueryOptions query;
     QueryLimits limits;
     std::vector<std::string> recording;  ///< see given_recording_options
     std::optional<int> frame;
@@ -60,6 +59,9 @@ int run(Options& options, const Console& console) {
             attribute(a, b, report.header, frame, tree,
                       all_contacts(a, mesh_a, b, mesh_b, report.header, frame));
         report.frames.push_back({number, inspection(frame, tree, attribution)});
+        for (const std::uint32_t test : attribution.wrongly_rejected)
+            if (report.wrong.size() < top)
+                report.wrong.push_back({number, frame.events.volume_tests[test]});
         weak_tests.add(frame, attribution);
         loose_fits.add(frame, attribution);
         for (OtherTest& other : report.others)
@@ -103,7 +105,6 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
     add_query_options(*command, options->query, false);
     add_query_limits(*command, options->limits);
     CLI::Option* frames = command->get_option("--frames");
-    frames->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
     command->add_option("--frame", options->frame, "One frame")
         ->check(decimal_number())
         ->excludes(frames)

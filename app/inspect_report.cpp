@@ -104,6 +104,19 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
     return text + "\n";
 }
 
+std::string wrong_text(const InspectReport& report) {
+    if (report.wrong.empty()) return "";
+    std::string text =
+        format("REJECTED WRONGLY: the first %zu of %llu pairs whose volumes overlap\n",
+               report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
+    text += "frame          nodes     depths  rejected at\n";
+    for (const WrongRejection& w : report.wrong)
+        text +=
+            format("%5d %8u %8u   %3d %3d  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
+                   w.test.depth_a, w.test.depth_b, std::string(stage_name(w.test.stage)).c_str());
+    return text + "\n";
+}
+
 std::string others_text(const InspectReport& report) {
     if (report.others.empty()) return "";
     const std::uint64_t weak = report.sum.counts.passed(PassReason::weak_test);
@@ -180,7 +193,8 @@ std::string inspect_text(const InspectReport& report) {
     if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
     return title + "\n\n" + frames_text(report) + reasons_text(report.sum.counts) +
            depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
-           worst_text(report, report.weak_tests, "test too weak") + others_text(report);
+           worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
+           others_text(report);
 }
 
 Json inspect_json(const InspectReport& report) {
@@ -203,6 +217,12 @@ Json inspect_json(const InspectReport& report) {
     json["worst"] = Json::array();
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(p));
+    json["wrongly_rejected"] = Json::array();
+    for (const WrongRejection& w : report.wrong)
+        json["wrongly_rejected"].push_back({{"frame", w.frame},
+                                            {"nodes", {w.test.nodes.a, w.test.nodes.b}},
+                                            {"depths", {w.test.depth_a, w.test.depth_b}},
+                                            {"stage", stage_name(w.test.stage)}});
     json["other_tests"] = Json::array();
     for (const OtherTest& other : report.others) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};
@@ -212,40 +232,6 @@ Json inspect_json(const InspectReport& report) {
         json["other_tests"].push_back(std::move(entry));
     }
     return json;
-}
-
-std::string inspect_frames_csv(const InspectReport& report) {
-    std::string text =
-        "frame,pairs,n_v,n_p,passed,true,fit,test,wasted_n_v,wasted_n_p,wasted_operations,"
-        "operations,wrongly_rejected\n";
-    for (const InspectedFrame& frame : report.frames) {
-        const Inspection& i = frame.found;
-        text += format("%d", frame.frame);
-        for (const std::uint64_t value :
-             {i.pairs, i.counts.all.volume_tests, i.counts.all.triangle_tests, i.counts.passed(),
-              i.counts.passed(PassReason::triangles_meet), i.counts.passed(PassReason::loose_fit),
-              i.counts.passed(PassReason::weak_test), i.counts.wasted.volume_tests,
-              i.counts.wasted.triangle_tests, i.counts.wasted.operations, i.counts.all.operations,
-              i.counts.wrongly_rejected})
-            text += format(",%llu", wide(value));
-        text += "\n";
-    }
-    return text;
-}
-
-std::string inspect_pairs_csv(const InspectReport& report) {
-    std::string text =
-        "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,leaves,wasted_n_v,wasted_n_p,"
-        "wasted_operations\n";
-    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& p : *worst)
-            text += format("%d,%u,%u,%d,%d,%s,%s,%.17g,%d,%llu,%llu,%llu\n", p.frame,
-                           p.test.nodes.a, p.test.nodes.b, p.test.depth_a, p.test.depth_b,
-                           std::string(pass_reason_name(p.pair.reason)).c_str(),
-                           std::string(contact_name(p.pair.exact)).c_str(), p.pair.gap,
-                           p.pair.leaves ? 1 : 0, wide(p.pair.below.volume_tests),
-                           wide(p.pair.below.triangle_tests), wide(p.pair.below.operations));
-    return text;
 }
 
 }  // namespace scb

@@ -16,6 +16,7 @@ struct InspectReport {
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
+    std::vector<WrongRejection> wrong;              ///< the first ones
     std::vector<OtherTest> others;
 };
 
@@ -25,9 +26,5 @@ std::string inspect_text(const InspectReport& report);
 /// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
 /// `worst`, `other_tests`.
 nlohmann::ordered_json inspect_json(const InspectReport& report);
-
-/// The frames, or the worst pairs, a line each.
-std::string inspect_frames_csv(const InspectReport& report);
-std::string inspect_pairs_csv(const InspectReport& report);
 
 }  // namespace scb

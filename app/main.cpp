@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -52,6 +53,18 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
         sentence = (word.empty() ? "`" + command + "` needs a command"
                                  : "'" + word + "' is no command of `" + command + "`") +
                    "; give one of " + names;
+    }
+    // The parser takes the value of an option that it does not know for one word too many.
+    for (int i = 1; i < argc; ++i) {
+        const std::string word(argv[i], std::strcspn(argv[i], "="));
+        if (word.size() < 3 || !word.starts_with("--")) continue;
+        bool known = false;
+        for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
+            known = app->get_option_no_throw(word) != nullptr;
+        if (!known) {
+            sentence = "'" + word + "' is no option of `" + command + "`";
+            break;
+        }
     }
     for (char& c : sentence)
         if (c == '\n') c = ' ';

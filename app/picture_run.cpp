@@ -40,10 +40,7 @@ void PictureRun::draw(const std::string& name, const Picture& picture, Json entr
     files_.push_back(std::move(files));
 }
 
-std::uint32_t PictureRun::id_at(int x, int y) const {
-    return last_ids_.ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(last_ids_.width) +
-                         static_cast<std::size_t>(x)];
-}
+std::uint32_t PictureRun::id_at(int x, int y) const { return pixel(last_ids_, x, y); }
 
 void PictureRun::draw_sheet() {
     const std::string file = sheet_->name + ".png";

@@ -70,6 +70,14 @@ std::string file_name_part(const std::string& text) {
     return part;
 }
 
+/// With the overlap test, where there is a choice.
+std::string volume_caption(const TraceHeader& header) {
+    const std::string title(volume_title(header.volume));
+    return header.volume == VolumeKind::scb
+               ? title + ", test " + std::string(overlap_test_name(header.options.overlap.test))
+               : title;
+}
+
 }  // namespace
 
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -111,8 +119,8 @@ std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& 
         for (const TraceField& y : of_b) {
             if (x.name != y.name || x.value == y.value) continue;
             if (x.name == "volume") {
-                add(labels[0], std::string(volume_title(a.volume)), x.value);
-                add(labels[1], std::string(volume_title(b.volume)), y.value);
+                add(labels[0], volume_caption(a), x.value);
+                add(labels[1], volume_caption(b), y.value);
             } else {
                 const std::string what = x.name == "test" ? "" : x.name + " ";
                 add(labels[0], what + x.value, x.value);

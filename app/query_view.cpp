@@ -58,12 +58,37 @@ void QueryViewOptions::check() {
     picture.pick = at;
 }
 
+std::string stopped_remark(const TraceFrame& frame) {
+    return "stopped at " + count_text(frame.found.pairs.size()) +
+           (frame.found.pairs.size() == 1 ? " pair" : " pairs");
+}
+
 QuerySources QueryViewOptions::open(const Console& console) const {
     QuerySources sources =
         open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
     if (picture.video.wanted())
         check_output(picture.video.file, "--video", sources.front().query().scene);
     return sources;
+}
+
+std::optional<SheetRun> QueryViewOptions::planned_sheet(
+    std::size_t count, const std::optional<ComparisonLayout>& layout) const {
+    if (!sheet) return std::nullopt;
+    SheetRun run;
+    run.view = figure_layout(picture.width(), picture.height()).view;
+    if (layout) {
+        // Both views, and what is between them.
+        const PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
+        run.view = {first.x, first.y, second.x + second.width - first.x,
+                    second.y + second.height - first.y};
+    }
+    const std::optional<FrameSheetLayout> cells = frame_sheet_layout(count, run.view);
+    if (!cells)
+        throw InputError("--sheet: a sheet has room for " + count_text(most_frame_cells(run.view)) +
+                         " pictures, and this run has " + count_text(count) +
+                         "; give fewer, or leave out --sheet.");
+    run.sheet.layout = *cells;
+    return run;
 }
 
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
@@ -212,7 +237,9 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
     if (of_scb.volume == VolumeKind::scb) {
         const OverlapOptions& overlap = of_scb.options.overlap;
-        if (common("test")) add("test " + std::string(overlap_test_name(overlap.test)));
+        // Of two kinds of volumes the captions say it, since it is that of one of them.
+        if (common("test") && other.volume == header.volume)
+            add("test " + std::string(overlap_test_name(overlap.test)));
         if (common("threshold") && has_threshold(overlap.test) &&
             overlap.threshold != OverlapOptions{}.threshold)
             add(format("threshold %g", overlap.threshold));
@@ -238,8 +265,8 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
            (frame ? format("_frame-%04d", *frame) : "");
 }
 
-Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
-    const QueryBodies both = bodies(frame.frame);
+Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames) const {
+    const QueryBodies both = bodies(frames[0]->frame);
     for (const QueryBody& b : both) {
         const Topology& topology = topology_of(*b.hierarchy);
         if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
@@ -254,23 +281,33 @@ Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
     for (const QueryBody& b : both)
         if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
             return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
-    if (id >= first_free_id_ && id - first_free_id_ < frame.found.pairs.size()) {
-        const IndexPair pair = frame.found.pairs[id - first_free_id_];
-        return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+    std::uint32_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        const std::vector<IndexPair>& pairs = frame->found.pairs;
+        if (id >= first && id - first < pairs.size()) {
+            const IndexPair pair = pairs[id - first];
+            return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+        }
+        first += static_cast<std::uint32_t>(pairs.size());
     }
     return nullptr;
+}
+
+Json QueryView::pair_ids(const QueryFrames& frames) const {
+    Json ids = Json::array();
+    std::size_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        ids.push_back({{"first", first}, {"count", frame->found.pairs.size()}});
+        first += frame->found.pairs.size();
+    }
+    return ids;
 }
 
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                           const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
     const PixelPosition at = *options_.picture.pick;
-    std::size_t query = 0;
-    if (layout_) {
-        const PixelRect& second = layout_->sides[1].view;
-        query = at.x >= second.x && at.y >= second.y;
-    }
-    const Json what = what_is(pictures.id_at(at.x, at.y), *frames[query]);
+    const Json what = what_is(pictures.id_at(at.x, at.y), frames);
     std::string text = name + format(".png at %d,%d: ", at.x, at.y);
     if (what.is_null())
         text += "nothing";
@@ -287,28 +324,15 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
 }
 
 void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
-                            std::size_t count) const {
-    if (!options_.sheet) return;
-    SheetRun run;
-    run.view = figure_layout(options_.picture.width(), options_.picture.height()).view;
-    if (layout_) {
-        // Both views, and what is between them.
-        const PixelRect &first = layout_->sides[0].view, &second = layout_->sides[1].view;
-        run.view = {first.x, first.y, second.x + second.width - first.x,
-                    second.y + second.height - first.y};
-    }
-    const std::optional<FrameSheetLayout> layout = frame_sheet_layout(count, run.view);
-    if (!layout)
-        throw InputError("--sheet: a sheet has room for " + count_text(most_frame_cells(run.view)) +
-                         " pictures, and this run has " + count_text(count) +
-                         "; give fewer, or leave out --sheet.");
+                            std::optional<SheetRun> planned) const {
+    if (!planned) return;
     const std::vector<int>& frames = sources_.front().frames();
-    run.one_frame = frames.size() == 1;
-    run.name = picture_name(what + "_sheet");
-    run.sheet.layout = *layout;
-    run.sheet.theme = options_.picture.theme();
-    run.sheet.subtitle = subtitle(run.one_frame ? std::optional(frames[0]) : std::nullopt);
-    pictures.begin_sheet(std::move(run));
+    planned->one_frame = frames.size() == 1;
+    planned->name = picture_name(what + "_sheet");
+    planned->sheet.theme = options_.picture.theme();
+    planned->sheet.subtitle =
+        subtitle(planned->one_frame ? std::optional(frames[0]) : std::nullopt);
+    pictures.begin_sheet(std::move(*planned));
 }
 
 Json QueryView::index_head(const std::string& command) const {

@@ -37,9 +37,16 @@ struct QueryViewOptions {
     void check();
     /// Opens what was asked for.
     QuerySources open(const Console& console) const;
+    /// A sheet for this many pictures, where one is asked for; with `layout` where two queries are
+    /// compared. Throws InputError where they are too many: ask before anything is written.
+    std::optional<SheetRun> planned_sheet(std::size_t count,
+                                          const std::optional<ComparisonLayout>& layout) const;
 };
 /// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
 void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
+
+/// What a picture says of a query that ended before it had found everything.
+std::string stopped_remark(const TraceFrame& frame);
 
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
 /// Where the options say that pictures show nothing of the bodies, these stay where they are, and
@@ -49,6 +56,7 @@ class QueryView {
     /// `layout`: of the pictures, where two queries are compared.
     QueryView(const QueryViewOptions& options, const QuerySources& sources, Renderer& renderer,
               std::optional<ComparisonLayout> layout = std::nullopt);
+    QueryView(const QueryView&) = delete;
 
     /// Whether there are two queries.
     bool compares() const { return sources_.size() == 2; }
@@ -78,14 +86,17 @@ class QueryView {
     /// What an id of a picture of this frame stands for: {"what": "node", "body": "A", "index":
     /// 412,
     /// ...}; null for 0.
-    nlohmann::ordered_json what_is(std::uint32_t id, const TraceFrame& frame) const;
+    nlohmann::ordered_json what_is(std::uint32_t id, const QueryFrames& frames) const;
+    /// For each query, the ids of the segments in which its pairs meet: {"first": ..., "count":
+    /// ...}, in the order of `scb collide --pairs-out`.
+    nlohmann::ordered_json pair_ids(const QueryFrames& frames) const;
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
     void tell_pick(PictureRun& pictures, const std::string& name, const QueryFrames& frames) const;
 
-    /// Begins the sheet of this many pictures of WHAT, where one is asked for. Throws InputError
-    /// where they are too many.
-    void begin_sheet(PictureRun& pictures, const std::string& what, std::size_t count) const;
+    /// Begins the sheet of the pictures of WHAT, where one is asked for.
+    void begin_sheet(PictureRun& pictures, const std::string& what,
+                     std::optional<SheetRun> planned) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;

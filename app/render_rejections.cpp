@@ -73,6 +73,15 @@ RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
     return style;
 }
 
+/// Which nodes are shown, where not all are.
+std::string filter_text(const Options& options) {
+    std::string text;
+    if (!options.body.empty()) text += ", only body " + options.body;
+    if (!options.depths.empty()) text += ", only levels " + options.depths;
+    if (!options.stages.empty()) text += ", only " + options.stages;
+    return text;
+}
+
 /// One picture: a query, or its first tests.
 struct Shot {
     const QuerySources& sources;
@@ -89,7 +98,7 @@ struct Shot {
         const Fronts fronts = fronts_of(bodies, frame, tree, style);
         SceneFigure figure;
         figure.title = view.title("rejections");
-        figure.subtitle = view.subtitle(frame.frame);
+        figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
         figure.pane = rejections_pane(bodies, fronts, style);
         const std::vector<AnyVolume> region = contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
@@ -101,6 +110,8 @@ struct Shot {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
         } else if (fronts[0].empty() && fronts[1].empty()) {
             figure.remark = "no such node";
+        } else if (!frame.found.complete) {
+            figure.remark = stopped_remark(frame);
         } else if (frame.found.n_v == 1) {
             figure.remark = "no overlap: the roots were rejected";
         }
@@ -121,14 +132,17 @@ struct Shot {
 
     void draw_compared(const QueryFrames& frames) const {
         const ComparedQueries queries = compared_queries(view, sources, frames);
-        std::array<ComparedView, 2> views = compared_rejections(queries, style);
+        const PairsOfOne only_here = pairs_of_one(queries);
+        std::array<ComparedView, 2> views = compared_rejections(queries, only_here, style);
         for (std::size_t i = 0; i < 2; ++i)
             if (views[i].pane.volumes.empty())
                 views[i].remark = "no such node";
+            else if (!frames[i]->found.complete)
+                views[i].remark = stopped_remark(*frames[i]);
             else if (frames[i]->found.n_v == 1)
                 views[i].remark = "no overlap: the roots were rejected";
-        draw_comparison(view, queries, std::move(views), "rejections", "rejections", options,
-                        pictures);
+        draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
+                        options, pictures);
     }
 
     /// The pair that was tested last, and what its test gave.
@@ -152,8 +166,14 @@ struct Shot {
 /// How the paths of each frame ended: a picture for each query.
 void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
                  const QueryView& view, const Options& options, PictureRun& pictures) {
+    double most = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const TraceHeader& header = sources[i].header();
+        stages[i].groups =
+            ending_groups(endings_of(header.volume, header.options), *options.picture.theme());
+        most = std::max(most, most_paths(stages[i]));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
         StagesFigure& figure = stages[i];
         figure.title = view.title("rejections by frame");
         figure.subtitle = view.subtitle();
@@ -163,7 +183,7 @@ void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
             name += "_" + view.labels()[i].name;
         }
         figure.theme = options.picture.theme();
-        figure.groups = ending_groups(endings_of(header.volume, header.options), *figure.theme);
+        figure.least_top = most;
         const Picture picture =
             compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
         pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);
@@ -189,16 +209,18 @@ int run(Options& options, const Console& console) {
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     if (options.steps && sources.size() == 2)
         throw InputError("--steps: an animation is of one query; leave it out to compare two.");
-    PictureRun pictures(options.picture);
     std::optional<ComparisonLayout> layout;
     if (sources.size() == 2)
         layout = comparison_layout(
             options.picture.width(), options.picture.height(),
             compared_rejections_rows(sources[0].header(), sources[1].header(), style));
+    std::optional<SheetRun> sheet;
+    if (options.sheet)
+        sheet = options.planned_sheet(picture_count(sources.front(), options.steps), layout);
+    PictureRun pictures(options.picture);
     const QueryView view(options, sources, pictures.renderer(), layout);
     const Shot shot{sources, view, style, options, pictures};
-    if (options.sheet)
-        view.begin_sheet(pictures, "rejections", picture_count(sources.front(), options.steps));
+    view.begin_sheet(pictures, "rejections", std::move(sheet));
     std::vector<StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,

@@ -11,6 +11,12 @@ struct FalsePair {
     VolumeTest test;
 };
 
+/// A test that rejected volumes which overlap.
+struct WrongRejection {
+    int frame = 0;
+    VolumeTest test;
+};
+
 /// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
 /// below them (of volumes and of triangles), then by frame and by the order of the tests. Of weak
 /// tests those that are not within another one; of loose fits those that are not within any false
