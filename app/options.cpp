@@ -36,8 +36,8 @@ Scene SceneOptions::load() const {
     for (const std::string& name : names)
         if (names_trace(name) && std::filesystem::exists(name))
             throw InputError(name +
-                             ": this is a trace; print it with `scb trace`, or compare it "
-                             "with `scb diff`.");
+                             ": this is a trace, which is named alone, or with a second one where "
+                             "two are compared; print it with `scb trace`.");
     LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
@@ -72,6 +72,14 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     return result;
 }
 
+void refuse_overwriting(const std::string& path, const std::string& option,
+                        const SceneOptions& scene) {
+    for (const std::string& name : scene.names)
+        for (const std::filesystem::path& folder :
+             {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
+            refuse_same_file(path, option, folder / name);
+}
+
 void check_output(const std::string& path, const std::string& option, const Scene& scene) {
     for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
 }
@@ -80,10 +88,7 @@ void check_output(const std::string& path, const std::string& option, const Scen
                   const std::string& folder_to_make) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
-    for (const std::string& name : scene.names)
-        for (const std::filesystem::path& folder :
-             {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
-            refuse_same_file(path, option, folder / name);
+    refuse_overwriting(path, option, scene);
     // Before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";

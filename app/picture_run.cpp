@@ -15,7 +15,8 @@ PictureRun::PictureRun(const PictureOptions& options)
       queue_(8, options.jobs()) {
     // An index of other pictures must not stand beside these if this run does not finish.
     std::error_code ignored;
-    std::filesystem::remove(folder_ / "index.json", ignored);
+    if (!std::filesystem::is_directory(folder_ / "index.json", ignored))
+        std::filesystem::remove(folder_ / "index.json", ignored);
     if (options.video.wanted())
         video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
                        options.theme()->background);

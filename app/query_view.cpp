@@ -44,6 +44,7 @@ void QueryViewOptions::check() {
     query.collide();
     for (const std::string& name : scene.names)
         if (names_trace(name)) refuse_for_trace(recording, name);
+    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
     picture.video.check(scene, picture.output);
     if (pick.empty()) return;
     const std::vector<std::string> parts = split_list(pick);
@@ -109,6 +110,7 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
         command
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
+            ->check(has_name())
             ->type_name("X,Y");
         command
             .add_option("--compare", options.compare,

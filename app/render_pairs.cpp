@@ -87,10 +87,10 @@ int run(Options& options, const Console& console) {
     view.begin_sheet(pictures, what, std::move(sheet));
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames) {
+        [&](const QueryFrames& frames, const InterruptWatch&) {
             if (view.compares()) {
                 draw_compared(view, sources, frames, options, style, what, pictures);
-                return;
+                return true;
             }
             const TraceFrame& frame = *frames[0];
             const QuerySource& source = sources[0];
@@ -114,6 +114,7 @@ int run(Options& options, const Console& console) {
             const std::string name = view.picture_name(what, frame.frame);
             pictures.draw(name, picture, std::move(entry));
             view.tell_pick(pictures, name, frames);
+            return true;
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render pairs");
@@ -138,6 +139,7 @@ void add_render_pairs(CLI::App& render_command, const Console& console, Action& 
         ->add_option("--heat", options->heat,
                      "Instead, color each triangle by the tests that it took part in: of volumes "
                      "that hold it, or of triangles")
+        ->check(has_name())
         ->type_name("volumes|triangles");
     command
         ->add_option("--heat-end", options->heat_end,

@@ -31,6 +31,20 @@ std::string names_of(const std::vector<Ending>& endings) {
     return names;
 }
 
+/// "7" or "0:9".
+std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
+    const std::string option = "--depth " + text;
+    const std::string hint = "; give a level such as 7, or the first and the last such as 0:9.";
+    const std::vector<std::string> parts = split_list(text, ':');
+    if (parts.size() > 2) throw InputError(option + ": these are not two levels" + hint);
+    const int first = whole_number(parts.front(), option, hint),
+              last = whole_number(parts.back(), option, hint);
+    if (first < 0 || last < first || last > deepest_level)
+        throw InputError(option + ": this scene's hierarchies have the levels 0 to " +
+                         std::to_string(deepest_level) + hint);
+    return {first, last};
+}
+
 RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
     const QuerySource& source = sources.front();
     RejectionsStyle style;
@@ -50,12 +64,9 @@ RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
                                  "' is none here; give some of " + names_of(known) + ".");
             style.filter.endings.push_back(*ending);
         }
-    if (!options.depths.empty()) {
-        const std::vector<int> depths =
-            parse_levels(options.depths, deepest(source.query().topologies), "--depth");
-        style.filter.least_depth = depths.front();
-        style.filter.most_depth = depths.back();
-    }
+    if (!options.depths.empty())
+        std::tie(style.filter.least_depth, style.filter.most_depth) =
+            depth_range(options.depths, deepest(source.query().topologies));
     const TraceHeader& header = source.header();
     if (!options.body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
@@ -224,7 +235,7 @@ int run(Options& options, const Console& console) {
     std::vector<StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames) {
+        [&](const QueryFrames& frames, const InterruptWatch& watch) {
             for (std::size_t i = 0; i < sources.size(); ++i) {
                 stages[i].frames.push_back(frames[i]->frame);
                 stages[i].counts.push_back(
@@ -232,21 +243,22 @@ int run(Options& options, const Console& console) {
             }
             if (view.compares()) {
                 shot.draw_compared(frames);
-                return;
+                return true;
             }
             const QuerySource& source = sources.front();
             const TraceFrame& frame = *frames.front();
             const TestTree tree = test_tree(source.header(), frame);
             if (!options.steps) {
                 shot.draw(frame, tree, std::nullopt, frame);
-                return;
+                return true;
             }
             const std::size_t all = frame.events.volume_tests.size(),
                               each = static_cast<std::size_t>(*options.steps);
             for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
                 const TraceFrame part = first_tests(source.header(), frame, tree, count);
                 shot.draw(part, test_tree(source.header(), part), count, frame);
-                if (count == all) break;
+                if (count == all) return true;
+                if (watch.signal() != 0) return false;
             }
         },
         [&] {
@@ -281,10 +293,14 @@ void add_render_rejections(CLI::App& render_command, const Console& console, Act
         ->add_option("--stage", options->stages,
                      "Only paths that ended so: some of the stages, 'triangles apart', "
                      "'triangles meet'")
+        ->check(has_name())
         ->type_name("LIST");
     command->add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
+        ->check(has_name())
         ->type_name("A:B");
-    command->add_option("--body", options->body, "Only the nodes of this body")->type_name("NAME");
+    command->add_option("--body", options->body, "Only the nodes of this body")
+        ->check(has_name())
+        ->type_name("NAME");
     command->add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
         ->check(real_number())
         ->capture_default_str();
