@@ -65,7 +65,6 @@ TEST(InspectCommand, SaysTheSameOfATrace) {
     }
 }
 
-// Of the tests, those that passed; none of them above a collision.
 TEST(InspectCommand, TheWorstPairsAreFalse) {
     const json found = inspect("spheres-l1 --frame 60 --top 3");
     ASSERT_EQ(found["worst"].size(), 6u);
@@ -73,10 +72,15 @@ TEST(InspectCommand, TheWorstPairsAreFalse) {
     for (const json& pair : found["worst"]) {
         EXPECT_EQ(pair["frame"], 60);
         EXPECT_GT(pair["wasted"]["n_v"].get<int>() + pair["wasted"]["n_p"].get<int>(), 0);
-        EXPECT_EQ(pair["exact"] == "disjoint" && pair["reason"] == "test",
-                  pair["reason"] == "test");
+        EXPECT_EQ(pair["exact"] == "disjoint", pair["reason"] == "test");
+        EXPECT_EQ(pair["gap"].get<double>() > 0, pair["reason"] == "test");
     }
-    // The wasted work of the worst frame's worst pair is no more than the frame's.
+    for (const std::size_t i : {0u, 1u, 3u, 4u})
+        EXPECT_GE(found["worst"][i]["wasted"]["n_v"].get<int>() +
+                      found["worst"][i]["wasted"]["n_p"].get<int>(),
+                  found["worst"][i + 1]["wasted"]["n_v"].get<int>() +
+                      found["worst"][i + 1]["wasted"]["n_p"].get<int>());
+    // The wasted work of the worst pair is no more than the frame's.
     EXPECT_LT(found["worst"][0]["wasted"]["n_v"], collisions["frames"][0]["n_v"]);
 }
 
@@ -89,8 +93,11 @@ TEST(InspectCommand, PrintedRejectsWronglyAndNoOtherTestDoes) {
         EXPECT_EQ(
             inspect("spheres-l1 --frame 60 --test " + std::string(test))["sum"]["wrongly_rejected"],
             0);
+    const json wrong = inspect("spheres-l1 --frame 60 --test printed", 1);
+    EXPECT_GT(wrong["sum"]["wrongly_rejected"], 0);
+    EXPECT_EQ(wrong["wrongly_rejected"].size(), 10u);
     // What printed lost counts as contact nevertheless.
-    EXPECT_GT(inspect("spheres-l1 --frame 60 --test printed", 1)["sum"]["wrongly_rejected"], 0);
+    EXPECT_EQ(inspect("spheres-l1 --frame 60")["worst"][0]["nodes"], wrong["worst"][0]["nodes"]);
 }
 
 TEST(InspectCommand, OtherTestsAreWholeQueries) {

@@ -108,6 +108,8 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
 TEST_F(RenderSheet, IsRefusedBeforeDrawingWhereThereIsNoRoom) {
     const std::string scene = folder / "endless.json";
     write_text(scene, endless_scene);
+    std::filesystem::create_directory(out);
+    write_text(out + "/index.json", "earlier");
     for (const std::string& arguments :
          {"pairs " + scene + " --frames 0:9999",
           std::string("rejections spheres-l1 --frames 100 --steps 1")}) {
@@ -115,7 +117,8 @@ TEST_F(RenderSheet, IsRefusedBeforeDrawingWhereThereIsNoRoom) {
         EXPECT_EQ(run.status, 2) << run.err;
         EXPECT_EQ(lines_of(run.err), 1u) << run.err;
         EXPECT_NE(run.err.find("--sheet: a sheet has room for"), std::string::npos) << run.err;
-        EXPECT_EQ(files_in(out), 0u);
+        EXPECT_EQ(file_text(out + "/index.json"), "earlier") << "what was there stays";
+        EXPECT_EQ(files_in(out), 1u);
     }
     EXPECT_EQ(run_scb("render traversal spheres-l1 --sheet -o " + out).status, 2);
 }
