@@ -5,45 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "app/number_list.h"
 #include "app/picture_run.h"
-#include "app/query_sources.h"
+#include "app/query_view_options.h"
 #include "app/scene_camera.h"
 #include "render/comparison_figure.h"
 #include "render/query_body.h"
 #include "render/scene_figure.h"
 
 namespace scb {
-
-/// What of the bodies a picture shows, and a camera therefore has to hold.
-enum class Shown { nothing, meshes, volumes };
-
-/// What every command that draws queries understands.
-struct QueryViewOptions {
-    SceneOptions scene;
-    HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
-    QueryLimits limits;
-    PictureOptions picture;
-    CameraOptions camera;
-    std::string pick;  ///< "X,Y", see PictureOptions::pick
-    bool sheet = false;
-    /// What was given of what a trace already knows, see given_recording_options.
-    std::vector<std::string> recording;
-    std::string compare;  ///< see CompareOptions::names
-    Shown shown = Shown::meshes;
-
-    /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
-    void check();
-    /// Opens what was asked for.
-    QuerySources open(const Console& console) const;
-    /// A sheet for this many pictures, where one is asked for; with `layout` where two queries are
-    /// compared. Throws InputError where they are too many: ask before anything is written.
-    std::optional<SheetRun> planned_sheet(std::size_t count,
-                                          const std::optional<ComparisonLayout>& layout) const;
-};
-/// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
-void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
 
 /// What a picture says of a query that ended before it had found everything.
 std::string stopped_remark(const TraceFrame& frame);
