@@ -129,7 +129,7 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
     for (const ScbPairFamily& family : scb_pair_families)
         for (int i = 0; i < 30; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
-            const Scb b = moved(pair.b_to_a, pair.b);
+            const Scb b = placed(pair.b, pair.b_to_a);
             const ContactProof proof = exact_overlap(pair.a, b),
                                better = sharpened(pair.a, b, proof);
             EXPECT_EQ(better.contact, proof.contact);
