@@ -83,9 +83,12 @@ TEST_F(RenderSheet, IsTheSameBytesFromATrace) {
     ASSERT_EQ(run_scb("trace " + scene + " -o " + trace).status, 0);
     for (const std::string command :
          {"pairs ", "pairs --heat triangles ", "rejections --steps 5000 "}) {
-        const std::string name = files_of(command + scene).back()["file"];
-        const std::string bytes = file_text(out + "/" + name);
-        EXPECT_EQ(files_of(command + trace + " --frames all").back()["file"], name);
+        const json files = files_of(command + scene);
+        ASSERT_FALSE(files.empty()) << command;
+        const std::string name = files.back()["file"], bytes = file_text(out + "/" + name);
+        const json again = files_of(command + trace + " --frames all");
+        ASSERT_FALSE(again.empty()) << command;
+        EXPECT_EQ(again.back()["file"], name);
         EXPECT_EQ(file_text(out + "/" + name), bytes) << command;
     }
 }
@@ -97,6 +100,7 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
         "render pairs " + scene + " --frames 0:2799 --sheet --size 320x240 --samples 1 -o " + out,
         "timeout --preserve-status -s INT 3");
     ASSERT_EQ(run.status, 130) << run.err;
+    ASSERT_FALSE(files.empty());
     const json files = json::parse(file_text(out + "/index.json"))["files"];
     EXPECT_EQ(files.back()["sheet"], true);
     const Image sheet = picture(files.back());
