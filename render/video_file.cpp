@@ -80,19 +80,19 @@ void VideoFile::finish() {
         fail(encoder_.wait(time_to_end));
     }
     // Some frames are still to be encoded, and the file is rearranged.
-    const std::optional<int> status = encoder_.wait(10 * patience_);
+    const std::optional<ProcessEnd> end = encoder_.wait(10 * patience_);
     const std::vector<std::uint8_t> bytes = encoded_.bytes();
-    if (status != 0 || bytes.empty()) fail(status);
+    if (end != ProcessEnd{} || bytes.empty()) fail(end);
     write_file_whole(path_, bytes);
 }
 
-void VideoFile::fail(std::optional<int> status) const {
+void VideoFile::fail(std::optional<ProcessEnd> end) const {
     std::string what = video_program;
-    if (!status)
+    if (!end)
         what += " did not go on";
-    else if (*status > 128)
-        what += " was ended by signal " + std::to_string(*status - 128);
-    else if (*status != 0)
+    else if (end->by_signal)
+        what += " was ended by signal " + std::to_string(end->code);
+    else if (end->code != 0)
         what += " failed";
     else
         what += " ended without a video";

@@ -34,7 +34,7 @@ class VideoFile {
     void finish();
 
   private:
-    [[noreturn]] void fail(std::optional<int> status) const;
+    [[noreturn]] void fail(std::optional<ProcessEnd> end) const;
 
     std::filesystem::path path_;
     std::chrono::seconds patience_;
