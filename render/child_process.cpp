@@ -123,7 +123,12 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
 
 void ChildProcess::kill() {
     if (id_ < 0) return;
-    ::kill(-id_, SIGKILL);
+    // The id is kept for a child that has ended, until it is waited for; but not where SIGCHLD is
+    // ignored.
+    siginfo_t ignored;
+    const bool kept =
+        ::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0;
+    if (kept) ::kill(-id_, SIGKILL);
     ::shutdown(input_, SHUT_RDWR);
 }
 

@@ -46,7 +46,9 @@ class ChildProcess {
     /// another thread may be in while one calls kill().
     bool write(std::span<const std::uint8_t> bytes);
 
-    /// Ends it at once, with its own children; a write() that blocks returns.
+    /// Ends it at once, with its own children; a write() that blocks returns. Where SIGCHLD is
+    /// ignored and it has ended already, its own children are left alone: the system may have given
+    /// their process group's id to others.
     void kill();
 
     /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
