@@ -1,6 +1,10 @@
 #include "render/video_file.h"
 
+#include <cassert>
+#include <cstdio>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "render/output_file.h"
 

@@ -12,7 +12,7 @@
 namespace scb {
 
 /// The program that makes videos.
-inline const std::string video_program = "ffmpeg";
+inline constexpr const char* video_program = "ffmpeg";
 
 /// A video of pictures of one size, H.264 in an MP4 file, made beside the drawing by the program
 /// ffmpeg, which has to be on PATH. The same pictures always give the same bytes (with the same
