@@ -59,13 +59,17 @@ constexpr std::chrono::seconds time_to_end(2);
 VideoFile::VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
                      Rgba8 background, std::chrono::seconds patience)
     : path_(std::move(path)),
+      width_(width),
+      height_(height),
       patience_(patience),
-      encoder_(command_for(width, height, frames_per_second, background), encoded_, patience),
+      encoder_(command_for(width_, height_, frames_per_second, background), encoded_, patience),
       queue_(2) {}
 
 VideoFile::~VideoFile() { encoder_.kill(); }
 
 void VideoFile::push(Image image) {
+    assert(image.width == width_ && image.height == height_ &&
+           "the frames of a video are one size");
     const std::size_t bytes = image.rgba.size();
     try {
         queue_.push(bytes, [this, image = std::move(image)] {
