@@ -38,15 +38,14 @@ struct RenderSheet : testing::Test {
         const FrameSheetLayout layout = *frame_sheet_layout(count, view);
         EXPECT_EQ(sheet.width, layout.width);
         EXPECT_LE(sheet.height, layout.height);
-        const int cell_height = layout.view_height + 4 * layout.unit;
-        const int first_y = sheet.height - layout.bands * cell_height;
+        const int first_y = sheet.height - layout.bands * layout.cell_height();
         ASSERT_GT(first_y, 3 * layout.unit);
         std::set<std::string> looks;
         for (std::size_t i = 0; i < count; ++i) {
             const int column = static_cast<int>(i) % layout.columns,
                       band = static_cast<int>(i) / layout.columns;
             const PixelRect cell = {layout.x(column),
-                                    first_y + band * cell_height + layout.unit * 11 / 4,
+                                    first_y + band * layout.cell_height() + layout.view_y(),
                                     layout.view_width, layout.view_height};
             const Image shown = shrunk(sheet, cell, cell.width, cell.height);
             EXPECT_EQ(shown, shrunk(picture(files[i]), view, cell.width, cell.height)) << i;
@@ -100,8 +99,8 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
         "render pairs " + scene + " --frames 0:2799 --sheet --size 320x240 --samples 1 -o " + out,
         "timeout --preserve-status -s INT 3");
     ASSERT_EQ(run.status, 130) << run.err;
-    ASSERT_FALSE(files.empty());
     const json files = json::parse(file_text(out + "/index.json"))["files"];
+    ASSERT_FALSE(files.empty());
     EXPECT_EQ(files.back()["sheet"], true);
     const Image sheet = picture(files.back());
     const FrameSheetLayout layout = *frame_sheet_layout(2800, figure_layout(320, 240).view);
