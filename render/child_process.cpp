@@ -123,36 +123,38 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
 
 void ChildProcess::kill() {
     if (id_ < 0) return;
-    ::kill(-id_, SIGKILL);
+    // The id is kept for a child that has ended, until it is waited for; but not where SIGCHLD is
+    // ignored.
+    siginfo_t ignored;
+    const bool kept =
+        ::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0;
+    if (kept) ::kill(-id_, SIGKILL);
     ::shutdown(input_, SHUT_RDWR);
 }
 
-std::optional<int> ChildProcess::wait(std::chrono::milliseconds most) {
+std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most) {
     if (id_ < 0) return std::nullopt;
     ::shutdown(input_, SHUT_WR);
     using Clock = std::chrono::steady_clock;
     const Clock::time_point end = Clock::now() + most;
-    bool known = true;
+    bool killed = false, forgotten = false;
     int status = 0;
-    for (pid_t ended = 0; ended != id_;) {
-        ended = ::waitpid(id_, &status, known ? WNOHANG : 0);
-        if (ended < 0 && errno == ECHILD) {
-            // Where SIGCHLD is ignored, how children ended is forgotten.
-            known = false;
-            break;
-        }
+    for (pid_t ended = 0; ended != id_ && !forgotten;) {
+        ended = ::waitpid(id_, &status, killed ? 0 : WNOHANG);
+        forgotten = ended < 0 && errno == ECHILD;  // SIGCHLD is ignored
         if (ended != 0) continue;
         if (Clock::now() < end) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         } else {
             kill();
-            known = false;
+            killed = true;
         }
     }
     ::close(input_);
     id_ = -1;
-    if (!known) return std::nullopt;
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    if (killed || forgotten) return std::nullopt;
+    if (WIFSIGNALED(status)) return ProcessEnd{true, WTERMSIG(status)};
+    return ProcessEnd{false, WEXITSTATUS(status)};
 }
 
 std::string ChildProcess::last_line() const {

@@ -16,6 +16,14 @@ namespace scb {
 /// Whether PATH has a program of that name.
 bool is_on_path(const std::string& program);
 
+/// How a program ended: with an exit status, or by a signal; `code` is which.
+struct ProcessEnd {
+    bool by_signal = false;
+    int code = 0;
+
+    bool operator==(const ProcessEnd&) const = default;
+};
+
 /// Another program, which is fed through its standard input. It is in a process group of its own,
 /// so that Ctrl-C does not reach it, and inherits no files but what is said here.
 class ChildProcess {
@@ -38,13 +46,15 @@ class ChildProcess {
     /// another thread may be in while one calls kill().
     bool write(std::span<const std::uint8_t> bytes);
 
-    /// Ends it at once, with its own children; a write() that blocks returns.
+    /// Ends it at once, with its own children; a write() that blocks returns. Where SIGCHLD is
+    /// ignored and it has ended already, its own children are left alone: the system may have given
+    /// their process group's id to others.
     void kill();
 
-    /// Ends its input and waits until it has ended: its exit status, or 128 + the signal that ended
-    /// it. Nothing where it had not ended after that time, and was killed, or was waited for
-    /// before.
-    std::optional<int> wait(std::chrono::milliseconds most);
+    /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
+    /// and was killed; where it was waited for before; and where SIGCHLD is ignored, as then nobody
+    /// learns how it ended.
+    std::optional<ProcessEnd> wait(std::chrono::milliseconds most);
 
     /// The last line that is not empty of what it has said on standard output and standard error.
     std::string last_line() const;

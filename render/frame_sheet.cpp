@@ -1,7 +1,6 @@
 #include "render/frame_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <span>
 
@@ -9,36 +8,6 @@
 
 namespace scb {
 namespace {
-
-// Below it neither the subject nor a caption can be made out.
-constexpr int narrowest_view = 100;
-
-// While views need not be very small for it, a sheet that is quick to load: 20 million pixels.
-constexpr int small_view = 160;
-constexpr double roomy_pixels = 20e6;
-
-// Room for a heading that is wider than a few cells.
-constexpr int least_width = 36;  // units
-
-// Title and a line or two of keys, or a scale.
-int heading_height(int unit) { return sheet_margin + title_size(unit) + 5 * unit; }
-
-/// Where the view begins in a cell, below the captions.
-int view_y(int unit) { return unit * 11 / 4; }
-
-int cell_height(const FrameSheetLayout& layout) { return layout.view_height + 4 * layout.unit; }
-
-FrameSheetLayout layout_of(int cells, int columns, int view_width, const PixelRect& view) {
-    FrameSheetLayout layout{sheet_grid(cells, columns, view_width), 0};
-    layout.view_height = std::max(1, static_cast<int>(std::lround(view_width / aspect_of(view))));
-    layout.width = std::max(layout.width, least_width * layout.unit);
-    layout.height = heading_height(layout.unit) + layout.bands * cell_height(layout);
-    return layout;
-}
-
-int most_columns(int view_width) {
-    return (largest_sheet_side - sheet_margin) / (view_width + sheet_margin);
-}
 
 /// Details with a dot between them, as many as there is room for.
 std::string fitted_details(Overlay& overlay, const std::vector<std::string>& details,
@@ -118,32 +87,6 @@ void place(const Image& view, Image& image, int x, int y) {
 
 }  // namespace
 
-std::optional<FrameSheetLayout> frame_sheet_layout(std::size_t cells, const PixelRect& view) {
-    if (cells == 0 || cells > most_frame_cells(view)) return std::nullopt;
-    const int count = static_cast<int>(cells);
-    const int few = std::min(count, 5);
-    for (int width = std::min(roomy_view_width(few), view.width); width > narrowest_view;
-         width -= 20)
-        for (int columns = few; columns <= std::min(count, most_columns(width)); ++columns) {
-            const FrameSheetLayout layout = layout_of(count, columns, width, view);
-            const bool wide = 4 * layout.height <= 3 * layout.width || columns == count;
-            if (!wide || !fits(layout)) continue;
-            if (width <= small_view || 1.0 * layout.width * layout.height <= roomy_pixels)
-                return layout;
-            break;
-        }
-    const int width = std::min(narrowest_view, view.width);
-    return layout_of(count, most_columns(width), width, view);
-}
-
-std::size_t most_frame_cells(const PixelRect& view) {
-    const int width = std::min(narrowest_view, view.width);
-    const FrameSheetLayout one = layout_of(1, 1, width, view);
-    return static_cast<std::size_t>(most_columns(width)) *
-           static_cast<std::size_t>((largest_sheet_side - heading_height(one.unit)) /
-                                    cell_height(one));
-}
-
 void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel) {
     const auto add = [&](Rgba8 color, const std::string& text) {
         const auto same = [&](const PanelKey& key) {
@@ -178,7 +121,7 @@ Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay) {
     overlay.begin();
     strip.height = draw_heading(overlay, sheet);
     Image image = renderer.draw(strip, &overlay).image;
-    strip.height = cell_height(layout);
+    strip.height = layout.cell_height();
     const auto columns = static_cast<std::size_t>(layout.columns);
     for (std::size_t first = 0; first < sheet.cells.size(); first += columns) {
         const std::span cells =
@@ -188,7 +131,7 @@ Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay) {
             draw_captions(overlay, sheet, cells[i], layout.x(static_cast<int>(i)));
         Image band = renderer.draw(strip, &overlay).image;
         for (std::size_t i = 0; i < cells.size(); ++i)
-            place(cells[i].view, band, layout.x(static_cast<int>(i)), view_y(layout.unit));
+            place(cells[i].view, band, layout.x(static_cast<int>(i)), layout.view_y());
         image.rgba.insert(image.rgba.end(), band.rgba.begin(), band.rgba.end());
         image.height += band.height;
     }

@@ -4,22 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "render/frame_sheet_layout.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
-#include "render/sheet_grid.h"
 #include "render/side_panel.h"
 
 namespace scb {
-
-/// The pixels of a sheet of views that are drawn already.
-struct FrameSheetLayout : SheetGrid {
-    int view_height = 0;
-};
-
-/// For that many cells of a view of that size, which is shrunk, not enlarged: the more cells, the
-/// smaller. Nothing where they would be too small to see, see most_frame_cells.
-std::optional<FrameSheetLayout> frame_sheet_layout(std::size_t cells, const PixelRect& view);
-std::size_t most_frame_cells(const PixelRect& view);
 
 /// One picture of a sequence.
 struct FrameSheetCell {

@@ -1,11 +1,14 @@
 #include "render/resolve.h"
 
+#include <array>
+#include <bit>
 #include <cassert>
 
 namespace scb {
 namespace {
 
-constexpr std::uint32_t opaque = 0xff000000;
+// Where alpha is in a word depends on the machine.
+constexpr auto opaque = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 255});
 
 /// The mean of four words byte by byte: two bytes at a time, so that no sum runs into the next.
 std::uint32_t mean(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {

@@ -1,6 +1,10 @@
 #include "render/video_file.h"
 
+#include <cassert>
+#include <cstdio>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "render/output_file.h"
 
@@ -55,13 +59,17 @@ constexpr std::chrono::seconds time_to_end(2);
 VideoFile::VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
                      Rgba8 background, std::chrono::seconds patience)
     : path_(std::move(path)),
+      width_(width),
+      height_(height),
       patience_(patience),
-      encoder_(command_for(width, height, frames_per_second, background), encoded_, patience),
+      encoder_(command_for(width_, height_, frames_per_second, background), encoded_, patience),
       queue_(2) {}
 
 VideoFile::~VideoFile() { encoder_.kill(); }
 
 void VideoFile::push(Image image) {
+    assert(image.width == width_ && image.height == height_ &&
+           "the frames of a video are one size");
     const std::size_t bytes = image.rgba.size();
     try {
         queue_.push(bytes, [this, image = std::move(image)] {
@@ -80,19 +88,19 @@ void VideoFile::finish() {
         fail(encoder_.wait(time_to_end));
     }
     // Some frames are still to be encoded, and the file is rearranged.
-    const std::optional<int> status = encoder_.wait(10 * patience_);
+    const std::optional<ProcessEnd> end = encoder_.wait(10 * patience_);
     const std::vector<std::uint8_t> bytes = encoded_.bytes();
-    if (status != 0 || bytes.empty()) fail(status);
+    if (end != ProcessEnd{} || bytes.empty()) fail(end);
     write_file_whole(path_, bytes);
 }
 
-void VideoFile::fail(std::optional<int> status) const {
+void VideoFile::fail(std::optional<ProcessEnd> end) const {
     std::string what = video_program;
-    if (!status)
+    if (!end)
         what += " did not go on";
-    else if (*status > 128)
-        what += " was ended by signal " + std::to_string(*status - 128);
-    else if (*status != 0)
+    else if (end->by_signal)
+        what += " was ended by signal " + std::to_string(end->code);
+    else if (end->code != 0)
         what += " failed";
     else
         what += " ended without a video";

@@ -38,15 +38,14 @@ struct RenderSheet : testing::Test {
         const FrameSheetLayout layout = *frame_sheet_layout(count, view);
         EXPECT_EQ(sheet.width, layout.width);
         EXPECT_LE(sheet.height, layout.height);
-        const int cell_height = layout.view_height + 4 * layout.unit;
-        const int first_y = sheet.height - layout.bands * cell_height;
+        const int first_y = sheet.height - layout.bands * layout.cell_height();
         ASSERT_GT(first_y, 3 * layout.unit);
         std::set<std::string> looks;
         for (std::size_t i = 0; i < count; ++i) {
             const int column = static_cast<int>(i) % layout.columns,
                       band = static_cast<int>(i) / layout.columns;
             const PixelRect cell = {layout.x(column),
-                                    first_y + band * cell_height + layout.unit * 11 / 4,
+                                    first_y + band * layout.cell_height() + layout.view_y(),
                                     layout.view_width, layout.view_height};
             const Image shown = shrunk(sheet, cell, cell.width, cell.height);
             EXPECT_EQ(shown, shrunk(picture(files[i]), view, cell.width, cell.height)) << i;
@@ -83,9 +82,12 @@ TEST_F(RenderSheet, IsTheSameBytesFromATrace) {
     ASSERT_EQ(run_scb("trace " + scene + " -o " + trace).status, 0);
     for (const std::string command :
          {"pairs ", "pairs --heat triangles ", "rejections --steps 5000 "}) {
-        const std::string name = files_of(command + scene).back()["file"];
-        const std::string bytes = file_text(out + "/" + name);
-        EXPECT_EQ(files_of(command + trace + " --frames all").back()["file"], name);
+        const json files = files_of(command + scene);
+        ASSERT_FALSE(files.empty()) << command;
+        const std::string name = files.back()["file"], bytes = file_text(out + "/" + name);
+        const json again = files_of(command + trace + " --frames all");
+        ASSERT_FALSE(again.empty()) << command;
+        EXPECT_EQ(again.back()["file"], name);
         EXPECT_EQ(file_text(out + "/" + name), bytes) << command;
     }
 }
@@ -98,6 +100,7 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
         "timeout --preserve-status -s INT 3");
     ASSERT_EQ(run.status, 130) << run.err;
     const json files = json::parse(file_text(out + "/index.json"))["files"];
+    ASSERT_FALSE(files.empty());
     EXPECT_EQ(files.back()["sheet"], true);
     const Image sheet = picture(files.back());
     const FrameSheetLayout layout = *frame_sheet_layout(2800, figure_layout(320, 240).view);

@@ -113,6 +113,9 @@ TEST_F(VideoFileTest, FailsAsTheProgramDoes) {
               std::string::npos);
     EXPECT_NE(failure_of("cat >/dev/null; echo half > /proc/self/fd/3; exit 1").find("failed"),
               std::string::npos);
+    // As ffmpeg does where the disk is full.
+    EXPECT_NE(failure_of("cat >/dev/null; echo full; exit 228").find("failed and said \"full\""),
+              std::string::npos);
     EXPECT_NE(failure_of("exit 0").find("ended without a video"), std::string::npos);
     EXPECT_NE(failure_of("cat >/dev/null").find("ended without a video"), std::string::npos);
     EXPECT_NE(failure_of("kill -9 $$").find("ended by signal 9"), std::string::npos);
