@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -163,6 +164,8 @@ std::string ChildProcess::last_line() const {
     std::string last;
     for (std::string line; std::getline(lines, line);)
         if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+    // It becomes a part of a message, which ends at a zero.
+    std::replace(last.begin(), last.end(), '\0', '?');
     return last;
 }
 

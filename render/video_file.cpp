@@ -90,7 +90,8 @@ void VideoFile::finish() {
     // Some frames are still to be encoded, and the file is rearranged.
     const std::optional<ProcessEnd> end = encoder_.wait(10 * patience_);
     const std::vector<std::uint8_t> bytes = encoded_.bytes();
-    if (end != ProcessEnd{} || bytes.empty()) fail(end);
+    // It exits with 0 where it could not write the end of the file, and only says so.
+    if (end != ProcessEnd{} || bytes.empty() || !encoder_.last_line().empty()) fail(end);
     write_file_whole(path_, bytes);
 }
 
@@ -103,7 +104,7 @@ void VideoFile::fail(std::optional<ProcessEnd> end) const {
     else if (end->code != 0)
         what += " failed";
     else
-        what += " ended without a video";
+        what += " ended without a whole video";
     if (const std::string line = encoder_.last_line(); !line.empty())
         what += " and said \"" + line + "\"";
     throw OutputError("Cannot write \"" + path_.string() + "\": " + what +

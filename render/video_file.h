@@ -23,7 +23,7 @@ class VideoFile {
     /// does not know. `patience`: after which time without taking anything ffmpeg has failed.
     /// Also throws std::system_error, where the system gives no thread to feed it.
     VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
-              Rgba8 background, std::chrono::seconds patience = std::chrono::seconds(60));
+              Rgba8 background, std::chrono::seconds patience = std::chrono::seconds(20));
     /// Without finish() nothing is written.
     ~VideoFile();
 

@@ -178,8 +178,8 @@ TEST_F(RenderVideoWithout, AWorkingProgramIsStatus3AndLeavesNoVideo) {
         "pairs spheres-l1 --frames 0:9 --size 320x240 --samples 1 --video " + out + "/v.mp4";
     for (const auto& [script, part] : {std::pair{"echo \"Unknown encoder 'libx264'\" >&2; exit 1",
                                                  "\"Unknown encoder 'libx264'\""},
-                                       {"exit 0", "ended without a video"},
-                                       {"cat >/dev/null", "ended without a video"}}) {
+                                       {"exit 0", "ended without a whole video"},
+                                       {"cat >/dev/null", "ended without a whole video"}}) {
         write_text(fake, std::string("#!/bin/sh\n") + script + "\n");
         ::chmod(fake.c_str(), 0755);
         refused(drawn, 3, part, "PATH=" + folder.path.string() + ":$PATH");

@@ -116,8 +116,12 @@ TEST_F(VideoFileTest, FailsAsTheProgramDoes) {
     // As ffmpeg does where the disk is full.
     EXPECT_NE(failure_of("cat >/dev/null; echo full; exit 228").find("failed and said \"full\""),
               std::string::npos);
-    EXPECT_NE(failure_of("exit 0").find("ended without a video"), std::string::npos);
-    EXPECT_NE(failure_of("cat >/dev/null").find("ended without a video"), std::string::npos);
+    EXPECT_NE(failure_of("exit 0").find("ended without a whole video"), std::string::npos);
+    EXPECT_NE(failure_of("cat >/dev/null").find("ended without a whole video"), std::string::npos);
+    // It says so and exits with 0, with the start of a video written.
+    EXPECT_NE(failure_of("cat >/dev/null; echo half > /proc/self/fd/3; printf 'no\\0room'")
+                  .find("ended without a whole video and said \"no"),
+              std::string::npos);
     EXPECT_NE(failure_of("kill -9 $$").find("ended by signal 9"), std::string::npos);
     EXPECT_NE(failure_of("exec 0<&-; sleep 600").find("did not go on"), std::string::npos);
 }
