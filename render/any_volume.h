@@ -2,20 +2,14 @@
 
 #include <variant>
 
-#include "core/ball.h"
-#include "core/obb.h"
-#include "core/pose.h"
-#include "core/scb.h"
+#include "core/placed_volume.h"
 
 namespace scb {
 
 /// A volume of any type, for pictures that mix them.
 using AnyVolume = std::variant<Scb, Ball, Obb>;
 
-/// The volume carried along by a rigid pose: from the body's frame to the world's.
-Scb placed(const Scb& volume, const Pose& pose);
-Ball placed(const Ball& volume, const Pose& pose);
-Obb placed(const Obb& volume, const Pose& pose);
+/// As of each type, see core/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
 /// Whether two volumes are the same numbers.
