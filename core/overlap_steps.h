@@ -40,8 +40,9 @@ struct OverlapStep {
 
 /// A number from which several steps are made.
 struct OverlapQuantity {
-    std::string_view name;     ///< "d0"
-    std::string_view meaning;  ///< "of B's center from A's, along n0"
+    std::string_view name;     ///< as formulas have it: "cα"
+    std::string_view key;      ///< the same in letters and digits: "cosine"
+    std::string_view meaning;  ///< "n0·n1"
     double value = 0;
 };
 

@@ -40,7 +40,8 @@ OverlapSteps overlap_steps(const Obb& a, const Obb& b, const Placement& placed,
     const Vec3 offset = transform_point(placed.b_to_a, b.center) - a.center;
     OverlapSteps result;
     result.margin = placed.margin;
-    result.quantities = {{"‖c1′‖", "distance of the centers", std::sqrt(squared_norm(offset))}};
+    result.quantities = {
+        {"‖c1′‖", "distance", "distance of the centers", std::sqrt(squared_norm(offset))}};
     Mat3 turned, r, s;
     Vec3 t;
     for (int j = 0; j < 3; ++j)

@@ -216,11 +216,11 @@ OverlapSteps overlap_steps(const Scb& a, const Scb& b, const Placement& placed,
     const Numbers x{a, b, placed};
     OverlapSteps result;
     result.margin = placed.margin;
-    result.quantities = {{"‖c1′‖", "distance of the centers", x.distance},
-                         {"d0", "of B's center from A's, along n0", x.d0 + 0.0},
-                         {"d1", "of A's center from B's, along n1", x.d1 + 0.0},
-                         {"cα", "n0·n1", x.cosine + 0.0},
-                         {"sα", "√(1 − cα²)", x.sine}};
+    result.quantities = {{"‖c1′‖", "distance", "distance of the centers", x.distance},
+                         {"d0", "d0", "of B's center from A's, along n0", x.d0 + 0.0},
+                         {"d1", "d1", "of A's center from B's, along n1", x.d1 + 0.0},
+                         {"cα", "cosine", "n0·n1", x.cosine + 0.0},
+                         {"sα", "sine", "√(1 − cα²)", x.sine}};
     if (options.test == OverlapTest::extents) {
         const double r0 = a.r, r1 = b.r;
         result.steps = {ball_step(x.c, r0, r1, x.margin, r0 + r1 + x.margin),
@@ -244,7 +244,8 @@ OverlapSteps overlap_steps(const Ball& a, const Ball& b, const Placement& placed
     const Vec3 c = transform_point(placed.b_to_a, b.center) - a.center;
     OverlapSteps result;
     result.margin = placed.margin;
-    result.quantities = {{"‖c1′‖", "distance of the centers", std::sqrt(squared_norm(c))}};
+    result.quantities = {
+        {"‖c1′‖", "distance", "distance of the centers", std::sqrt(squared_norm(c))}};
     result.steps = {
         ball_step(c, a.radius, b.radius, placed.margin, a.radius + b.radius + placed.margin)};
     return result;
