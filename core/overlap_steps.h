@@ -28,11 +28,16 @@ struct OverlapStep {
     /// where it does. Nevertheless, the numbers are those that it would give.
     std::string skipped;
 
+    /// What is wrong with it, in the tests that keep errors of the paper; else empty.
+    std::string error;
+
     /// The same as a picture shows it: along the unit direction, from A to B, the step takes A to
     /// reach no farther than `reach_a` from its center and B no farther than `reach_b` towards A.
     /// What is left of the distance of the centers along the direction is `slack`, and the margin.
     Vec3 direction = Vec3::UnitZ();
     double reach_a = 0, reach_b = 0;
+    /// What these are called: "e0", "−f0", "r1", "r_e" (and the axis of the cylinder), "ρ0".
+    std::string name_a, name_b;
     /// Of slabs and cylinders, the cylinder's effective radius r_e (equation 11), which is a part
     /// of the reach of the volume that it is about.
     double effective_radius = 0;

@@ -17,8 +17,8 @@ struct Axis {
 OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     const double distance = std::abs(axis.distance), reach = axis.reach_a + axis.reach_b;
     const double length = std::sqrt(squared_norm(axis.direction));
-    // Where two edges are parallel there is no axis, and both sides are next to nothing.
-    const double scale = length > 1e-9 ? length : 1;
+    const bool vanishes = !(length > 1e-9);
+    const double scale = vanishes ? 1 : length;
     OverlapStep step;
     step.stage = stage;
     step.formula = "|c1′·" + axis.name + "| > ρ0 + ρ1";
@@ -27,9 +27,13 @@ OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     step.separates = distance > axis.limit;
     const double slack = (distance - reach - margin) / scale;
     step.slack = (step.separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
-    step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
+    if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
+    // The test compares what is left of both sides, which is next to nothing.
+    if (vanishes && !step.separates) step.skipped = "the edges are parallel, which is no axis";
     step.reach_a = axis.reach_a / scale;
     step.reach_b = axis.reach_b / scale;
+    step.name_a = "ρ0";
+    step.name_b = "ρ1";
     return step;
 }
 

@@ -30,6 +30,8 @@ OverlapStep ball_step(const Vec3& c, double r0, double r1, double margin, double
     if (distance > 0) step.direction = c / distance;
     step.reach_a = r0;
     step.reach_b = r1;
+    step.name_a = "r0";
+    step.name_b = "r1";
     return step;
 }
 
@@ -74,16 +76,25 @@ std::string beyond(const Owner& o, bool above, const std::string& from, char pla
     return std::string("d") + o.i + from + " − " + plane + o.i + (above ? " > " : " < −");
 }
 
-/// Adds what a picture shows: the other is `above` the slab, or below it, and reaches by `reach`
-/// from its center towards it.
+/// How far the other reaches towards the slab, from its center.
+struct Reach {
+    double length;
+    std::string name;
+    double effective_radius = 0;
+};
+
+/// Adds what a picture shows: the other is `above` the slab, or below it.
 OverlapStep along_normal(OverlapStep step, const Numbers& x, const Owner& o, bool above,
-                         double plane, double reach, double effective_radius) {
+                         const Plane& plane, const Reach& reach) {
     const Vec3 outward = (above ? 1 : -1) * (o.is_a ? x.a.n : x.n);
-    const double slab = above ? plane : -plane;
+    const double slab = above ? plane.at : -plane.at;
+    const std::string slab_name = (above ? "" : "−") + std::string(1, plane.name) + o.i;
     step.direction = o.is_a ? outward : Vec3(-outward);
-    step.reach_a = o.is_a ? slab : reach;
-    step.reach_b = o.is_a ? reach : slab;
-    step.effective_radius = effective_radius;
+    step.reach_a = o.is_a ? slab : reach.length;
+    step.reach_b = o.is_a ? reach.length : slab;
+    step.name_a = o.is_a ? slab_name : reach.name;
+    step.name_b = o.is_a ? reach.name : slab_name;
+    step.effective_radius = reach.effective_radius;
     return step;
 }
 
@@ -96,7 +107,8 @@ OverlapStep slab_step(const Numbers& x, const Owner& o, bool above, double radiu
         comparison(o.is_a ? Stage::slab_ball : Stage::ball_slab, o.is_a ? 4 : 8,
                    beyond(o, above, "", plane.name) + "r" + radius_index, off,
                    above ? radius : -radius, gap - radius - x.margin, gap > radius + x.margin);
-    return along_normal(std::move(step), x, o, above, plane.at, radius, 0);
+    return along_normal(std::move(step), x, o, above, plane,
+                        {radius, std::string("r") + radius_index});
 }
 
 void add_slab_steps(OverlapSteps& result, const Numbers& x, bool line_8_as_printed) {
@@ -106,8 +118,10 @@ void add_slab_steps(OverlapSteps& result, const Numbers& x, bool line_8_as_print
     result.steps.push_back(slab_step(x, a, true, r1, "1"));
     result.steps.push_back(slab_step(x, a, false, r1, "1"));
     result.steps.push_back(slab_step(x, b, true, r0, "0"));
-    result.steps.push_back(
-        slab_step(x, b, false, line_8_as_printed ? r1 : r0, line_8_as_printed ? "1" : "0"));
+    OverlapStep last =
+        slab_step(x, b, false, line_8_as_printed ? r1 : r0, line_8_as_printed ? "1" : "0");
+    if (line_8_as_printed) last.error = "as printed: r1, where it must be r0";
+    result.steps.push_back(std::move(last));
 }
 
 /// A call of CylInFrontOfSlab (`above`) or CylBehindSlab of Figure 8: the slab's plane, and that of
@@ -123,7 +137,7 @@ OverlapStep cylinder_step(const Numbers& x, const Owner& o, int line, bool above
                                   above ? effective : -effective, gap - effective,
                                   gap > 0 && gap * gap > r * r * x.squared_sine);
     const double axis = (above ? -1 : 1) * top.at * x.cosine;
-    return along_normal(std::move(step), x, o, above, plane.at, axis + effective, effective);
+    return along_normal(std::move(step), x, o, above, plane, {axis + effective, "r_e", effective});
 }
 
 /// Lines 9 to 23, see overlap_figure8.
@@ -136,11 +150,14 @@ void add_cylinder_steps(OverlapSteps& result, const Numbers& x, double threshold
     const int line = (opposed ? 12 : 19) + (above ? 0 : 3);
     const Plane of_a = plane_of(x.a, above), of_b = plane_of(x.b, upper);
     result.steps.push_back(cylinder_step(x, Owner(x, true), line, above, of_a, of_b));
-    if (lines_20_23_as_printed && !opposed)
-        result.steps.push_back(cylinder_step(x, Owner(x, false), line + 1, !upper,
-                                             plane_of(x.b, !upper), plane_of(x.a, !above)));
-    else
-        result.steps.push_back(cylinder_step(x, Owner(x, false), line + 1, upper, of_b, of_a));
+    const bool exchanged = lines_20_23_as_printed && !opposed;
+    result.steps.push_back(exchanged
+                               ? cylinder_step(x, Owner(x, false), line + 1, !upper,
+                                               plane_of(x.b, !upper), plane_of(x.a, !above))
+                               : cylinder_step(x, Owner(x, false), line + 1, upper, of_b, of_a));
+    if (exchanged)
+        result.steps.back().error = "as printed: the call of line " +
+                                    std::to_string(above ? 23 : 20) + ", which never rejects here";
     if (!skipped) return;
     char why[96];
     std::snprintf(why, sizeof why, "|n0·n1| = %g is not above a = %g", std::abs(x.cosine),
@@ -163,8 +180,8 @@ OverlapStep symmetric_step(const Numbers& x, const Owner& o) {
         left, effective, gap - effective, gap > 0 && gap * gap > r * r * x.squared_sine);
     const bool above = off >= 0;
     const double axis = (above ? -1 : 1) * middle(o.other) * x.cosine + half(o.other) * tilt;
-    return along_normal(std::move(step), x, o, above, plane_of(o.own, above).at, axis + effective,
-                        effective);
+    return along_normal(std::move(step), x, o, above, plane_of(o.own, above),
+                        {axis + effective, "r_e", effective});
 }
 
 /// See is_beyond_slab.
@@ -189,7 +206,7 @@ OverlapStep extent_step(const Numbers& x, const Owner& o) {
         step.skipped = o.is_a ? "B's axis meets A's slab" : "A's axis meets B's slab";
         step.separates = false;
     }
-    return along_normal(std::move(step), x, o, above, plane.at, reach, 0);
+    return along_normal(std::move(step), x, o, above, plane, {reach, std::string("ρ") + o.j});
 }
 
 /// The last step of overlap_extents.
@@ -206,6 +223,8 @@ OverlapStep center_line_step(const Numbers& x) {
     if (!apart) step.skipped = "the centers coincide";
     step.reach_a = reach_a;
     step.reach_b = reach_b;
+    step.name_a = "ρ0";
+    step.name_b = "ρ1";
     return step;
 }
 

@@ -40,6 +40,10 @@ std::string_view answer_name(Answer answer) {
     return "correct";
 }
 
+std::string ending_words(Stage stage) {
+    return stage == Stage::overlapping ? "passed" : "rejected at " + std::string(stage_name(stage));
+}
+
 Answer judged(Stage stage, Contact contact) {
     if (stage == Stage::overlapping && contact == Contact::disjoint) return Answer::false_positive;
     if (stage != Stage::overlapping && contact == Contact::overlapping)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,9 @@ enum class Answer {
 
 /// "correct", "false positive", "false negative".
 std::string_view answer_name(Answer answer);
+
+/// How a test ended, in words: "rejected at slab-cylinder", "passed".
+std::string ending_words(Stage stage);
 
 /// Judges the stage at which a test ended by what is so.
 Answer judged(Stage stage, Contact contact);

@@ -117,8 +117,11 @@ TEST(Steps, OfBoxesEndAtTheStageThatTheTestReturns) {
         ASSERT_EQ(steps.steps.size(), 15u);
         ++ended[static_cast<std::size_t>(steps.stage())];
         const Vec3 c = transform_point(pose, b.center) - a.center;
-        for (const OverlapStep& step : steps.steps)
-            EXPECT_NEAR(dot(step.direction, c) - step.reach_a - step.reach_b, step.slack, 1e-6);
+        for (const OverlapStep& step : steps.steps) {
+            EXPECT_NEAR(squared_norm(step.direction), 1, 1e-12);
+            if (step.skipped.empty())
+                EXPECT_NEAR(dot(step.direction, c) - step.reach_a - step.reach_b, step.slack, 1e-6);
+        }
     }
     for (const Stage stage : obb_stages())
         EXPECT_GT(ended[static_cast<std::size_t>(stage)], 0) << stage_name(stage);
@@ -135,11 +138,15 @@ TEST(Steps, OfThePrintedTestKeepItsErrors) {
     const OverlapSteps printed = checked_steps(a, b, Pose{}, {OverlapTest::printed, 0.7}),
                        corrected = checked_steps(a, b, Pose{}, {OverlapTest::corrected, 0.7});
     EXPECT_EQ(step_at(printed, 8, 1).formula, "d1 − f1 < −r1");
+    EXPECT_EQ(step_at(printed, 8, 1).error, "as printed: r1, where it must be r0");
     EXPECT_NEAR(step_at(printed, 8, 1).slack, 0.6, 1e-9);
     EXPECT_EQ(printed.decisive(), 4u);
     EXPECT_EQ(step_at(corrected, 8, 1).formula, "d1 − f1 < −r0");
     EXPECT_NEAR(step_at(corrected, 8, 1).slack, -0.9, 1e-9);
     EXPECT_EQ(step_at(printed, 20).formula, "d1 + f0·cα − e1 > r0·sα");
+    EXPECT_EQ(step_at(printed, 20).error,
+              "as printed: the call of line 23, which never rejects here");
+    for (const OverlapStep& step : corrected.steps) EXPECT_EQ(step.error, "");
     EXPECT_EQ(step_at(corrected, 20).formula, "d1 + e0·cα − f1 < −r0·sα");
     EXPECT_EQ(corrected.decisive(), std::nullopt);
 }
