@@ -52,17 +52,18 @@ Mat3 made_rotation(const Mat3& m) {
     return result;
 }
 
-/// `what`: whose rotation it is, in words.
-Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& what,
+/// `fault`: what it means where the matrix is no rotation.
+Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& fault,
                       Notes& notes) {
     const double defect = rigidity_defect({m, Vec3::Zero()});
-    if (std::isinf(defect))
-        refuse(place, what + " mirrors or is singular; give a rotation, whose determinant is 1.");
     if (defect > largest_defect)
-        refuse(place, what + " is no rotation: RᵀR differs from the identity by " +
-                          short_number(defect) + "; give one, with at least 7 digits.");
+        refuse(place, fault +
+                          (std::isinf(defect) ? std::string(" (the matrix mirrors or is singular)")
+                                              : " (R^T R differs from the identity by " +
+                                                    short_number(defect) + ")") +
+                          "; give a rotation, with 7 digits or more.");
     if (defect <= least_noted) return m;
-    notes.push_back(place.path + " is no rotation by " + number_text(defect) +
+    notes.push_back(place.path + " is off a rotation by " + number_text(defect) +
                     " and was made one.");
     return made_rotation(m);
 }
@@ -77,7 +78,7 @@ Pose read_pair_pose(const JsonPlace& place, Notes& notes) {
         (column < 3 ? pose.rotation(row, column) : pose.translation[row]) =
             read_number(element(place, k));
     }
-    pose.rotation = checked_rotation(place, pose.rotation, "the pose", notes);
+    pose.rotation = checked_rotation(place, pose.rotation, "the pose is not rigid", notes);
     return pose;
 }
 
@@ -125,7 +126,7 @@ void read(const JsonPlace& place, Obb& box, Notes& notes) {
     if (array_size(axes, "three axes") != 3) refuse_value(axes, "three axes");
     for (std::size_t i = 0; i < 3; ++i)
         box.axes.col(static_cast<Eigen::Index>(i)) = read_vec3(element(axes, i));
-    box.axes = checked_rotation(axes, box.axes, "the matrix of the axes", notes);
+    box.axes = checked_rotation(axes, box.axes, "the axes are no rotation", notes);
     const JsonPlace half = field(place, "half");
     if (array_size(half, "three half lengths") != 3) refuse_value(half, "three half lengths");
     for (std::size_t i = 0; i < 3; ++i)
