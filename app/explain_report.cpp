@@ -94,12 +94,15 @@ std::string volumes_text(const ExplainedPair& pair) {
 std::string fate(const OverlapSteps& steps, std::size_t i) {
     const OverlapStep& step = steps.steps[i];
     const std::optional<std::size_t> decisive = steps.decisive();
+    std::string text;
     if (!step.skipped.empty())
-        return "not tried: " + step.skipped + (step.separates ? "; it would separate" : "");
-    if (decisive == i) return "rejects";
-    if (decisive && i > *decisive)
-        return step.separates ? "not reached; it would also separate" : "not reached";
-    return "";
+        text = "not tried: " + step.skipped + (step.separates ? "; it would separate" : "");
+    else if (decisive == i)
+        text = "rejects";
+    else if (decisive && i > *decisive)
+        text = step.separates ? "not reached; it would also separate" : "not reached";
+    if (!step.error.empty()) text += (text.empty() ? "" : "; ") + step.error;
+    return text;
 }
 
 std::string steps_text(const OverlapSteps& steps) {
@@ -213,6 +216,7 @@ Json steps_json(const OverlapSteps& steps) {
                       {"reached",
                        step.skipped.empty() && i <= steps.decisive().value_or(steps.steps.size())}};
         if (!step.skipped.empty()) entry["not_tried"] = step.skipped;
+        if (!step.error.empty()) entry["error"] = step.error;
         entry["direction"] = json_of(step.direction);
         entry["reach_a"] = step.reach_a;
         entry["reach_b"] = step.reach_b;
@@ -239,10 +243,6 @@ Json proof_json(const ExplainedPair& pair) {
 
 }  // namespace
 
-std::string ending_text(Stage stage) {
-    return stage == Stage::overlapping ? "passed" : "rejected at " + std::string(stage_name(stage));
-}
-
 std::string node_names(const ExplainedPair& pair) {
     if (!pair.nodes) return {};
     const auto name = [](const ExplainedNode& node) {
@@ -256,14 +256,14 @@ std::string explanation_text(const ExplainedPair& pair, bool colored) {
     const auto row = [&text](const std::string& name, const std::string& value) {
         text += "  " + padded(name, 20) + value + "\n";
     };
-    row(asked_text(pair), ending_text(pair.found.steps.stage()));
+    row(asked_text(pair), ending_words(pair.found.steps.stage()));
     row("exact", exact_text(pair));
     row("answer", answer_text(pair.found.answer, colored));
     if (pair.found.tests.empty()) return text;
     text += "\n  The other tests:\n";
     for (const TestAnswer& test : pair.found.tests) {
         if (test.test == pair.options.test) continue;
-        std::string words = padded(ending_text(test.stage), 28);
+        std::string words = padded(ending_words(test.stage), 28);
         if (test.answer == Answer::false_negative)
             words += alarming("FALSE NEGATIVE", colored);
         else

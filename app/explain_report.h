@@ -14,9 +14,6 @@ std::string explanation_text(const ExplainedPair& pair, bool colored);
 /// The same in machine form, with all digits: `stage` (per test), `exact`, `answer`, `steps`, ...
 nlohmann::ordered_json explanation_json(const ExplainedPair& pair);
 
-/// "rejected at slab-cylinder", "passed".
-std::string ending_text(Stage stage);
-
 /// "A 412, B 97"; empty for raw volumes.
 std::string node_names(const ExplainedPair& pair);
 

@@ -52,7 +52,7 @@ void PictureRun::finish(Json head) {
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
-    print_result(options_.json ? text : said_ + list);
+    print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
 }
 
 }  // namespace scb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/explained_pair.h"
+#include "app/picture_run.h"
+#include "render/explain_figure.h"
+
+namespace scb {
+
+/// What a picture of a pair says beside the pair itself, and where it goes.
+struct ExplainPicture {
+    std::string name;  ///< of the file, without .png
+    std::string title, subtitle;
+    Pose to_world;                     ///< from A's frame
+    std::optional<CameraSpec> camera;  ///< that the user asked for
+};
+
+/// Draws the pair and hands the picture on to be written. `entry` is what the index says of it.
+void draw_explanation(PictureRun& pictures, const PictureOptions& options,
+                      const CameraOptions& camera, const ExplainedPair& pair,
+                      const ExplainPicture& picture, nlohmann::ordered_json entry);
+
+/// The camera that was asked for: of a scene, or else of raw volumes; nothing where it is left to
+/// the picture.
+std::optional<CameraSpec> asked_camera(const CameraOptions& options, const Scene* scene);
+
+}  // namespace scb
