@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/trigonometry.h"
-#include "render/ending_colors.h"
+#include "render/explain_layout.h"
+#include "render/explain_verdict.h"
 #include "render/figure_layout.h"
 #include "render/figures.h"
 #include "render/fit_camera.h"
@@ -14,35 +15,6 @@
 
 namespace scb {
 namespace {
-
-const OverlapStep& shown_step(const ExplainFigure& figure) {
-    const OverlapSteps& steps = figure.found->steps;
-    return steps.steps[steps.closest()];
-}
-
-Rgba8 answer_color(Answer answer, const Theme& theme) {
-    switch (answer) {
-        case Answer::false_positive:
-            return theme.accent;
-        case Answer::false_negative:
-            return theme.warning;
-        case Answer::correct:
-            break;
-    }
-    return theme.text;
-}
-
-std::string exact_words(const ContactProof& proof) {
-    switch (proof.contact) {
-        case Contact::disjoint:
-            return "disjoint, " + number_text(proof.margin) + " apart";
-        case Contact::overlapping:
-            return "overlapping, " + number_text(proof.margin) + " deep";
-        case Contact::touching:
-            break;
-    }
-    return "touching";
-}
 
 double radius_of(const AnyVolume& volume) {
     return std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
@@ -153,132 +125,7 @@ void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLa
                  plot.plane.words + (zoomed ? "; a detail" : ""), theme, layout.unit);
 }
 
-struct VerdictLine {
-    std::string text;
-    Rgba8 color;
-    FontWeight weight = FontWeight::regular;
-    std::optional<Rgba8> swatch{};
-};
-
-std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
-    const Theme& theme = *figure.theme;
-    const PairExplanation& found = *figure.found;
-    const Stage stage = found.steps.stage();
-    std::vector<VerdictLine> lines;
-    const auto shape = [](const AnyVolume& volume) {
-        if (const Scb* s = std::get_if<Scb>(&volume))
-            return "r " + number_text(s->r) + ", τ " + number_text(thickness(*s));
-        if (const Ball* ball = std::get_if<Ball>(&volume)) return "r " + number_text(ball->radius);
-        const Vec3& half = std::get<Obb>(volume).half;
-        return "half " + number_text(half[0]) + " × " + number_text(half[1]) + " × " +
-               number_text(half[2]);
-    };
-    const std::string test = figure.kind == VolumeKind::scb
-                                 ? std::string(overlap_test_name(figure.options.test))
-                                 : "test";
-    lines.push_back({test + ":  " + ending_words(stage), theme.text, FontWeight::bold,
-                     stage == Stage::overlapping
-                         ? std::nullopt
-                         : std::optional(ending_color(rejected_at(stage), theme))});
-    lines.push_back({"exact:  " + exact_words(found.proof), theme.text, FontWeight::bold});
-    std::string answer(answer_name(found.answer));
-    if (found.answer == Answer::correct)
-        answer = "the test is right";
-    else
-        answer = found.answer == Answer::false_positive
-                     ? "FALSE POSITIVE: passed, but disjoint"
-                     : "FALSE NEGATIVE: rejected, but overlapping";
-    lines.push_back({answer, answer_color(found.answer, theme), FontWeight::bold});
-    if (const OverlapStep& step = shown_step(figure); !step.error.empty())
-        lines.push_back({"line " + std::to_string(step.line) + " " + step.error, theme.text});
-    lines.push_back(
-        {figure.names[0] + ":  " + shape(figure.a), theme.text, FontWeight::regular, body_a_color});
-    lines.push_back(
-        {figure.names[1] + ":  " + shape(figure.b), theme.text, FontWeight::regular, body_b_color});
-    // The other tests, those that end alike together.
-    std::vector<std::pair<Stage, VerdictLine>> others;
-    for (const TestAnswer& t : found.tests) {
-        if (t.test == figure.options.test) continue;
-        const std::string name(overlap_test_name(t.test));
-        const auto same = std::find_if(others.begin(), others.end(),
-                                       [&](const auto& o) { return o.first == t.stage; });
-        if (same != others.end())
-            same->second.text = name + ", " + same->second.text;
-        else
-            others.push_back(
-                {t.stage,
-                 {name + ":  " + ending_words(t.stage),
-                  t.answer == Answer::correct ? theme.faint_text : answer_color(t.answer, theme)}});
-    }
-    for (auto& [ending, line] : others) lines.push_back(std::move(line));
-    return lines;
-}
-
-void draw_verdict(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
-    const PixelRect& box = layout.verdict;
-    const int small = small_size(layout.unit), line = slack_line(layout.unit),
-              indent = small * 5 / 4;
-    int y = box.y;
-    for (const VerdictLine& v : verdict_lines(figure)) {
-        const TextStyle style{small, v.weight, v.color};
-        for (const std::string& part : wrapped_text(overlay, v.text, style, box.width - indent)) {
-            if (y + line > box.y + box.height) return;
-            overlay.text(box.x + indent, y, part, style);
-            if (v.swatch && part == wrapped_text(overlay, v.text, style, box.width - indent)[0])
-                overlay.rectangle({box.x, y + small / 8, small * 4 / 5, small * 4 / 5}, *v.swatch);
-            y += line;
-        }
-    }
-}
-
 }  // namespace
-
-PixelRect ExplainLayout::view_box() const {
-    const int caption = caption_height(), below = 2 * unit;
-    return {view.x, view.y + caption, view.width, std::max(1, view.height - caption - below)};
-}
-
-ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure) {
-    const FigureLayout whole = figure_layout(width, height);
-    ExplainLayout layout;
-    const int unit = layout.unit = whole.unit, margin = whole.heading.x, gap = unit;
-    layout.heading = whole.heading;
-    const int top = whole.heading.y + whole.heading.height;
-    const PixelRect all = {margin, top, width - 2 * margin, height - margin - top};
-    const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
-              verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
-    const int below = std::min(std::max(chart, verdict), all.height * 9 / 20);
-    // Boxes have no section, and small pictures no room for one.
-    const bool section = !std::holds_alternative<Obb>(figure.a) &&
-                         (whole.portrait || all.height - std::max(chart, verdict) > 12 * unit);
-    if (whole.portrait) {
-        const int verdict_height = std::min(verdict, all.height / 5),
-                  chart_height = std::min(chart, all.height / 3),
-                  views = all.height - verdict_height - chart_height - 2 * gap;
-        layout.view = {all.x, all.y, all.width, section ? (views - gap / 2) / 2 : views};
-        if (section)
-            layout.section = {all.x, all.y + views - layout.view.height, all.width,
-                              layout.view.height};
-        layout.steps = {all.x, all.y + views + gap, all.width, chart_height};
-        layout.verdict = {all.x, all.y + all.height - verdict_height, all.width, verdict_height};
-    } else if (!section) {
-        const int column = std::min(all.width / 2, 26 * unit);
-        layout.view = {all.x, all.y, all.width - column - gap, all.height};
-        const int x = all.x + all.width - column,
-                  chart_height = std::min(chart, all.height * 7 / 10);
-        layout.steps = {x, all.y, column, chart_height};
-        const int y = all.y + chart_height + gap;
-        layout.verdict = {x, y, column, all.y + all.height - y};
-    } else {
-        const int views = all.height - below - gap / 2, half = (all.width - gap) / 2;
-        layout.view = {all.x, all.y, half, views};
-        layout.section = {all.x + all.width - half, all.y, half, views};
-        const int right = std::min(all.width * 2 / 5, 20 * unit), y = all.y + all.height - below;
-        layout.steps = {all.x, y, all.width - right - 3 * gap / 2, below};
-        layout.verdict = {all.x + all.width - right, y, right, below};
-    }
-    return layout;
-}
 
 Camera explain_camera(const ExplainFigure& figure, double aspect) {
     const SectionPlane plane = plane_of(figure);
@@ -329,7 +176,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
         {&figure.found->steps,
          figure.found->answer == Answer::false_negative ? theme.warning : theme.accent},
         theme, layout.unit);
-    draw_verdict(overlay, figure, layout);
+    draw_verdict(overlay, layout.verdict, figure, layout.unit);
     picture.panes.push_back(pane_of(figure, camera, view, layout.unit));
     return picture;
 }

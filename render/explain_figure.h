@@ -31,20 +31,6 @@ struct ExplainFigure {
     const Theme* theme = &light_theme;
 };
 
-/// Where the parts of such a picture lie.
-struct ExplainLayout {
-    int unit = 20;  ///< size of body text, pixels
-    PixelRect heading;
-    PixelRect view, section;  ///< with their captions above them; no section of boxes
-    PixelRect steps, verdict;
-
-    static constexpr int caption_lines = 2;
-    int caption_height() const { return caption_lines * unit * 5 / 4 + unit / 4; }
-    /// The view of the scene, without its caption and the scale bar below it.
-    PixelRect view_box() const;
-};
-ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure);
-
 /// A camera from which the step's plane is seen from the front, but a little from the side and from
 /// above, fitted to both volumes.
 Camera explain_camera(const ExplainFigure& figure, double aspect);

@@ -4,118 +4,30 @@
 #include <array>
 #include <cmath>
 
-#include "render/clip.h"
 #include "render/figure_layout.h"
 #include "render/line_stroke.h"
+#include "render/section_dimensions.h"
 #include "render/smooth_line.h"
 
 namespace scb {
 namespace {
 
-/// What the plane cuts out of a volume, in plane coordinates from the center of A; y is up.
-struct Cut {
-    double x = 0, y = 0, r = 0;
-    bool has_slab = false;
-    double nx = 0, ny = 0, e = 0, f = 0;  ///< the slab: f <= nx dx + ny dy <= e
-    Rgba8 color;
-
-    double normal_length() const { return std::sqrt(nx * nx + ny * ny); }
-};
-
-/// `before`: how far the plane is in front of the center.
-Cut cut_of(const AnyVolume& volume, const Vec3& from_a, const SectionPlane& plane, double before,
-           Rgba8 color) {
-    Cut cut;
-    cut.x = dot(plane.right, from_a);
-    cut.y = dot(plane.up, from_a);
-    cut.color = color;
-    double r = 0;
-    if (const Ball* ball = std::get_if<Ball>(&volume)) r = ball->radius;
-    if (const Scb* s = std::get_if<Scb>(&volume)) {
-        r = s->r;
-        cut.has_slab = true;
-        cut.nx = dot(plane.right, s->n);
-        cut.ny = dot(plane.up, s->n);
-        const double towards = before * dot(plane.front, s->n);
-        cut.e = s->e - towards;
-        cut.f = s->f - towards;
-    }
-    cut.r = std::abs(before) < r ? std::sqrt((r - before) * (r + before)) : 0;
-    return cut;
-}
-
-struct Extent {
-    double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
-
-    void add(double x, double y, double r = 0) {
-        left = std::min(left, x - r);
-        right = std::max(right, x + r);
-        bottom = std::min(bottom, y - r);
-        top = std::max(top, y + r);
-    }
-};
-
-/// From plane coordinates to pixels of a rectangle.
-struct Scale {
-    double x0 = 0, y0 = 0, pixels = 1;  ///< what is in the middle of the rectangle; pixels per unit
-    PixelRect rect;
-
-    Scale(const PixelRect& box, const Extent& shown) : rect(box) {
-        x0 = (shown.left + shown.right) / 2;
-        y0 = (shown.bottom + shown.top) / 2;
-        const double width = shown.right - shown.left, height = shown.top - shown.bottom;
-        pixels = std::min(width > 0 ? 0.9 * box.width / width : HUGE_VAL,
-                          height > 0 ? 0.9 * box.height / height : HUGE_VAL);
-        // Two points in one place.
-        if (!std::isfinite(pixels)) pixels = 1;
-    }
-    double px(double x) const { return rect.x + rect.width / 2.0 + pixels * (x - x0); }
-    double py(double y) const { return rect.y + rect.height / 2.0 - pixels * (y - y0); }
-    ScreenPosition at(double x, double y) const { return {px(x), py(y)}; }
-    ScreenCircle circle(const Cut& cut) const { return {at(cut.x, cut.y), pixels * cut.r}; }
-    /// The points at most k above the cut's center along its normal (`sign` 1), or below it (-1).
-    HalfPlane side(const Cut& cut, double k, double sign) const {
-        const ScreenPosition n = {sign * cut.nx, -sign * cut.ny}, c = at(cut.x, cut.y);
-        return {n, n.x * c.x + n.y * c.y + k * pixels};
-    }
-    bool shows_height(double y) const { return py(y) >= rect.y && py(y) <= rect.y + rect.height; }
-};
-
-/// Where a cut comes nearest to what is below it (`sign` -1) or above: the corner of its cylinder,
-/// or of the slab and the circle; else the circle's pole.
-ScreenPosition nearest_point(const Cut& cut, double sign, bool cylinder) {
-    ScreenPosition best = {cut.x, cut.y + sign * cut.r};
-    if (!cut.has_slab || !(cut.normal_length() > 1 - 1e-9)) return best;
-    const double pole = cut.ny * sign * cut.r;
-    if (!cylinder && pole <= cut.e && pole >= cut.f) return best;
-    best.y = -sign * HUGE_VAL;
-    for (const double k : {cut.e, cut.f}) {
-        const double half = cylinder ? cut.r : std::sqrt(std::max(0.0, cut.r * cut.r - k * k));
-        for (const double side : {-half, half}) {
-            const double x = cut.x + k * cut.nx - side * cut.ny,
-                         y = cut.y + k * cut.ny + side * cut.nx;
-            if (sign * y > sign * best.y) best = {x, y};
-        }
-    }
-    return best;
-}
-
 struct Shown {
-    Extent extent;
+    SectionExtent extent;
     bool detail = false;
 };
 
 /// Both balls; or the surroundings of the smaller one, where it could not be seen beside the other;
 /// or of a gap that could not.
-Shown shown_extent(const Cut& a, const Cut& b, const SectionPlot& plot, const PixelRect& box,
-                   int unit) {
+Shown shown_extent(const SectionCut& a, const SectionCut& b, const SectionPlot& plot,
+                   const PixelRect& box, int unit) {
     Shown shown;
-    for (const Cut& cut : {a, b}) shown.extent.add(cut.x, cut.y, cut.r);
+    for (const SectionCut& cut : {a, b}) shown.extent.add(cut.x, cut.y, cut.r);
     const double end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b,
-                 pixels = Scale(box, shown.extent).pixels;
-    const Cut& small = a.r < b.r ? a : b;
+                 pixels = SectionScale(box, shown.extent).pixels;
+    const SectionCut& small = a.r < b.r ? a : b;
     if (small.r > 0 && pixels * small.r < unit && std::max(a.r, b.r) > 4 * small.r) {
-        Extent near;
+        SectionExtent near;
         near.add(small.x, small.y, 3 * small.r);
         for (const double y : {end_a, end_b})
             near.add(small.x, std::clamp(y, small.y - 8 * small.r, small.y + 8 * small.r));
@@ -135,10 +47,10 @@ Shown shown_extent(const Cut& a, const Cut& b, const SectionPlot& plot, const Pi
 
 class Drawing {
   public:
-    Drawing(Overlay& overlay, const Scale& scale, const Theme& theme, int unit)
+    Drawing(Overlay& overlay, const SectionScale& scale, const Theme& theme, int unit)
         : overlay_(overlay), scale_(scale), theme_(theme), width_(std::max(1.5, unit / 11.0)) {}
 
-    void region(const Cut& cut) {
+    void region(const SectionCut& cut) {
         ScreenPolygon polygon = polygon_of(scale_.rect);
         if (cut.normal_length() > 1e-9) {
             polygon = clipped(polygon, scale_.side(cut, cut.e, 1));
@@ -161,13 +73,13 @@ class Drawing {
         flush_outline(cut.color);
     }
 
-    void ball(const Cut& cut) {
+    void ball(const SectionCut& cut) {
         line(circle_points(scale_.circle(cut), scale_.rect), cut.color, LineStroke::solid,
              width_ / 2);
     }
 
     /// The slab's planes, a little beyond the ball.
-    void slab(const Cut& cut) {
+    void slab(const SectionCut& cut) {
         const double length = cut.normal_length();
         if (!(length > 1e-9)) return;
         for (const double k : {cut.e, cut.f}) {
@@ -180,7 +92,7 @@ class Drawing {
     }
 
     /// The cylinder with the slab's height, which the plane holds the axis of.
-    void cylinder(const Cut& cut) {
+    void cylinder(const SectionCut& cut) {
         const double nx = cut.nx, ny = cut.ny;
         const auto corner = [&](double k, double side) {
             return scale_.at(cut.x + k * nx - side * cut.r * ny,
@@ -232,29 +144,17 @@ class Drawing {
     }
 
     Overlay& overlay_;
-    const Scale& scale_;
+    const SectionScale& scale_;
     const Theme& theme_;
     double width_;
     std::vector<std::pair<ScreenPosition, ScreenPosition>> outline_;
 };
 
-/// A length along the direction of the step, drawn right of the section with its number.
-struct Dimension {
-    double from = 0, to = 0;
-    Rgba8 color;
-    std::string label;  ///< may be empty
-    int column = 0;
-    bool strong = false;
-};
-
-std::string length_text(const std::string& name, double value) {
-    return name + " = " + (value < 0 ? "−" : "") + number_text(std::abs(value));
-}
-
-std::vector<Dimension> dimensions_of(const SectionPlot& plot, double distance, const Theme& theme) {
+std::vector<SectionDimension> dimensions_of(const SectionPlot& plot, double distance,
+                                            const Theme& theme) {
     const OverlapStep& step = plot.step;
     const double end_a = step.reach_a, end_b = distance - step.reach_b;
-    std::vector<Dimension> all;
+    std::vector<SectionDimension> all;
     // Of a cylinder, its effective radius is the outer part of the reach.
     const auto add_reach = [&](double center, double end, double sign, double reach, Rgba8 color,
                                const std::string& name) {
@@ -284,71 +184,6 @@ std::vector<Dimension> dimensions_of(const SectionPlot& plot, double distance, c
     return all;
 }
 
-/// Labels one below the other, each as near to its height as the others let it.
-std::vector<int> spread(std::vector<double> heights, int line, int top, int bottom) {
-    std::vector<int> ys;
-    int free = top;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        ys.push_back(std::max(free, static_cast<int>(std::lround(heights[i])) - line / 2));
-        free = ys.back() + line;
-    }
-    int below = bottom;
-    for (std::size_t i = ys.size(); i-- > 0;) {
-        ys[i] = std::min(ys[i], below - line);
-        below = ys[i];
-    }
-    return ys;
-}
-
-constexpr int columns = 4;
-
-int column_step(int unit) { return unit * 3 / 5; }
-
-void draw_dimensions(Overlay& overlay, const Scale& scale, const PixelRect& box,
-                     std::vector<Dimension> all, const Theme& theme, int unit, double line_width) {
-    const int top = scale.rect.y, bottom = top + scale.rect.height;
-    const auto clamped = [&](double y) {
-        return std::clamp(scale.py(y), double(top), double(bottom));
-    };
-    const int label_x = box.x + columns * column_step(unit) + unit / 2;
-    for (const Dimension& d : all) {
-        const double x = box.x + (d.column + 0.5) * column_step(unit), from = clamped(d.from),
-                     to = clamped(d.to), tick = unit / 5.0,
-                     width = d.strong ? 2 * line_width : line_width;
-        draw_smooth_line(overlay, std::array{ScreenPosition{x, from}, ScreenPosition{x, to}},
-                         d.color, width);
-        for (const double y : {d.from, d.to})
-            if (scale.shows_height(y))
-                draw_smooth_line(overlay,
-                                 std::array{ScreenPosition{x - tick, scale.py(y)},
-                                            ScreenPosition{x + tick, scale.py(y)}},
-                                 d.color, line_width);
-    }
-    std::erase_if(all, [](const Dimension& d) { return d.label.empty(); });
-    const auto height = [&](const Dimension& d) { return (clamped(d.from) + clamped(d.to)) / 2; };
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Dimension& p, const Dimension& q) { return height(p) < height(q); });
-    const int small = small_size(unit), line = small * 5 / 4;
-    std::vector<double> heights;
-    for (const Dimension& d : all) heights.push_back(height(d));
-    const std::vector<int> ys = spread(heights, line, top, bottom);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        overlay.rectangle({label_x, ys[i] + small / 2 - small / 4, small / 2, small / 2},
-                          all[i].color);
-        const TextStyle style{small, all[i].strong ? FontWeight::bold : FontWeight::regular,
-                              theme.text};
-        overlay.text(label_x + small * 3 / 4, ys[i], all[i].label, style);
-    }
-}
-
-int label_width(Overlay& overlay, const std::vector<Dimension>& all, int unit) {
-    int widest = 0;
-    for (const Dimension& d : all)
-        widest = std::max(widest,
-                          overlay.measure(d.label, {small_size(unit), FontWeight::bold, {}}).width);
-    return widest + columns * column_step(unit) + unit / 2 + small_size(unit);
-}
-
 }  // namespace
 
 bool SectionPlot::has_cylinder() const {
@@ -364,20 +199,22 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
                        const Theme& theme, int unit) {
     const Vec3 to_b = center(plot.b) - center(plot.a);
     const SectionPlane& plane = plot.plane;
-    const Cut a = cut_of(plot.a, Vec3::Zero(), plane, plane.before_a, body_a_color),
-              b = cut_of(plot.b, to_b, plane, plane.before_b, body_b_color);
-    const std::vector<Dimension> dimensions = dimensions_of(plot, b.y, theme);
-    const int beside = label_width(overlay, dimensions, unit);
-    PixelRect box = rect;
-    box.width -= beside + unit / 2;
+    const SectionCut a = section_cut(plot.a, Vec3::Zero(), plane, plane.before_a, body_a_color),
+                     b = section_cut(plot.b, to_b, plane, plane.before_b, body_b_color);
+    const std::vector<SectionDimension> dimensions = dimensions_of(plot, b.y, theme);
+    const int beside = dimensions_width(overlay, dimensions, unit);
+    // Lines and dots are wider than what they stand for.
+    const int edge = unit / 4;
+    PixelRect box = {rect.x + edge, rect.y + edge, rect.width - edge - beside - unit / 2,
+                     rect.height - 2 * edge};
     if (box.width < 3 * unit || box.height < 3 * unit) return false;
 
     const Shown shown = shown_extent(a, b, plot, box, unit);
-    const Scale scale(box, shown.extent);
+    const SectionScale scale(box, shown.extent);
 
     Drawing drawing(overlay, scale, theme, unit);
-    for (const Cut& cut : {a, b}) drawing.region(cut);
-    for (const Cut& cut : {a, b}) {
+    for (const SectionCut& cut : {a, b}) drawing.region(cut);
+    for (const SectionCut& cut : {a, b}) {
         drawing.ball(cut);
         drawing.slab(cut);
     }
@@ -389,7 +226,7 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     for (const double y : {end_a, end_b}) drawing.level(x, y, columns_x);
     drawing.level(a.x, 0, columns_x);
     drawing.level(b.x, b.y, columns_x);
-    for (const Cut& cut : {a, b}) drawing.dot(cut.x, cut.y, cut.color, 3 * drawing.width());
+    for (const SectionCut& cut : {a, b}) drawing.dot(cut.x, cut.y, cut.color, 3 * drawing.width());
     if (plot.common_point) {
         const double px = dot(plane.right, *plot.common_point),
                      py = dot(plane.up, *plot.common_point);
