@@ -1,5 +1,7 @@
 #include "app/explained_pair.h"
 
+#include <cmath>
+
 #include "core/error.h"
 
 namespace scb {
@@ -54,6 +56,15 @@ ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& op
 AnyVolume b_seen_from_a(const ExplainedPair& pair) {
     return std::visit([&](const auto& b) { return AnyVolume(seen_from_a(b, pair.placed)); },
                       pair.b);
+}
+
+double normal_angle(const ExplainedPair& pair) {
+    constexpr double degrees_per_radian = 57.29577951308232;
+    const Vec3 a = std::get<Scb>(pair.a).n, b = std::get<Scb>(b_seen_from_a(pair)).n;
+    // Accurate where it is small.
+    const double degrees =
+        std::atan2(std::sqrt(squared_norm(cross(a, b))), dot(a, b)) * degrees_per_radian;
+    return std::round(degrees * 1e9) / 1e9;
 }
 
 }  // namespace scb

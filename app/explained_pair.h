@@ -41,4 +41,8 @@ ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& op
 /// B as seen from A.
 AnyVolume b_seen_from_a(const ExplainedPair& pair);
 
+/// The angle between the normals of two slab cut balls, in degrees, without the digits in which C
+/// libraries differ.
+double normal_angle(const ExplainedPair& pair);
+
 }  // namespace scb
