@@ -93,7 +93,7 @@ void add_explain(CLI::App& program, const Console& console, Action& action) {
         "  {\"center\": [x,y,z], \"radius\": r}\n"
         "  {\"center\": [x,y,z], \"axes\": [[x,y,z],[x,y,z],[x,y,z]], \"half\": [x,y,z]}\n\n"
         "Examples:\n"
-        "  scb explain spheres-l1 --frame 100 --pair 412,97\n"
+        "  scb explain spheres-l1 --frame 250 --pair 7164,1873 --test corrected\n"
         "  scb explain spheres-l1 --frame 50 --pair 25912,15272 --test printed\n"
         "  scb explain --pairs volumes.json --json\n"
         "  scb explain --pairs volumes.json -o out/");

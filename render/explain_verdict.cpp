@@ -69,8 +69,11 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
                      ? "FALSE POSITIVE: passed, but disjoint"
                      : "FALSE NEGATIVE: rejected, but overlapping";
     lines.push_back({answer, answer_color(found.answer, theme), FontWeight::bold});
-    if (const OverlapStep& step = shown_step(figure); !step.error.empty())
-        lines.push_back({"line " + std::to_string(step.line) + " " + step.error, theme.text});
+    // Of the paper's errors, the one that matters here.
+    const Stage erring = found.answer == Answer::false_positive ? Stage::cylinder_slab : stage;
+    for (const OverlapStep& step : found.steps.steps)
+        if (found.answer != Answer::correct && step.stage == erring && !step.error.empty())
+            lines.push_back({"line " + std::to_string(step.line) + " " + step.error, theme.text});
     lines.push_back(
         {figure.names[0] + ":  " + shape(figure.a), theme.text, FontWeight::regular, body_a_color});
     lines.push_back(
