@@ -18,6 +18,7 @@ void add_render_rejections(CLI::App& render, const Console& console, Action& act
 void add_render_traversal(CLI::App& render, const Console& console, Action& action);
 void add_bench(CLI::App& program, const Console& console, Action& action);
 void add_collide(CLI::App& program, const Console& console, Action& action);
+void add_inspect(CLI::App& program, const Console& console, Action& action);
 void add_trace(CLI::App& program, const Console& console, Action& action);
 void add_diff(CLI::App& program, Action& action);
 void add_explain(CLI::App& program, const Console& console, Action& action);

@@ -34,6 +34,12 @@ void Console::error(std::string_view text) const {
                  static_cast<int>(sentence.size()), sentence.data());
 }
 
+void Console::alarm(std::string_view line) const {
+    const bool red = colored(color);
+    std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "", printable(std::string(line)).c_str(),
+                 red ? "\033[0m" : "");
+}
+
 void Console::note(std::string_view line) const {
     if (!quiet) std::fprintf(stderr, "%s\n", printable(std::string(line)).c_str());
 }

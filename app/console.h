@@ -16,6 +16,8 @@ struct Console {
     bool colors_results() const;
     /// "scb: error: SENTENCE" on standard error.
     void error(std::string_view sentence) const;
+    /// A line on standard error that no one should miss, --quiet or not.
+    void alarm(std::string_view line) const;
     /// A line on standard error.
     void note(std::string_view line) const;
     /// Progress on one line that overwrites itself; only on a terminal. `done == total` ends the

@@ -8,8 +8,10 @@
 
 namespace scb {
 
-/// Calls `draw` for each frame that was asked for, with its queries, until a signal comes; then
-/// finishes the pictures with the index that `head` gives. Returns the exit status.
+/// Calls `draw(queries, watch)` for each frame that was asked for until a signal comes; then
+/// finishes the pictures with the index that `head` gives. `draw` returns whether it drew all of
+/// the frame, and may stop between two pictures where the watch has a signal. Returns the exit
+/// status.
 template <class Draw, class Head>
 int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
                 Head head) {
@@ -20,7 +22,7 @@ int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& cons
     for (; done < frames.size() && watch.signal() == 0; ++done) {
         QueryFrames queries;
         for (QuerySource& source : sources) queries.push_back(&source.frame(frames[done]));
-        draw(queries);
+        if (!draw(queries, watch)) break;
         progress.step("frames");
     }
     pictures.finish(head());

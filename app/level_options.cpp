@@ -6,6 +6,7 @@ namespace scb {
 
 void LevelOptions::check() const {
     picture.check();
+    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
     camera.check();
     if (camera.follows_contact())
         throw InputError(

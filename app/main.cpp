@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -53,6 +54,18 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
                                  : "'" + word + "' is no command of `" + command + "`") +
                    "; give one of " + names;
     }
+    // The parser takes the value of an option that it does not know for one word too many.
+    for (int i = 1; i < argc; ++i) {
+        const std::string word(argv[i], std::strcspn(argv[i], "="));
+        if (word.size() < 3 || !word.starts_with("--")) continue;
+        bool known = false;
+        for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
+            known = app->get_option_no_throw(word) != nullptr;
+        if (!known) {
+            sentence = "'" + word + "' is no option of `" + command + "`";
+            break;
+        }
+    }
     for (char& c : sentence)
         if (c == '\n') c = ' ';
     return sentence + "; see `" + command + " --help`.";
@@ -94,6 +107,7 @@ int run(int argc, char** argv) {
     add_render_pairs(*render, console, action);
     add_render_rejections(*render, console, action);
     add_render_traversal(*render, console, action);
+    add_inspect(program, console, action);
     add_collide(program, console, action);
     add_bench(program, console, action);
     add_trace(program, console, action);
@@ -156,5 +170,7 @@ int main(int argc, char** argv) {
     // A file that may not grow is reported as an error of the write. A closed pipe ends the program
     // silently, as it does others.
     std::signal(SIGXFSZ, SIG_IGN);
+    // Whoever started this program may ignore it, and then nobody learns how a child of it ended.
+    std::signal(SIGCHLD, SIG_DFL);
     return scb::run(argc, argv);
 }

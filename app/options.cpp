@@ -36,8 +36,8 @@ Scene SceneOptions::load() const {
     for (const std::string& name : names)
         if (names_trace(name) && std::filesystem::exists(name))
             throw InputError(name +
-                             ": this is a trace; print it with `scb trace`, or compare it "
-                             "with `scb diff`.");
+                             ": this is a trace, which is named alone, or with a second one where "
+                             "two are compared; print it with `scb trace`.");
     LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
@@ -72,21 +72,34 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     return result;
 }
 
-void check_output(const std::string& path, const std::string& option, const Scene& scene) {
-    for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
-}
-
-void check_output(const std::string& path, const std::string& option, const SceneOptions& scene) {
-    if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
-    std::error_code ignored;
+void refuse_overwriting(const std::string& path, const std::string& option,
+                        const SceneOptions& scene) {
     for (const std::string& name : scene.names)
         for (const std::filesystem::path& folder :
              {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
             refuse_same_file(path, option, folder / name);
+}
+
+void check_output(const std::string& path, const std::string& option, const Scene& scene) {
+    for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
+}
+
+void check_output(const std::string& path, const std::string& option, const SceneOptions& scene,
+                  const std::string& folder_to_make) {
+    if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
+    std::error_code ignored;
+    refuse_overwriting(path, option, scene);
     // Before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";
-    if (!std::filesystem::is_directory(parent, ignored))
+    const auto folder_of = [](const std::filesystem::path& file) {
+        std::error_code none;
+        return std::filesystem::weakly_canonical(file, none).parent_path();
+    };
+    const bool will_be_made =
+        !folder_to_make.empty() &&
+        folder_of(std::filesystem::path(folder_to_make) / "file") == folder_of(parent / "file");
+    if (!will_be_made && !std::filesystem::is_directory(parent, ignored))
         throw OutputError(option + " " + path + ": there is no folder " + parent.string() +
                           "; create it first.");
     if (std::filesystem::is_directory(path, ignored) || path.back() == '/')

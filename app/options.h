@@ -27,9 +27,15 @@ struct SceneOptions {
 /// The names as UTF-8, for JSON and headers.
 std::vector<std::string> utf8_names(const std::vector<std::string>& names);
 
+/// Throws InputError where `path` is one of the files that name the scene.
+void refuse_overwriting(const std::string& path, const std::string& option,
+                        const SceneOptions& scene);
+
 /// Throws InputError where `path` is standard output or one of the files that name the scene, and
-/// OutputError where there cannot be such a file.
-void check_output(const std::string& path, const std::string& option, const SceneOptions& scene);
+/// OutputError where there cannot be such a file. `folder_to_make` is one that will be there by
+/// then.
+void check_output(const std::string& path, const std::string& option, const SceneOptions& scene,
+                  const std::string& folder_to_make = "");
 
 /// Throws InputError where a mesh of the scene was read from `path`: a scene file may name any.
 void check_output(const std::string& path, const std::string& option, const Scene& scene);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/scene_camera.h"
+#include "app/video_options.h"
 #include "render/context.h"
 #include "render/palette.h"
 
@@ -26,6 +27,7 @@ struct PictureOptions {
     bool ids = false;
     bool json = false;
     std::optional<PixelPosition> pick{};  ///< the pixel of which is told what it shows
+    VideoOptions video{};
 
     /// Throws InputError where one of them makes no sense.
     void check() const;

@@ -15,13 +15,20 @@ PictureRun::PictureRun(const PictureOptions& options)
       queue_(8, options.jobs()) {
     // An index of other pictures must not stand beside these if this run does not finish.
     std::error_code ignored;
-    std::filesystem::remove(folder_ / "index.json", ignored);
+    if (!std::filesystem::is_directory(folder_ / "index.json", ignored))
+        std::filesystem::remove(folder_ / "index.json", ignored);
+    if (options.video.wanted())
+        video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
+                       options.theme()->background);
 }
 
-void PictureRun::draw(const std::string& name, const Picture& picture, Json entry, bool with_ids) {
+void PictureRun::draw(const std::string& name, const Picture& picture, Json entry,
+                      bool of_sequence) {
     Rendering rendering =
-        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && with_ids);
+        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && of_sequence);
     Json files = {{"file", name + ".png"}};
+    if (video_ && of_sequence) video_->push(rendering.image);
+    if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
     queue_.push(folder_ / (name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
@@ -34,13 +41,23 @@ void PictureRun::draw(const std::string& name, const Picture& picture, Json entr
     files_.push_back(std::move(files));
 }
 
-std::uint32_t PictureRun::id_at(int x, int y) const {
-    return last_ids_.ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(last_ids_.width) +
-                         static_cast<std::size_t>(x)];
+std::uint32_t PictureRun::id_at(int x, int y) const { return pixel(last_ids_, x, y); }
+
+void PictureRun::draw_sheet() {
+    const std::string file = sheet_->name + ".png";
+    queue_.push(folder_ / file, scb::draw(sheet_->sheet, renderer_, overlay_));
+    written_.push_back(file);
+    files_.push_back({{"file", file}, {"sheet", true}});
 }
 
 void PictureRun::finish(Json head) {
+    if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
+    const bool with_video = video_ && video_->frames() > 0;
+    if (with_video) {
+        video_->finish();
+        head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
+    }
     Json versions_json;
     const GlInfo info = context_.info();
     for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
@@ -52,6 +69,7 @@ void PictureRun::finish(Json head) {
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    if (with_video) list += options_.video.file + "\n";
     print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
 }
 

@@ -7,9 +7,11 @@
 
 #include "app/console.h"
 #include "app/picture_options.h"
+#include "app/sheet_run.h"
 #include "render/encode_queue.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
+#include "render/video_file.h"
 
 namespace scb {
 
@@ -26,11 +28,19 @@ class PictureRun {
     const Context& context() const { return context_; }
     Overlay& overlay() { return overlay_; }
 
-    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; with ids, and
-    /// as NAME_ids.png, where that was asked for and `with_ids` says that it has some. `entry` is
-    /// what the index says of it beside the file names.
+    /// Makes a contact sheet of the sequence's pictures too.
+    void begin_sheet(SheetRun sheet) { sheet_ = std::move(sheet); }
+    /// What the colors of the picture that comes next mean, for the sheet, if there is one.
+    void explain(const std::string& title, const std::vector<PanelItem>& panel) {
+        if (sheet_) sheet_->explain(title, panel);
+    }
+
+    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; and, where it
+    /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, as a frame of the
+    /// video and as a cell of the sheet, each where that was asked for. `entry` is what the index
+    /// says of it beside the file names.
     void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
-              bool with_ids = true);
+              bool of_sequence = true);
 
     /// Notes a line that is printed before the file names.
     void say(std::string line) { said_ += std::move(line) + "\n"; }
@@ -39,16 +49,21 @@ class PictureRun {
     /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
     std::uint32_t id_at(int x, int y) const;
 
-    /// Waits until everything is written; then writes index.json, which is `head` with `files` and
-    /// the versions at its end, and prints it, or the names of all files, as was asked for.
+    /// Draws the sheet, and waits until everything is written, the video too; then writes
+    /// index.json, which is `head` with `files` and the versions at its end, and prints it, or the
+    /// names of all files, as was asked for.
     void finish(nlohmann::ordered_json head);
 
   private:
+    void draw_sheet();
+
     const PictureOptions& options_;
     Context context_;
     Renderer renderer_;
     std::filesystem::path folder_;
     EncodeQueue queue_;
+    std::optional<VideoFile> video_;
+    std::optional<SheetRun> sheet_;
     Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;

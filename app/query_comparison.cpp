@@ -11,9 +11,9 @@ ComparedQueries compared_queries(const QueryView& view, const QuerySources& sour
 }
 
 void draw_comparison(const QueryView& view, const ComparedQueries& queries,
-                     std::array<ComparedView, 2> views, const std::string& title,
-                     const std::string& what, const QueryViewOptions& options,
-                     PictureRun& pictures) {
+                     const PairsOfOne& only_here, std::array<ComparedView, 2> views,
+                     const std::string& title, const std::string& what,
+                     const QueryViewOptions& options, PictureRun& pictures) {
     const QueryFrames frames = {queries[0].frame, queries[1].frame};
     std::vector<AnyVolume> region;
     for (const ComparedQuery& query : queries) {
@@ -25,8 +25,9 @@ void draw_comparison(const QueryView& view, const ComparedQueries& queries,
     const Camera camera = view.camera(region);
     nlohmann::ordered_json entry = view.index_entry(frames, camera);
     entry["only_in_one"] = nlohmann::ordered_json::array();
-    for (const std::vector<IndexPair>& pairs : pairs_of_one(queries))
+    for (const std::vector<IndexPair>& pairs : only_here)
         entry["only_in_one"].push_back(pairs.size());
+    if (title == "pairs") entry["pair_ids"] = view.pair_ids(frames);
     entry["outlined"] = views[0].pane.outline.ids.size();
     for (std::size_t i = 0; i < 2; ++i) {
         views[i].caption = view.labels()[i].caption;
@@ -34,6 +35,10 @@ void draw_comparison(const QueryView& view, const ComparedQueries& queries,
     }
     figure.title = view.title(title);
     figure.subtitle = view.subtitle(frames[0]->frame);
+    for (const ComparedView& each : views)
+        pictures.explain(
+            figure.title + " · " + view.labels()[0].caption + " / " + view.labels()[1].caption,
+            each.legend);
     figure.views = std::move(views);
     figure.center = view.center(region);
     figure.theme = options.picture.theme();

@@ -12,8 +12,8 @@ ComparedQueries compared_queries(const QueryView& view, const QuerySources& sour
 /// Gives the views captions and camera, and draws them as one picture. `title` and `what` are
 /// QueryView's, of the title and of file names.
 void draw_comparison(const QueryView& view, const ComparedQueries& queries,
-                     std::array<ComparedView, 2> views, const std::string& title,
-                     const std::string& what, const QueryViewOptions& options,
-                     PictureRun& pictures);
+                     const PairsOfOne& only_here, std::array<ComparedView, 2> views,
+                     const std::string& title, const std::string& what,
+                     const QueryViewOptions& options, PictureRun& pictures);
 
 }  // namespace scb

@@ -43,13 +43,17 @@ std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptio
     return sides;
 }
 
+std::string text_of(const TraceHeader& header) {
+    return header.scene + ", " + header.bodies[0].name + " and " + header.bodies[1].name;
+}
+
 void check_comparable(const QuerySources& sources) {
     const TraceHeader &a = sources[0].header(), &b = sources[1].header();
     for (std::size_t side = 0; side < 2; ++side)
         if (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name ||
             a.bodies[side].mesh != b.bodies[side].mesh)
-            throw InputError("the traces are of other scenes, bodies or meshes (" + a.scene +
-                             " and " + b.scene + "); give two of one scene.");
+            throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
+                             "; " + text_of(b) + "); give two of one scene.");
     if (a.options.stop_level != b.options.stop_level)
         throw InputError(
             "the traces stop at other levels, so that one has pairs of other things; record them "
@@ -70,6 +74,14 @@ std::string file_name_part(const std::string& text) {
     return part;
 }
 
+/// With the overlap test, where there is a choice.
+std::string volume_caption(const TraceHeader& header) {
+    const std::string title(volume_title(header.volume));
+    return header.volume == VolumeKind::scb
+               ? title + ", test " + std::string(overlap_test_name(header.options.overlap.test))
+               : title;
+}
+
 }  // namespace
 
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -88,6 +100,11 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
             sources.emplace_back(one, hierarchy, query, limits);
         }
         check_comparable(sources);
+        for (const QuerySource& source : sources) {
+            QueryOptions recorded = query;
+            recorded.test = overlap_test_name(source.header().options.overlap.test);
+            note_doubts(recorded, {source.query().kind}, console);
+        }
     } else if (compare.names.empty()) {
         sources.emplace_back(scene, hierarchy, query, limits);
         note_doubts(scene, query, {sources[0].query().kind}, console);
@@ -111,8 +128,8 @@ std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& 
         for (const TraceField& y : of_b) {
             if (x.name != y.name || x.value == y.value) continue;
             if (x.name == "volume") {
-                add(labels[0], std::string(volume_title(a.volume)), x.value);
-                add(labels[1], std::string(volume_title(b.volume)), y.value);
+                add(labels[0], volume_caption(a), x.value);
+                add(labels[1], volume_caption(b), y.value);
             } else {
                 const std::string what = x.name == "test" ? "" : x.name + " ";
                 add(labels[0], what + x.value, x.value);

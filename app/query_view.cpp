@@ -36,61 +36,9 @@ std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown
 
 }  // namespace
 
-void QueryViewOptions::check() {
-    picture.check();
-    camera.check();
-    hierarchy.kind();
-    hierarchy.fit();
-    query.collide();
-    for (const std::string& name : scene.names)
-        if (names_trace(name)) refuse_for_trace(recording, name);
-    if (pick.empty()) return;
-    const std::vector<std::string> parts = split_list(pick);
-    const std::string hint = "; give X,Y in pixels from the left and the top.";
-    if (parts.size() != 2) throw InputError("--pick " + pick + ": this is no pixel" + hint);
-    const PixelPosition at = {whole_number(parts[0], "--pick " + pick, hint),
-                              whole_number(parts[1], "--pick " + pick, hint)};
-    if (at.x < 0 || at.x >= picture.width() || at.y < 0 || at.y >= picture.height())
-        throw InputError("--pick " + pick + ": the picture has the pixels 0,0 to " +
-                         std::to_string(picture.width() - 1) + "," +
-                         std::to_string(picture.height() - 1) + "; give one of these.");
-    picture.pick = at;
-}
-
-QuerySources QueryViewOptions::open(const Console& console) const {
-    return open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
-}
-
-void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
-    add_scene_options(command, options.scene, false);
-    command.get_option("SCENE")->description(
-        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
-        "trace`), or two traces to compare");
-    add_hierarchy_options(command, options.hierarchy, false);
-    add_query_options(command, options.query, false);
-    add_query_limits(command, options.limits);
-    options.shown = shown;
-    if (shown != Shown::nothing) {
-        add_picture_options(command, options.picture, options.camera);
-        command.get_option("--camera")
-            ->description(
-                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
-                "or a JSON file; else the scene's own");
-        command
-            .add_option("--pick", options.pick,
-                        "Print what is under this pixel, from the left and the top")
-            ->type_name("X,Y");
-        command
-            .add_option("--compare", options.compare,
-                        "Two overlap tests, such as corrected,printed, or two volumes, such as "
-                        "scb,ball: both side by side, and what differs outlined")
-            ->check(has_name())
-            ->type_name("A,B");
-    } else {
-        add_picture_options(command, options.picture);
-    }
-    command.get_option("--frames")
-        ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
+std::string stopped_remark(const TraceFrame& frame) {
+    return "stopped at " + count_text(frame.found.pairs.size()) +
+           (frame.found.pairs.size() == 1 ? " pair" : " pairs");
 }
 
 QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
@@ -110,6 +58,7 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
+    held_.reserve(sources.size() * query.frames.size() * (nodes[0].size() + nodes[1].size()));
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (const int frame : sources[i].frames()) {
             const QueryBodies at_frame = bodies(frame, i);
@@ -119,6 +68,10 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
         }
     support_ = support_of(held_);
     center_ = center_of(support_);
+    whole_ = camera_for(spec_, support_, aspect());
+    if (follows_contact()) return;
+    support_ = nullptr;
+    held_ = {};
 }
 
 QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
@@ -144,11 +97,13 @@ QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
     return bodies;
 }
 
+double QueryView::aspect() const {
+    if (layout_) return aspect_of(layout_->sides[0].view);
+    return aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+}
+
 Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
-    const double aspect = aspect_of(
-        layout_ ? layout_->sides[0].view
-                : figure_layout(options_.picture.width(), options_.picture.height()).view);
-    if (!follows_contact() || region.empty()) return camera_for(spec_, support_, aspect);
+    if (!follows_contact() || region.empty()) return whole_;
     // Not so close that a single small triangle fills the view.
     std::vector<AnyVolume> wide = region;
     const Support of_region = support_of(region);
@@ -161,7 +116,7 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     const double smaller =
         std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
-    Camera camera = camera_for(spec, support_of(wide), aspect);
+    Camera camera = camera_for(spec, support_of(wide), aspect());
     set_depth_range(camera, support_);
     return camera;
 }
@@ -197,7 +152,9 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
     if (of_scb.volume == VolumeKind::scb) {
         const OverlapOptions& overlap = of_scb.options.overlap;
-        if (common("test")) add("test " + std::string(overlap_test_name(overlap.test)));
+        // Of two kinds of volumes the captions say it, since it is that of one of them.
+        if (common("test") && other.volume == header.volume)
+            add("test " + std::string(overlap_test_name(overlap.test)));
         if (common("threshold") && has_threshold(overlap.test) &&
             overlap.threshold != OverlapOptions{}.threshold)
             add(format("threshold %g", overlap.threshold));
@@ -223,8 +180,8 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
            (frame ? format("_frame-%04d", *frame) : "");
 }
 
-Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
-    const QueryBodies both = bodies(frame.frame);
+Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames) const {
+    const QueryBodies both = bodies(frames[0]->frame);
     for (const QueryBody& b : both) {
         const Topology& topology = topology_of(*b.hierarchy);
         if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
@@ -239,23 +196,33 @@ Json QueryView::what_is(std::uint32_t id, const TraceFrame& frame) const {
     for (const QueryBody& b : both)
         if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
             return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
-    if (id >= first_free_id_ && id - first_free_id_ < frame.found.pairs.size()) {
-        const IndexPair pair = frame.found.pairs[id - first_free_id_];
-        return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+    std::uint32_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        const std::vector<IndexPair>& pairs = frame->found.pairs;
+        if (id >= first && id - first < pairs.size()) {
+            const IndexPair pair = pairs[id - first];
+            return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+        }
+        first += static_cast<std::uint32_t>(pairs.size());
     }
     return nullptr;
+}
+
+Json QueryView::pair_ids(const QueryFrames& frames) const {
+    Json ids = Json::array();
+    std::size_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        ids.push_back({{"first", first}, {"count", frame->found.pairs.size()}});
+        first += frame->found.pairs.size();
+    }
+    return ids;
 }
 
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                           const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
     const PixelPosition at = *options_.picture.pick;
-    std::size_t query = 0;
-    if (layout_) {
-        const PixelRect& second = layout_->sides[1].view;
-        query = at.x >= second.x && at.y >= second.y;
-    }
-    const Json what = what_is(pictures.id_at(at.x, at.y), *frames[query]);
+    const Json what = what_is(pictures.id_at(at.x, at.y), frames);
     std::string text = name + format(".png at %d,%d: ", at.x, at.y);
     if (what.is_null())
         text += "nothing";
@@ -269,6 +236,18 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
         text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
                 (what["triangles"] == 1 ? " triangle" : " triangles");
     pictures.say(text);
+}
+
+void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
+                            std::optional<SheetRun> planned) const {
+    if (!planned) return;
+    const std::vector<int>& frames = sources_.front().frames();
+    planned->one_frame = frames.size() == 1;
+    planned->name = picture_name(what + "_sheet");
+    planned->sheet.theme = options_.picture.theme();
+    planned->sheet.subtitle =
+        subtitle(planned->one_frame ? std::optional(frames[0]) : std::nullopt);
+    pictures.begin_sheet(std::move(*planned));
 }
 
 Json QueryView::index_head(const std::string& command) const {

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/number_list.h"
 #include "app/picture_run.h"
-#include "app/query_sources.h"
+#include "app/query_view_options.h"
 #include "app/scene_camera.h"
 #include "render/comparison_figure.h"
 #include "render/query_body.h"
@@ -15,30 +14,8 @@
 
 namespace scb {
 
-/// What of the bodies a picture shows, and a camera therefore has to hold.
-enum class Shown { nothing, meshes, volumes };
-
-/// What every command that draws queries understands.
-struct QueryViewOptions {
-    SceneOptions scene;
-    HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
-    QueryLimits limits;
-    PictureOptions picture;
-    CameraOptions camera;
-    std::string pick;  ///< "X,Y", see PictureOptions::pick
-    /// What was given of what a trace already knows, see given_recording_options.
-    std::vector<std::string> recording;
-    std::string compare;  ///< see CompareOptions::names
-    Shown shown = Shown::meshes;
-
-    /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
-    void check();
-    /// Opens what was asked for.
-    QuerySources open(const Console& console) const;
-};
-/// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
-void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
+/// What a picture says of a query that ended before it had found everything.
+std::string stopped_remark(const TraceFrame& frame);
 
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
 /// Where the options say that pictures show nothing of the bodies, these stay where they are, and
@@ -48,6 +25,7 @@ class QueryView {
     /// `layout`: of the pictures, where two queries are compared.
     QueryView(const QueryViewOptions& options, const QuerySources& sources, Renderer& renderer,
               std::optional<ComparisonLayout> layout = std::nullopt);
+    QueryView(const QueryView&) = delete;
 
     /// Whether there are two queries.
     bool compares() const { return sources_.size() == 2; }
@@ -77,10 +55,17 @@ class QueryView {
     /// What an id of a picture of this frame stands for: {"what": "node", "body": "A", "index":
     /// 412,
     /// ...}; null for 0.
-    nlohmann::ordered_json what_is(std::uint32_t id, const TraceFrame& frame) const;
+    nlohmann::ordered_json what_is(std::uint32_t id, const QueryFrames& frames) const;
+    /// For each query, the ids of the segments in which its pairs meet: {"first": ..., "count":
+    /// ...}, in the order of `scb collide --pairs-out`.
+    nlohmann::ordered_json pair_ids(const QueryFrames& frames) const;
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
     void tell_pick(PictureRun& pictures, const std::string& name, const QueryFrames& frames) const;
+
+    /// Begins the sheet of the pictures of WHAT, where one is asked for.
+    void begin_sheet(PictureRun& pictures, const std::string& what,
+                     std::optional<SheetRun> planned) const;
 
     /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
     nlohmann::ordered_json index_head(const std::string& command) const;
@@ -90,15 +75,21 @@ class QueryView {
     nlohmann::ordered_json index_entry(const QueryFrames& frames) const;
 
   private:
+    double aspect() const;
+
     const QueryViewOptions& options_;
     const QuerySources& sources_;
     std::optional<ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
     std::vector<MeshHandle> meshes_;
     CameraSpec spec_;
-    Support support_;
+    /// Of both bodies at all frames: what all pictures show.
     Vec3 center_ = Vec3::Zero();
-    std::vector<AnyVolume> held_;  ///< of both bodies at all frames: what support_ is of
+    Camera whole_;
+    /// Kept where the camera follows the contact, for its depth range: volumes of both bodies at
+    /// all frames, and their support.
+    std::vector<AnyVolume> held_;
+    Support support_;
     std::uint32_t first_free_id_ = 1;
 };
 

@@ -21,7 +21,10 @@ void describe_pairs(SceneFigure& figure, const QueryView& view, const QuerySourc
     figure.title = view.title("pairs");
     figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
     figure.panel = pairs_panel(bodies, source.header(), frame, style);
-    if (frame.found.pairs.empty()) figure.remark = "no contact";
+    if (frame.found.pairs.empty())
+        figure.remark = "no contact";
+    else if (!frame.found.complete)
+        figure.remark = stopped_remark(frame);
 }
 
 std::optional<std::uint32_t> heat_end_of(const Options& options) {
@@ -48,14 +51,19 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
                    const Options& options, const PairsStyle& style, const std::string& what,
                    PictureRun& pictures) {
     const ComparedQueries queries = compared_queries(view, sources, frames);
+    const PairsOfOne only_here = pairs_of_one(queries);
     const bool heat = !options.heat.empty();
     std::array<ComparedView, 2> views =
-        heat ? compared_heat(queries, *heat_of_of(options.heat), heat_end_of(options), *style.theme)
-             : compared_pairs(queries, style, view.first_free_id());
+        heat ? compared_heat(queries, only_here, *heat_of_of(options.heat), heat_end_of(options),
+                             *style.theme)
+             : compared_pairs(queries, only_here, style, view.first_free_id());
     for (std::size_t i = 0; i < 2; ++i)
-        if (!heat && frames[i]->found.pairs.empty()) views[i].remark = "no contact";
-    draw_comparison(view, queries, std::move(views), heat ? "heat" : "pairs", what, options,
-                    pictures);
+        if (!heat && frames[i]->found.pairs.empty())
+            views[i].remark = "no contact";
+        else if (!frames[i]->found.complete)
+            views[i].remark = stopped_remark(*frames[i]);
+    draw_comparison(view, queries, only_here, std::move(views), heat ? "heat" : "pairs", what,
+                    options, pictures);
 }
 
 int run(Options& options, const Console& console) {
@@ -66,20 +74,23 @@ int run(Options& options, const Console& console) {
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
     QuerySources sources = options.open(console);
+    std::optional<ComparisonLayout> layout;
+    if (sources.size() == 2) layout = layout_of(options);
+    std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);
     PictureRun pictures(options.picture);
-    const QueryView view(options, sources, pictures.renderer(),
-                         sources.size() == 2 ? std::optional(layout_of(options)) : std::nullopt);
+    const QueryView view(options, sources, pictures.renderer(), layout);
 
     PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
     const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
+    view.begin_sheet(pictures, what, std::move(sheet));
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames) {
+        [&](const QueryFrames& frames, const InterruptWatch&) {
             if (view.compares()) {
                 draw_compared(view, sources, frames, options, style, what, pictures);
-                return;
+                return true;
             }
             const TraceFrame& frame = *frames[0];
             const QuerySource& source = sources[0];
@@ -95,16 +106,15 @@ int run(Options& options, const Console& console) {
             figure.center = view.center(region);
             figure.theme = style.theme;
             nlohmann::ordered_json entry = view.index_entry(frames, figure.pane.camera);
-            // Of the segments, in the order of `scb collide --pairs-out`.
-            if (options.heat.empty())
-                entry["pair_ids"] = {{"first", view.first_free_id()},
-                                     {"count", frame.found.pairs.size()}};
+            if (options.heat.empty()) entry["pair_ids"] = view.pair_ids(frames)[0];
+            pictures.explain(figure.title, figure.panel);
             const Picture picture =
                 compose(std::move(figure), options.picture.width(), options.picture.height(),
                         options.picture.samples, pictures.overlay());
             const std::string name = view.picture_name(what, frame.frame);
             pictures.draw(name, picture, std::move(entry));
             view.tell_pick(pictures, name, frames);
+            return true;
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render pairs");
@@ -129,6 +139,7 @@ void add_render_pairs(CLI::App& render_command, const Console& console, Action& 
         ->add_option("--heat", options->heat,
                      "Instead, color each triangle by the tests that it took part in: of volumes "
                      "that hold it, or of triangles")
+        ->check(has_name())
         ->type_name("volumes|triangles");
     command
         ->add_option("--heat-end", options->heat_end,

@@ -31,6 +31,20 @@ std::string names_of(const std::vector<Ending>& endings) {
     return names;
 }
 
+/// "7" or "0:9".
+std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
+    const std::string option = "--depth " + text;
+    const std::string hint = "; give a level such as 7, or the first and the last such as 0:9.";
+    const std::vector<std::string> parts = split_list(text, ':');
+    if (parts.size() > 2) throw InputError(option + ": these are not two levels" + hint);
+    const int first = whole_number(parts.front(), option, hint),
+              last = whole_number(parts.back(), option, hint);
+    if (first < 0 || last < first || last > deepest_level)
+        throw InputError(option + ": this scene's hierarchies have the levels 0 to " +
+                         std::to_string(deepest_level) + hint);
+    return {first, last};
+}
+
 RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
     const QuerySource& source = sources.front();
     RejectionsStyle style;
@@ -50,12 +64,9 @@ RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
                                  "' is none here; give some of " + names_of(known) + ".");
             style.filter.endings.push_back(*ending);
         }
-    if (!options.depths.empty()) {
-        const std::vector<int> depths =
-            parse_levels(options.depths, deepest(source.query().topologies), "--depth");
-        style.filter.least_depth = depths.front();
-        style.filter.most_depth = depths.back();
-    }
+    if (!options.depths.empty())
+        std::tie(style.filter.least_depth, style.filter.most_depth) =
+            depth_range(options.depths, deepest(source.query().topologies));
     const TraceHeader& header = source.header();
     if (!options.body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
@@ -71,6 +82,15 @@ RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
     style.nested = options.nested;
     style.theme = options.picture.theme();
     return style;
+}
+
+/// Which nodes are shown, where not all are.
+std::string filter_text(const Options& options) {
+    std::string text;
+    if (!options.body.empty()) text += ", only body " + options.body;
+    if (!options.depths.empty()) text += ", only levels " + options.depths;
+    if (!options.stages.empty()) text += ", only " + options.stages;
+    return text;
 }
 
 /// One picture: a query, or its first tests.
@@ -89,7 +109,7 @@ struct Shot {
         const Fronts fronts = fronts_of(bodies, frame, tree, style);
         SceneFigure figure;
         figure.title = view.title("rejections");
-        figure.subtitle = view.subtitle(frame.frame);
+        figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
         figure.pane = rejections_pane(bodies, fronts, style);
         const std::vector<AnyVolume> region = contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
@@ -101,6 +121,8 @@ struct Shot {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
         } else if (fronts[0].empty() && fronts[1].empty()) {
             figure.remark = "no such node";
+        } else if (!frame.found.complete) {
+            figure.remark = stopped_remark(frame);
         } else if (frame.found.n_v == 1) {
             figure.remark = "no overlap: the roots were rejected";
         }
@@ -111,6 +133,7 @@ struct Shot {
             entry["tests"] = *step;
             name += format("_test-%07zu", *step);
         }
+        pictures.explain(figure.title, figure.panel);
         const Picture picture =
             compose(std::move(figure), options.picture.width(), options.picture.height(),
                     options.picture.samples, pictures.overlay());
@@ -120,14 +143,17 @@ struct Shot {
 
     void draw_compared(const QueryFrames& frames) const {
         const ComparedQueries queries = compared_queries(view, sources, frames);
-        std::array<ComparedView, 2> views = compared_rejections(queries, style);
+        const PairsOfOne only_here = pairs_of_one(queries);
+        std::array<ComparedView, 2> views = compared_rejections(queries, only_here, style);
         for (std::size_t i = 0; i < 2; ++i)
             if (views[i].pane.volumes.empty())
                 views[i].remark = "no such node";
+            else if (!frames[i]->found.complete)
+                views[i].remark = stopped_remark(*frames[i]);
             else if (frames[i]->found.n_v == 1)
                 views[i].remark = "no overlap: the roots were rejected";
-        draw_comparison(view, queries, std::move(views), "rejections", "rejections", options,
-                        pictures);
+        draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
+                        options, pictures);
     }
 
     /// The pair that was tested last, and what its test gave.
@@ -151,8 +177,14 @@ struct Shot {
 /// How the paths of each frame ended: a picture for each query.
 void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
                  const QueryView& view, const Options& options, PictureRun& pictures) {
+    double most = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const TraceHeader& header = sources[i].header();
+        stages[i].groups =
+            ending_groups(endings_of(header.volume, header.options), *options.picture.theme());
+        most = std::max(most, most_paths(stages[i]));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
         StagesFigure& figure = stages[i];
         figure.title = view.title("rejections by frame");
         figure.subtitle = view.subtitle();
@@ -162,11 +194,22 @@ void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
             name += "_" + view.labels()[i].name;
         }
         figure.theme = options.picture.theme();
-        figure.groups = ending_groups(endings_of(header.volume, header.options), *figure.theme);
+        figure.least_top = most;
         const Picture picture =
             compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
         pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);
     }
+}
+
+/// How many pictures there will be. An animation's queries are made for it: a sheet is laid out
+/// before the first picture is drawn.
+std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t> steps) {
+    if (!steps) return source.frames().size();
+    const auto each = static_cast<std::uint64_t>(*steps);
+    std::uint64_t count = 0;
+    for (const int frame : source.frames())
+        count += (source.query().collide(frame).n_v + each - 1) / each;
+    return count;
 }
 
 int run(Options& options, const Console& console) {
@@ -177,18 +220,22 @@ int run(Options& options, const Console& console) {
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     if (options.steps && sources.size() == 2)
         throw InputError("--steps: an animation is of one query; leave it out to compare two.");
-    PictureRun pictures(options.picture);
     std::optional<ComparisonLayout> layout;
     if (sources.size() == 2)
         layout = comparison_layout(
             options.picture.width(), options.picture.height(),
             compared_rejections_rows(sources[0].header(), sources[1].header(), style));
+    std::optional<SheetRun> sheet;
+    if (options.sheet)
+        sheet = options.planned_sheet(picture_count(sources.front(), options.steps), layout);
+    PictureRun pictures(options.picture);
     const QueryView view(options, sources, pictures.renderer(), layout);
     const Shot shot{sources, view, style, options, pictures};
+    view.begin_sheet(pictures, "rejections", std::move(sheet));
     std::vector<StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames) {
+        [&](const QueryFrames& frames, const InterruptWatch& watch) {
             for (std::size_t i = 0; i < sources.size(); ++i) {
                 stages[i].frames.push_back(frames[i]->frame);
                 stages[i].counts.push_back(
@@ -196,21 +243,22 @@ int run(Options& options, const Console& console) {
             }
             if (view.compares()) {
                 shot.draw_compared(frames);
-                return;
+                return true;
             }
             const QuerySource& source = sources.front();
             const TraceFrame& frame = *frames.front();
             const TestTree tree = test_tree(source.header(), frame);
             if (!options.steps) {
                 shot.draw(frame, tree, std::nullopt, frame);
-                return;
+                return true;
             }
             const std::size_t all = frame.events.volume_tests.size(),
                               each = static_cast<std::size_t>(*options.steps);
             for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
                 const TraceFrame part = first_tests(source.header(), frame, tree, count);
                 shot.draw(part, test_tree(source.header(), part), count, frame);
-                if (count == all) break;
+                if (count == all) return true;
+                if (watch.signal() != 0) return false;
             }
         },
         [&] {
@@ -245,10 +293,14 @@ void add_render_rejections(CLI::App& render_command, const Console& console, Act
         ->add_option("--stage", options->stages,
                      "Only paths that ended so: some of the stages, 'triangles apart', "
                      "'triangles meet'")
+        ->check(has_name())
         ->type_name("LIST");
     command->add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
+        ->check(has_name())
         ->type_name("A:B");
-    command->add_option("--body", options->body, "Only the nodes of this body")->type_name("NAME");
+    command->add_option("--body", options->body, "Only the nodes of this body")
+        ->check(has_name())
+        ->type_name("NAME");
     command->add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
         ->check(real_number())
         ->capture_default_str();

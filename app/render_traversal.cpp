@@ -42,7 +42,7 @@ int run(Options& options, const Console& console) {
     figure.theme = options.picture.theme();
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames) {
+        [&](const QueryFrames& frames, const InterruptWatch&) {
             const TraceFrame& frame = *frames.front();
             figure.subtitle = view.subtitle(frame.frame);
             const Picture picture =
@@ -50,6 +50,7 @@ int run(Options& options, const Console& console) {
                         options.picture.height(), pictures.overlay());
             pictures.draw(view.picture_name("traversal", frame.frame), picture,
                           view.index_entry(frames));
+            return true;
         },
         [&] {
             nlohmann::ordered_json head = view.index_head("render traversal");

@@ -32,6 +32,8 @@ std::optional<OverlapTest> overlap_test_of(std::string_view name) {
 
 std::span<const OverlapTest> all_overlap_tests() { return tests; }
 
+bool is_sound(OverlapTest test) { return test != OverlapTest::printed; }
+
 bool has_threshold(OverlapTest test) {
     return test != OverlapTest::symmetric && test != OverlapTest::extents;
 }

@@ -26,6 +26,9 @@ std::span<const OverlapTest> all_overlap_tests();
 /// Whether OverlapOptions::threshold means anything to the test.
 bool has_threshold(OverlapTest test);
 
+/// Whether the test never rejects volumes that overlap or touch: all but `printed`.
+bool is_sound(OverlapTest test);
+
 struct OverlapOptions {
     OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
     /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.

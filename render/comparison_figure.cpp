@@ -11,10 +11,11 @@ constexpr int line_height(int unit) { return unit * 5 / 4; }
 
 /// From the caption at the top of `cell` to its panel at the bottom.
 ComparisonLayout::Side lay_out_side(const PixelRect& cell, int unit, ComparisonRows rows) {
-    // Narrower columns would cut what the colors mean.
-    const bool beside = cell.width >= 29 * unit;
     const int numbers = rows.numbers * line_height(unit) + unit / 2,
               legend = rows.legend * line_height(unit) + unit / 2;
+    // Narrower columns cut what the colors mean; but better so than not to show them.
+    const bool beside =
+        cell.width >= 29 * unit || numbers + legend > (cell.height - unit * 3 / 2) * 3 / 5;
     const int wanted = beside ? std::max(numbers, legend) : numbers + legend;
     ComparisonLayout::Side side;
     side.caption = {cell.x, cell.y, cell.width, unit * 3 / 2};

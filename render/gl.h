@@ -60,6 +60,7 @@ namespace scb {
     X(TEXBUFFER, TexBuffer)                               \
     X(TEXIMAGE2D, TexImage2D)                             \
     X(TEXPARAMETERI, TexParameteri)                       \
+    X(TEXSUBIMAGE2D, TexSubImage2D)                       \
     X(UNIFORM1F, Uniform1f)                               \
     X(UNIFORM1I, Uniform1i)                               \
     X(UNIFORM1UI, Uniform1ui)                             \

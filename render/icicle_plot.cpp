@@ -17,7 +17,7 @@ constexpr int least_text = 10;
 
 }  // namespace
 
-Rgba8 divided_color(const Theme& theme) { return mix(theme.background, theme.text, 0.16); }
+Rgba8 divided_color(const Theme& theme) { return mix(theme.background, theme.text, 0.1); }
 
 PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
                       const TestTree& tree, const std::vector<EndingGroup>& groups,

@@ -43,6 +43,16 @@ inline Rgba8 pixel(const Image& image, int x, int y) {
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
+inline void set_pixel(Image& image, int x, int y, Rgba8 color) {
+    const std::size_t at =
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+             static_cast<std::size_t>(x));
+    image.rgba[at] = color.r;
+    image.rgba[at + 1] = color.g;
+    image.rgba[at + 2] = color.b;
+    image.rgba[at + 3] = color.a;
+}
+
 inline std::uint32_t pixel(const IdImage& image, int x, int y) {
     return image.ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                      static_cast<std::size_t>(x)];

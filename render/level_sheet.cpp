@@ -8,13 +8,10 @@ namespace scb {
 namespace {
 
 constexpr int most_columns = 5;
-constexpr int margin = 24;
+constexpr int margin = sheet_margin;
 
 // Title and keys.
 constexpr int heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
-
-// What every renderer here can draw, even with four samples.
-constexpr int largest_side = 8000;
 
 int cell_height(const LevelSheetLayout& layout) {
     return layout.view_height + layout.detail_size + 4 * layout.unit;
@@ -26,18 +23,14 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
     const int count = static_cast<int>(levels), rows = static_cast<int>(volumes);
     LevelSheetLayout layout;
     const auto lay_out = [&](int columns, int view_width) {
-        layout.bands = (count + columns - 1) / columns;
-        layout.columns = (count + layout.bands - 1) / layout.bands;
-        layout.view_width = view_width;
-        layout.unit = view_width < 300 ? 14 : 20;
+        static_cast<SheetGrid&>(layout) = sheet_grid(count, columns, view_width);
         layout.view_height = view_width * (with_detail ? 5 : 6) / 8;
         layout.detail_size = with_detail ? view_width * 9 / 20 : 0;
-        layout.width = margin + layout.columns * (view_width + margin);
         layout.height = heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
-        return layout.width <= largest_side && layout.height <= largest_side;
+        return fits(layout);
     };
     const int columns = std::min(count, most_columns);
-    const int roomy = columns <= 2 ? 620 : columns <= 3 ? 520 : 440;
+    const int roomy = roomy_view_width(columns);
     // As tall as twice its width is tall enough.
     for (int wider = most_columns; wider <= 2 * most_columns; ++wider)
         if (lay_out(std::min(count, wider), roomy) && layout.height <= 2 * layout.width)
@@ -90,7 +83,7 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
             const LevelSheetCell& cell = sheet.rows[r][c];
             const int band = static_cast<int>(c) / layout.columns,
                       column = static_cast<int>(c) % layout.columns;
-            const int x = margin + column * (layout.view_width + margin);
+            const int x = layout.x(column);
             const int y =
                 first_y + (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) *
                               cell_height(layout);

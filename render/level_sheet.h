@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/level_figure.h"
+#include "render/sheet_grid.h"
 
 namespace scb {
 
@@ -29,10 +30,8 @@ struct LevelSheet {
 
 /// The pixels of a sheet. Cells shrink, and more stand side by side, where there are many, so that
 /// a sheet can always be drawn.
-struct LevelSheetLayout {
-    int width = 0, height = 0, unit = 0;
-    int columns = 0, bands = 0;  ///< cells in a row; blocks of rows below each other
-    int view_width = 0, view_height = 0, detail_size = 0;
+struct LevelSheetLayout : SheetGrid {
+    int view_height = 0, detail_size = 0;
 };
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail);
 

@@ -33,16 +33,6 @@ Mask owned_pixels(const IdImage& image, const PixelRect& pane,
     return mask;
 }
 
-void set_pixel(Image& image, int x, int y, Rgba8 color) {
-    const std::size_t at =
-        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-             static_cast<std::size_t>(x));
-    image.rgba[at] = color.r;
-    image.rgba[at + 1] = color.g;
-    image.rgba[at + 2] = color.b;
-    image.rgba[at + 3] = 255;
-}
-
 }  // namespace
 
 void draw_outline(Image& image, const IdImage& ids, const PixelRect& pane, const Outline& outline) {

@@ -1,6 +1,7 @@
 #include "render/pane_difference.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace scb {

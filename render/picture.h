@@ -67,7 +67,8 @@ struct PixelRect {
     int height = 0;
 };
 
-/// Things of a pane that are outlined, all together, in front of everything.
+/// Things of a pane that are outlined, all together, in front of everything but the
+/// overlay.
 struct Outline {
     std::vector<std::uint32_t> ids;  ///< ascending; what has none of their pixels is not outlined
     Rgba8 color;

@@ -17,10 +17,9 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
     return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
 }
 
-/// The counts of both, the second's with what they differ by.
+/// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
 void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
-                 std::size_t outlined) {
-    const auto lost = pairs_of_one(queries);
+                 const PairsOfOne& only_here, std::size_t outlined) {
     const auto counts = [&](std::size_t side) {
         const Collision& found = queries[side].frame->found;
         return std::array<std::uint64_t, 4>{found.pairs.size(), found.n_v, found.n_p, found.n_u};
@@ -33,59 +32,61 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
             names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});
     }
     for (std::size_t side = 0; side < 2; ++side) {
-        views[side].numbers.emplace_back(
-            PanelRow{"only here", {count_text(lost[side].size()), ""}, {}, !lost[side].empty()});
+        views[side].numbers.emplace_back(PanelRow{
+            "only here", {count_text(only_here[side].size()), ""}, {}, !only_here[side].empty()});
         views[side].numbers.emplace_back(PanelRow{"outlined", {count_text(outlined), ""}});
     }
 }
 
 /// Outlines differences, and adds the numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
-             const Theme& theme) {
-    add_numbers(views, queries, outline_differences(views, theme));
+             const PairsOfOne& only_here, const Theme& theme) {
+    add_numbers(views, queries, only_here, outline_differences(views, theme));
 }
 
 }  // namespace
 
-std::array<std::vector<IndexPair>, 2> pairs_of_one(const ComparedQueries& queries) {
+PairsOfOne pairs_of_one(const ComparedQueries& queries) {
     const std::vector<IndexPair>&a = queries[0].frame->found.pairs,
           &b = queries[1].frame->found.pairs;
-    std::array<std::vector<IndexPair>, 2> result;
+    PairsOfOne result;
     std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result[0]));
     std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(result[1]));
     return result;
 }
 
-std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries, const PairsStyle& style,
+std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
+                                           const PairsOfOne& only_here, const PairsStyle& style,
                                            std::uint32_t first_pair_id) {
     std::array<ComparedView, 2> views;
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        views[side].pane =
-            pairs_pane(query.bodies, *query.header, *query.frame, style, first_pair_id);
+        const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
+        views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, style,
+                                      first_pair_id + static_cast<std::uint32_t>(before));
         views[side].legend = pairs_legend(query.bodies, *query.header, style);
     }
-    compare(views, queries, *style.theme);
+    compare(views, queries, only_here, *style.theme);
     if (queries[0].header->options.stop_level >= 0) return views;
-    const auto lost = pairs_of_one(queries);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
         for (Segment& segment : contact_segments(query.bodies, *query.frame, 0)) {
             const IndexPair pair = query.frame->found.pairs[segment.id];
-            if (!std::binary_search(lost[side].begin(), lost[side].end(), pair)) continue;
+            if (!std::binary_search(only_here[side].begin(), only_here[side].end(), pair)) continue;
             segment.id = 0;
-            segment.color = style.theme->warning;
+            segment.color = style.theme->accent;
             segment.width = 3;
             segment.on_top = true;
             for (ComparedView& view : views) view.pane.segments.push_back(segment);
         }
         views[side].legend.emplace_back(
-            PanelKey{style.theme->warning, "where only one found pairs"});
+            PanelKey{style.theme->accent, "where only one found pairs"});
     }
     return views;
 }
 
 std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
+                                                const PairsOfOne& only_here,
                                                 const RejectionsStyle& style) {
     std::array<ComparedView, 2> views;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -96,11 +97,12 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
         if (style.by == FrontColor::share) views[side].legend.push_back(front_color_key(style));
     }
-    compare(views, queries, *style.theme);
+    compare(views, queries, only_here, *style.theme);
     return views;
 }
 
-std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries, HeatOf of,
+std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
+                                          const PairsOfOne& only_here, HeatOf of,
                                           std::optional<std::uint32_t> scale_end,
                                           const Theme& theme) {
     std::array<Heat, 2> heats;
@@ -113,7 +115,7 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries, HeatOf
         views[side].pane = heat_pane(queries[side].bodies, heats[side]);
         views[side].legend = {heat_key(heats[side])};
     }
-    compare(views, queries, theme);
+    compare(views, queries, only_here, theme);
     return views;
 }
 

@@ -23,6 +23,12 @@ Rgba8 color_of(const FrontNode& node, FrontColor by, const Theme& theme) {
     return viridis(static_cast<double>(node.rejected) / node.tested);
 }
 
+/// What is left over may hold much of the front, and would hide it.
+double opacity_of(Rgba8 color, const RejectionsStyle& style) {
+    return color == ending_color(Ending::left_over, *style.theme) ? style.opacity / 5
+                                                                  : style.opacity;
+}
+
 }  // namespace
 
 std::string_view front_color_name(FrontColor color) {
@@ -51,17 +57,18 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
                      const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side)
-        for (const FrontNode& node : fronts[side])
-            pane.volumes.push_back(
-                {volume_of(bodies[side], node.node),
-                 with_opacity(color_of(node, style.by, *style.theme), style.opacity),
-                 bodies[side].first_node_id + node.node});
+        for (const FrontNode& node : fronts[side]) {
+            const Rgba8 color = color_of(node, style.by, *style.theme);
+            pane.volumes.push_back({volume_of(bodies[side], node.node),
+                                    with_opacity(color, opacity_of(color, style)),
+                                    bodies[side].first_node_id + node.node});
+        }
     return pane;
 }
 
 PanelItem front_color_key(const RejectionsStyle& style) {
     if (style.by == FrontColor::share)
-        return PanelScale{"share of a node's tests rejected",
+        return PanelScale{"color: share of a node's tests rejected",
                           {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
     return PanelNote{"a node's " +
                      std::string(style.by == FrontColor::dominant ? "most frequent"
@@ -99,11 +106,10 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
-    const auto shown = [&](std::size_t side) {
-        return style.sides[side] ? count_text(fronts[side].size()) : std::string("–");
-    };
-    items.emplace_back(
-        PanelRow{"volumes", {bodies[0].name + " " + shown(0), bodies[1].name + " " + shown(1)}});
+    for (std::size_t side = 0; side < 2; ++side)
+        items.emplace_back(
+            PanelRow{"volumes of " + bodies[side].name,
+                     {style.sides[side] ? count_text(fronts[side].size()) : std::string("–")}});
     items.push_back(front_color_key(style));
     return items;
 }

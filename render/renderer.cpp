@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string>
 
 #include "core/error.h"
-#include "render/embedded.h"
 #include "render/eye_view.h"
 #include "render/mesh_painter.h"
 #include "render/outline.h"
 #include "render/overlay_painter.h"
 #include "render/render_target.h"
+#include "render/resolve.h"
 #include "render/segment_painter.h"
 #include "render/volume_painter.h"
-
-SCB_DECLARE_EMBEDDED(resolve_vert)
-SCB_DECLARE_EMBEDDED(resolve_frag)
 
 namespace scb {
 
 namespace {
+
+// Rows of a picture that are read back at a time: their samples stay in the cache.
+constexpr int rows_at_a_time = 16;
 
 /// Of a render target's side.
 int largest_side(const Gl& gl) {
@@ -80,10 +81,10 @@ struct Renderer::Parts {
     VolumePainter volumes;
     SegmentPainter segments;
     OverlayPainter overlay;
-    GlProgram resolve_program;
-    GlVertexArray no_attributes;
     std::optional<RenderTarget> drawn;     // at the resolution of the samples
-    std::optional<RenderTarget> resolved;  // at that of the picture, top row first
+    std::optional<RenderTarget> overlaid;  // at that of the picture, top row first: for the overlay
+    std::vector<std::uint32_t> samples;    // these two are kept for their memory
+    std::vector<std::uint32_t> row;
 
     explicit Parts(const Gl& functions)
         : gl(functions),
@@ -91,9 +92,7 @@ struct Renderer::Parts {
           meshes(gl),
           volumes(gl),
           segments(gl),
-          overlay(gl),
-          resolve_program(gl, {SCB_EMBEDDED(resolve_vert)}, {SCB_EMBEDDED(resolve_frag)}),
-          no_attributes(gl) {}
+          overlay(gl) {}
 
     void fit_target(std::optional<RenderTarget>& target, int width, int height, bool with_depth) {
         if (target && target->width() == width && target->height() == height) return;
@@ -106,7 +105,10 @@ struct Renderer::Parts {
         const Rgba8 background = pane.background.value_or(picture.background);
         gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
         gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
-        clear(gl, background);
+        // The first one is clear if it has the picture's background. (With a scissor this is not
+        // for nothing: quads are drawn.)
+        if (&pane != &picture.panes.front() || background != picture.background)
+            clear(gl, background);
         for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
         volumes.draw_opaque(pane.volumes, view);
         segments.draw(pane.segments, view, false);
@@ -115,35 +117,57 @@ struct Renderer::Parts {
         segments.draw(pane.segments, view, true);
     }
 
-    void resolve(int scale) {
-        gl.BindFramebuffer(GL_FRAMEBUFFER, resolved->framebuffer());
-        gl.Viewport(0, 0, resolved->width(), resolved->height());
-        resolve_program.use();
-        resolve_program.set("colors", 0);
-        resolve_program.set("ids", 1);
-        resolve_program.set("scale", scale);
-        resolve_program.set("last_row", drawn->height() - 1);
-        gl.ActiveTexture(GL_TEXTURE1);
-        gl.BindTexture(GL_TEXTURE_2D, drawn->ids());
-        gl.ActiveTexture(GL_TEXTURE0);
-        gl.BindTexture(GL_TEXTURE_2D, drawn->colors());
-        gl.BindVertexArray(no_attributes.name());
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. Not
+    /// by a shader, which on llvmpipe takes a fifth of the processor time of a whole picture.
+    template <typename Resolve>
+    void read_resolved(GLenum attachment, GLenum format, GLenum type, int scale, void* pixels,
+                       Resolve resolve) {
+        const int width = drawn->width() / scale, height = drawn->height() / scale;
+        const std::size_t words =
+            static_cast<std::size_t>(scale) * static_cast<std::size_t>(drawn->width());  // per row
+        samples.resize(rows_at_a_time * words);
+        row.resize(static_cast<std::size_t>(width));
+        auto* bytes = static_cast<std::uint8_t*>(pixels);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, drawn->framebuffer());
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+        gl.ReadBuffer(attachment);
+        for (int top = 0; top < height; top += rows_at_a_time) {
+            const int rows = std::min(rows_at_a_time, height - top);
+            gl.ReadPixels(0, scale * (height - top - rows), drawn->width(), scale * rows, format,
+                          type, samples.data());
+            for (int i = rows - 1; i >= 0; --i) {
+                resolve(samples.data() + static_cast<std::size_t>(i) * words, scale, row);
+                std::memcpy(bytes, row.data(), 4 * row.size());
+                bytes += 4 * row.size();
+            }
+        }
     }
 
-    Rendering read_back(bool with_ids) {
-        const int width = resolved->width(), height = resolved->height();
+    Rendering read_back(int scale, bool with_ids) {
+        const int width = drawn->width() / scale, height = drawn->height() / scale;
         const std::size_t pixels =
             static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
         Rendering result{{width, height, std::vector<std::uint8_t>(4 * pixels)}, std::nullopt};
-        gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-        gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
-        gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, result.image.rgba.data());
+        read_resolved(GL_COLOR_ATTACHMENT0, GL_RGBA, GL_UNSIGNED_BYTE, scale,
+                      result.image.rgba.data(), resolve_colors);
         if (!with_ids) return result;
         result.ids = IdImage{width, height, std::vector<std::uint32_t>(pixels)};
-        gl.ReadBuffer(GL_COLOR_ATTACHMENT1);
-        gl.ReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, result.ids->ids.data());
+        read_resolved(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT, scale,
+                      result.ids->ids.data(), resolve_ids);
         return result;
+    }
+
+    void paint_over(Image& image, const Overlay& figures) {
+        fit_target(overlaid, image.width, image.height, false);
+        gl.BindTexture(GL_TEXTURE_2D, overlaid->colors());
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA,
+                         GL_UNSIGNED_BYTE, image.rgba.data());
+        gl.BindFramebuffer(GL_FRAMEBUFFER, overlaid->framebuffer());
+        overlay.paint(figures, image.width, image.height);
+        gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
+        gl.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      image.rgba.data());
     }
 };
 
@@ -162,7 +186,6 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
     const int scale = scale_of(picture.samples);
     check(picture, largest_size(picture.samples));
     parts_->fit_target(parts_->drawn, scale * picture.width, scale * picture.height, true);
-    parts_->fit_target(parts_->resolved, picture.width, picture.height, false);
 
     gl.BindFramebuffer(GL_FRAMEBUFFER, parts_->drawn->framebuffer());
     gl.Disable(GL_SCISSOR_TEST);
@@ -174,19 +197,18 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
     gl.Disable(GL_DEPTH_TEST);
     gl.Disable(GL_SCISSOR_TEST);
 
-    parts_->resolve(scale);
-    if (overlay) parts_->overlay.paint(*overlay, picture.width, picture.height);
     const bool outlined = std::any_of(picture.panes.begin(), picture.panes.end(),
                                       [](const Pane& pane) { return !pane.outline.ids.empty(); });
-    Rendering result = parts_->read_back(with_ids || outlined);
-    if (gl.GetError() != GL_NO_ERROR)
-        throw DrawError("The OpenGL library could not draw a picture of " +
-                        size_text(picture.width, picture.height) +
-                        " pixels; it may be out of memory.");
+    Rendering result = parts_->read_back(scale, with_ids || outlined);
     for (const Pane& pane : picture.panes)
         if (!pane.outline.ids.empty())
             draw_outline(result.image, *result.ids, pane.viewport, pane.outline);
     if (!with_ids) result.ids.reset();
+    if (overlay) parts_->paint_over(result.image, *overlay);
+    if (gl.GetError() != GL_NO_ERROR)
+        throw DrawError("The OpenGL library could not draw a picture of " +
+                        size_text(picture.width, picture.height) +
+                        " pixels; it may be out of memory.");
     return result;
 }
 

@@ -76,6 +76,12 @@ std::vector<PanelItem> panel_of(const StagesFigure& figure) {
 
 }  // namespace
 
+double most_paths(const StagesFigure& figure) {
+    double most = 0;
+    for (const Bar& bar : bars_of(figure, figure.frames.size())) most = std::max(most, bar.sum);
+    return most;
+}
+
 Picture compose(const StagesFigure& figure, int width, int height, Overlay& overlay) {
     const FigureLayout layout = figure_layout(width, height);
     const Theme& theme = *figure.theme;
@@ -86,9 +92,7 @@ Picture compose(const StagesFigure& figure, int width, int height, Overlay& over
     if (figure.frames.empty()) return picture;
     draw_side_panel(overlay, layout.panel, theme, layout.unit, panel_of(figure));
 
-    double highest = 0;
-    for (const Bar& bar : bars_of(figure, figure.frames.size()))
-        highest = std::max(highest, bar.sum);
+    const double highest = std::max(figure.least_top, most_paths(figure));
     PlotFrame frame;
     frame.y_label = "paths that ended";
     frame.x_label = "frame";

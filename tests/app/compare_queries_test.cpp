@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "render/image_file.h"
 #include "tests/app/program.h"
 
 namespace scb {
@@ -66,6 +67,31 @@ TEST_F(CompareQueries, TellsPairsThatOnlyOneFound) {
     EXPECT_EQ(same["files"][0]["only_in_one"], (json{0, 0}));
 }
 
+// The segments of the pairs of both, one range after the other; each is in the id picture.
+TEST_F(CompareQueries, NamesTheIdsOfThePairsOfBoth) {
+    const json index = index_of("pairs spheres-l1 --frames 100 --compare corrected,printed --ids");
+    const json& file = index["files"][0];
+    ASSERT_EQ(file["pair_ids"].size(), 2u);
+    const std::uint32_t first = file["pair_ids"][0]["first"], middle = file["pair_ids"][1]["first"];
+    EXPECT_EQ(file["pair_ids"][0]["count"], file["queries"][0]["pairs"]);
+    EXPECT_EQ(file["pair_ids"][1]["count"], file["queries"][1]["pairs"]);
+    EXPECT_EQ(middle, first + file["pair_ids"][0]["count"].get<std::uint32_t>());
+    const std::uint32_t end = middle + file["pair_ids"][1]["count"].get<std::uint32_t>();
+    const IdImage ids = unpack_ids(read_png(out + "/" + file["ids"].get<std::string>()));
+    std::array<int, 2> seen{};
+    for (int y = 0; y < ids.height; ++y)
+        for (int x = 0; x < ids.width; ++x) {
+            const std::uint32_t id = pixel(ids, x, y);
+            EXPECT_LT(id, end);
+            if (id < first) continue;
+            const std::size_t query = id < middle ? 0 : 1;
+            ++seen[query];
+            EXPECT_EQ(query == 1, x >= ids.width / 2) << "the second query is at the right";
+        }
+    EXPECT_GT(seen[0], 0);
+    EXPECT_GT(seen[1], 0);
+}
+
 TEST_F(CompareQueries, SameBytesFromTwoTraces) {
     const std::string first = folder / "1.scbtrace", second = folder / "2.scbtrace";
     const std::string scene = "spheres-l1 --frames 100,250 ";
@@ -77,8 +103,10 @@ TEST_F(CompareQueries, SameBytesFromTwoTraces) {
         for (const char* command : {"pairs ", "rejections --by share --ids "}) {
             const auto bytes = [&] {
                 std::vector<std::string> all;
-                for (const json& file : json::parse(file_text(out + "/index.json"))["files"])
+                const json index = json::parse(file_text(out + "/index.json"));
+                for (const json& file : index["files"])
                     all.push_back(file_text(out + "/" + file["file"].get<std::string>()));
+                EXPECT_GE(all.size(), 2u);
                 return all;
             };
             const json live = index_of(command + scene + "--compare " + names);

@@ -139,6 +139,49 @@ TEST_F(RenderQueries, StepThroughATraversal) {
         EXPECT_EQ(index["files"].back()[key], whole[key]);
 }
 
+TEST_F(RenderQueries, StopBetweenTwoStepsAtASignal) {
+    const ProgramRun run = run_scb(
+        "render rejections spheres-l1 --frames 100 --steps 1 --size 320x240 --samples 1 -o " + out,
+        "timeout --preserve-status -s INT 3");
+    ASSERT_EQ(run.status, 130) << run.err;
+    EXPECT_NE(run.err.find("interrupted"), std::string::npos) << run.err;
+    const json index = json::parse(file_text(out + "/index.json"));
+    EXPECT_LT(index["files"].size(), 17499u);
+}
+
+TEST_F(RenderQueries, DoNotReplaceWhatTheyRead) {
+    std::filesystem::create_directory(out);
+    const std::string input = out + "/index.json";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + input).status, 0);
+    const std::string before = file_text(input);
+    for (const char* command : {"pairs ", "rejections ", "traversal "}) {
+        const ProgramRun run = run_scb("render " + std::string(command) + input + " -o " + out);
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_EQ(file_text(input), before) << command;
+    }
+}
+
+TEST_F(RenderQueries, RefuseDepthsAndOptionsThatAreNone) {
+    for (const auto& [arguments, said] : {
+             std::pair<std::string, std::string>{"--depth leaves", "give a level such as 7"},
+             {"--depth 5,7", "give a level such as 7"},
+             {"--depth 1:9:4", "give a level such as 7"},
+             {"--depth 9:1", "the levels 0 to"},
+             {"--depth 99", "the levels 0 to"},
+             {"--depth ''", "--depth"},
+             {"--body ''", "--body"},
+             {"--heat volumes", "'--heat' is no option of `scb render rejections`"},
+             {"--no-such thing", "'--no-such' is no option"},
+         }) {
+        const ProgramRun run =
+            run_scb("render rejections spheres-l1 --frames 100 " + arguments + " -o " + out);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(said), std::string::npos) << arguments << ": " << run.err;
+        EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
+    }
+}
+
 TEST_F(RenderQueries, ACameraFollowsTheContact) {
     const json index = index_of("pairs spheres-l1 --frames 20,250,480 --camera contact");
     // At frame 20 the spheres just touch; at 250, one inside the other, nothing meets.

@@ -52,7 +52,7 @@ struct FramedPair {
 
 FramedPair random_pair(Random& random, const ScbPairFamily& family) {
     const ScbPair pair = random_scb_pair(random, family);
-    return {pair.a, moved(pair.b_to_a, pair.b), pair.gap};
+    return {pair.a, placed(pair.b, pair.b_to_a), pair.gap};
 }
 
 TEST(ExactScbOverlap, KnowsTwoBalls) {
@@ -192,7 +192,7 @@ TEST(ExactScbOverlap, IsInvariant) {
                  {exact_overlap(p.b, p.a, strict).contact,
                   exact_overlap(flipped(p.a), p.b, strict).contact,
                   exact_overlap(p.a, flipped(p.b), strict).contact,
-                  exact_overlap(moved(pose, p.a), moved(pose, p.b), strict).contact,
+                  exact_overlap(placed(p.a, pose), placed(p.b, pose), strict).contact,
                   exact_overlap(scaled(p.a, factor), scaled(p.b, factor), strict).contact}) {
                 if (other == found) continue;
                 ++changed;

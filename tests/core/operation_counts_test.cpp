@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "core/operation_cost.h"
 #include "core/overlap.h"
 #include "tests/core/counting_scalar.h"
 #include "tests/core/volume_pairs.h"
@@ -63,6 +64,14 @@ void expect_range(const std::map<Stage, Range>& ranges, Stage stage, const Opera
     EXPECT_EQ(text(ranges.at(stage).most), text(most)) << stage_name(stage);
 }
 
+/// operation_cost says for each stage what was counted at most.
+void expect_costs(const std::map<Stage, Range>& ranges, OverlapTest test) {
+    for (const auto& [stage, range] : ranges)
+        EXPECT_EQ(static_cast<int>(operation_cost(VolumeKind::scb, {test, 0.7}, stage)),
+                  static_cast<int>(range.most.operations))
+            << overlap_test_name(test) << " " << stage_name(stage);
+}
+
 // Table 1 of the paper: 28, 35, 60, 82 and 99 operations; 1, 3, 5, 9 and 13 comparisons.
 //
 //   task            paper      here       the difference
@@ -98,6 +107,7 @@ TEST(OperationCounts, OfFigure8AreBelowTable1ByWhatItsFormSaves) {
     expect_range(ranges, Stage::slab_cylinder, {75, 10, 0}, {76, 10, 0});
     expect_range(ranges, Stage::cylinder_slab, {82, 12, 0}, {84, 12, 0});
     expect_range(ranges, Stage::overlapping, {66, 7, 0}, {84, 12, 0});
+    expect_costs(ranges, OverlapTest::corrected);
 }
 
 // The 84 above; +8 for two middles and two half thicknesses, which could be stored; +1 |cos|; +3
@@ -118,6 +128,7 @@ TEST(OperationCounts, OfSymmetricAreOneBelowTable1AtWorst) {
     expect_range(ranges, Stage::slab_cylinder, {87, 7, 0}, {87, 7, 0});
     expect_range(ranges, Stage::cylinder_slab, {98, 9, 0}, {98, 9, 0});
     expect_range(ranges, Stage::overlapping, {98, 9, 0}, {98, 9, 0});
+    expect_costs(ranges, OverlapTest::symmetric);
 }
 
 // At worst one square root for each of the four extents and one for the distance.
@@ -136,6 +147,7 @@ TEST(OperationCounts, OfExtentsAreAtMost115WithFiveSquareRoots) {
     expect_range(ranges, Stage::center_line, {80, 17, 2}, {115, 33, 5});
     // The fewest depend on how often axis points fall into the other slab, which is rare.
     EXPECT_EQ(text(ranges.at(Stage::overlapping).most), text({115, 33, 5}));
+    expect_costs(ranges, OverlapTest::extents);
 }
 
 }  // namespace

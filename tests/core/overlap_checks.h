@@ -33,7 +33,7 @@ void expect_stage(const V& a, const V& b, Stage stage, OverlapTest test = Overla
         << overlap_test_name(test);
     for (int i = 0; i < 10; ++i) {
         const Pose world_a = random_pose(random), world_b = random_pose(random);
-        EXPECT_EQ(stage_name(overlap(moved(inverse(world_a), a), moved(inverse(world_b), b),
+        EXPECT_EQ(stage_name(overlap(placed(a, inverse(world_a)), placed(b, inverse(world_b)),
                                      relative_pose(world_a, world_b), options)),
                   stage_name(stage))
             << overlap_test_name(test) << ", moved";

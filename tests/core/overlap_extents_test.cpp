@@ -37,7 +37,7 @@ TEST(OverlapByExtents, EndsAtTheFirstOfItsAxesThatSeparatesTheExtents) {
     int undecided = 0;
     for (int i = 0; i < pairs_tried; ++i) {
         const VolumePair<Scb> p = random_scb_pair(random);
-        const Scb b = moved(p.b_to_a, p.b);
+        const Scb b = placed(p.b, p.b_to_a);
         const Vec3 c = b.c - p.a.c;
         const auto gap = [&](const Vec3& d) { return dot(d, c) - extent(p.a, d) - extent(b, -d); };
         const auto gap_both = [&](const Vec3& n) { return std::max(gap(n), gap(-n)); };

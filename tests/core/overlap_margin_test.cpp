@@ -51,7 +51,7 @@ TEST(ClosedScbs, OverlapWhereTheyTouchAnywhere) {
     Random random(12);
     for (int i = 0; i < 20000; ++i) {
         VolumePair<Scb> pair = random_scb_pair(random);
-        Scb b = moved(pair.b_to_a, pair.b);
+        Scb b = placed(pair.b, pair.b_to_a);
         Vec3 d = random_unit_vector(random);
         const std::uint32_t kind = random.below(4);
         if (kind == 0) d = pair.a.n;
@@ -60,8 +60,8 @@ TEST(ClosedScbs, OverlapWhereTheyTouchAnywhere) {
         const double away = random.below(4) == 0 ? 1000 : 1;
         const Pose world_a = random_pose(random, away), world_b = random_pose(random, away);
         pair.b_to_a = relative_pose(world_a, world_b);
-        pair.a = moved(inverse(world_a), pair.a);
-        pair.b = moved(inverse(world_b), b);
+        pair.a = placed(pair.a, inverse(world_a));
+        pair.b = placed(b, inverse(world_b));
         for (const OverlapTest test : sound_tests)
             for (const double threshold : {0.0, 0.7})
                 ASSERT_EQ(stage_name(stage_of_pair(pair, test, threshold)), "overlapping")
@@ -78,7 +78,7 @@ TEST(ClosedBallsAndBoxes, OverlapWhereTheyTouch) {
         const Ball a{random_point(random), random.uniform(0, 1)};
         Ball b{{}, random.uniform(0, 1)};
         b.center = a.center + (a.radius + b.radius) * d;
-        ASSERT_EQ(overlap(moved(inverse(world_a), a), moved(inverse(world_b), b), pose),
+        ASSERT_EQ(overlap(placed(a, inverse(world_a)), placed(b, inverse(world_b)), pose),
                   Stage::overlapping);
 
         // Supporting corners: a face, an edge or a corner of A on one of B.
@@ -104,8 +104,9 @@ TEST(ClosedBallsAndBoxes, OverlapWhereTheyTouch) {
             return c;
         };
         q.center += corner(p, axis) - corner(q, -axis);
-        ASSERT_EQ(stage_name(overlap(moved(inverse(world_a), p), moved(inverse(world_b), q), pose)),
-                  "overlapping");
+        ASSERT_EQ(
+            stage_name(overlap(placed(p, inverse(world_a)), placed(q, inverse(world_b)), pose)),
+            "overlapping");
     }
 }
 

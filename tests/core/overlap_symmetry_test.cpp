@@ -50,9 +50,9 @@ TEST(OverlapVerdict, OfEveryTestStaysWhenBothAreMovedRigidly) {
         Random motions(15);
         for_decided_pairs(test, [&](const VolumePair<Scb>& p) {
             const Pose m = random_pose(motions, 10), frame = random_pose(motions, 10);
-            EXPECT_EQ(rejected({moved(m, p.a), p.b, compose(m, p.b_to_a)}, test),
+            EXPECT_EQ(rejected({placed(p.a, m), p.b, compose(m, p.b_to_a)}, test),
                       rejected(p, test));
-            EXPECT_EQ(rejected({p.a, moved(frame, p.b), compose(p.b_to_a, inverse(frame))}, test),
+            EXPECT_EQ(rejected({p.a, placed(p.b, frame), compose(p.b_to_a, inverse(frame))}, test),
                       rejected(p, test));
         });
     }

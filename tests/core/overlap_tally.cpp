@@ -79,7 +79,7 @@ OverlapTally tally_overlap_tests(const ScbPairFamily& family, std::uint64_t seed
         batch.assign(std::min(batch_size, pairs - done), {});
         for (Drawn& d : batch) {
             d.pair = random_scb_pair(random, family);
-            d.b_in_a = moved(d.pair.b_to_a, d.pair.b);
+            d.b_in_a = placed(d.pair.b, d.pair.b_to_a);
             d.placed = placement(d.pair.b_to_a, reach(d.pair.a), reach(d.pair.b));
         }
         ask_exact_test(batch, tally);

@@ -99,7 +99,7 @@ ScbPair framed(Random& random, const Bodies& bodies, const Vec3& offset, double 
     b.c = bodies.a.c + offset;
     pair.b_to_a = random_pose(random, 2);
     pair.b_to_a.translation *= spread;
-    pair.b = moved(inverse(pair.b_to_a), b);
+    pair.b = placed(b, inverse(pair.b_to_a));
     pair.gap = gap;
     return pair;
 }

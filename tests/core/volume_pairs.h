@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "core/ball.h"
-#include "core/obb.h"
+#include "core/placed_volume.h"
 #include "core/pose.h"
 #include "core/scb.h"
 #include "tests/core/point_sets.h"
@@ -44,21 +43,6 @@ inline Mat3 random_rotation(Random& random) {
 
 inline Pose random_pose(Random& random, double reach = 1) {
     return {random_rotation(random), reach * random_point(random)};
-}
-
-inline Scb moved(const Pose& pose, Scb s) {
-    s.c = transform_point(pose, s.c);
-    s.n = transform_direction(pose, s.n);
-    return s;
-}
-inline Ball moved(const Pose& pose, Ball ball) {
-    ball.center = transform_point(pose, ball.center);
-    return ball;
-}
-inline Obb moved(const Pose& pose, Obb box) {
-    box.center = transform_point(pose, box.center);
-    box.axes = pose.rotation * box.axes;
-    return box;
 }
 
 /// The same set of points.
@@ -124,7 +108,7 @@ inline VolumePair<Scb> random_scb_pair(Random& random) {
     a.c = random_point(random);
     b.c = a.c + random.uniform(0.3, 1.15) * (extent(a, d) + extent(b, -d)) * d;
     const Pose pose = random_pose(random);
-    return {a, moved(inverse(pose), b), pose};
+    return {a, placed(b, inverse(pose)), pose};
 }
 
 }  // namespace scb

@@ -1,7 +1,6 @@
 #include "render/mesh_painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/error.h"
@@ -30,13 +29,10 @@ TEST(MeshPainter, ShowsTrianglesThroughWhatHidesThem) {
     const Rendering with = drawing.renderer.draw(picture, nullptr, true);
     EXPECT_EQ(with.ids, without.ids);
     // Triangle 1 is the upper left half of the quad.
-    const auto at = [&](const Image& image, int x, int y) {
-        const std::size_t i = 4 * static_cast<std::size_t>(y * 80 + x);
-        return std::array<int, 3>{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
-    };
-    EXPECT_NE(at(with.image, 35, 25), at(without.image, 35, 25));
-    EXPECT_GT(at(with.image, 35, 25)[0], at(with.image, 35, 25)[1] + 40);
-    EXPECT_EQ(at(with.image, 45, 35), at(without.image, 45, 35));
+    const Rgba8 shown = pixel(with.image, 35, 25);
+    EXPECT_NE(shown, pixel(without.image, 35, 25));
+    EXPECT_GT(shown.r, shown.g + 40);
+    EXPECT_EQ(pixel(with.image, 45, 35), pixel(without.image, 45, 35));
     // Not where nothing hides it: the mesh itself is drawn there.
     pane.meshes.erase(pane.meshes.begin());
     const Rendering alone = drawing.renderer.draw(picture);

@@ -3,6 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+
+#include "render/font_face.h"
+#include "render/overlay.h"
+#include "render/pane_difference.h"
+#include "tests/render/gl_fixture.h"
+#include "tests/render/overlay_fixture.h"
 
 namespace scb {
 namespace {
@@ -63,6 +70,77 @@ TEST(Outline, OfNothingLeavesThePictureAsItIs) {
     Image image = filled(8, 8);
     draw_outline(image, ids, {0, 0, 8, 8}, {{8, 10}, ring, halo, 2});
     EXPECT_EQ(image, filled(8, 8));
+}
+
+/// Two views of a ball that they share and one that they do not, which reaches out of its view.
+Picture two_views(int samples) {
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 200, 100, samples);
+    Pane& pane = picture.panes[0];
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 1}}),
+                   {1, 0.04, true, 30});
+    set_depth_range(pane.camera, support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 2}}));
+    pane.viewport = {10, 10, 80, 80};
+    picture.panes.push_back(pane);
+    picture.panes[1].viewport.x = 110;
+    for (const int side : {0, 1})
+        picture.panes[static_cast<std::size_t>(side)].volumes.push_back(
+            {Ball{Vec3(side == 0 ? 1 : -1, -1, 0), 0.5}, before,
+             static_cast<std::uint32_t>(2 + side)});
+    const std::vector<std::uint32_t> ids = differing_ids(picture.panes[0], picture.panes[1]);
+    for (Pane& view : picture.panes) view.outline = {ids, ring, halo, 2};
+    return picture;
+}
+
+/// How many pixels have that color: in either pane, and outside them.
+std::array<int, 3> count_of(Rgba8 color, const Image& image, const Picture& picture) {
+    std::array<int, 3> counts{};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (pixel(image, x, y) == color)
+                ++counts[contains(picture.panes[0].viewport, x, y)   ? 0
+                         : contains(picture.panes[1].viewport, x, y) ? 1
+                                                                     : 2];
+    return counts;
+}
+
+TEST(Outline, IsDrawnInEveryPaneThatHasOne) {
+    Drawing drawing;
+    for (const int samples : {1, 4}) {
+        const Picture picture = two_views(samples);
+        const Rendering rendering = drawing.renderer.draw(picture);
+        EXPECT_FALSE(rendering.ids);
+        for (const Rgba8 color : {ring, halo}) {
+            const std::array<int, 3> counts = count_of(color, rendering.image, picture);
+            EXPECT_GT(counts[0], 50);
+            EXPECT_GT(counts[1], 50);
+            EXPECT_EQ(counts[2], 0);
+        }
+        const Rendering with_ids = drawing.renderer.draw(picture, nullptr, true);
+        EXPECT_TRUE(with_ids.ids);
+        EXPECT_EQ(with_ids.image, rendering.image);
+    }
+}
+
+TEST(Outline, IsBelowTheOverlay) {
+    Drawing drawing;
+    Overlay overlay;
+    const Rgba8 ink{250, 10, 10};
+    overlay.text(40, 20, "MMM", {60, FontWeight::bold, ink, Align::left});
+    for (const int samples : {1, 4}) {
+        const Picture picture = two_views(samples);
+        const Image text = drawing.renderer.draw(empty_picture(200, 100), &overlay).image,
+                    outline = drawing.renderer.draw(picture).image,
+                    both = drawing.renderer.draw(picture, &overlay).image;
+        int covered = 0;
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 200; ++x) {
+                if (pixel(text, x, y) != ink) continue;
+                EXPECT_EQ(pixel(both, x, y), ink) << x << " " << y;
+                covered += pixel(outline, x, y) == ring;
+            }
+        EXPECT_GT(covered, 5);
+    }
 }
 
 }  // namespace

@@ -37,10 +37,7 @@ std::map<std::uint32_t, int> pixels_of(const StagesFigure& figure) {
     const Image image = drawing.renderer.draw(picture, &overlay).image;
     std::map<std::uint32_t, int> pixels;
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width / 2; ++x) {
-            const std::size_t i = 4 * static_cast<std::size_t>(y * width + x);
-            ++pixels[key({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]})];
-        }
+        for (int x = 0; x < width / 2; ++x) ++pixels[key(pixel(image, x, y))];
     return pixels;
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/inspection.h"
+#include "core/other_test.h"
+#include "core/worst_pairs.h"
+
+namespace scb {
+
+/// Everything that `scb inspect` found.
+struct InspectReport {
+    TraceHeader header;
+    std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
+    Inspection sum;
+    std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
+    std::vector<WrongRejection> wrong;              ///< the first ones
+    std::vector<OtherTest> others;
+};
+
+/// As tables for a reader.
+std::string inspect_text(const InspectReport& report);
+
+/// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
+/// `worst`, `other_tests`.
+nlohmann::ordered_json inspect_json(const InspectReport& report);
+
+}  // namespace scb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/contact_proof.h"
+#include "core/pass_counts.h"
+#include "core/trace.h"
+
+namespace scb {
+
+/// A volume test that let its pair pass.
+struct PassedPair {
+    std::uint32_t test = 0;  ///< index into Events::volume_tests
+    PassReason reason = PassReason::triangles_meet;
+    bool leaves = false;  ///< both nodes are leaves
+    /// Whether the division of a false pair led here, at whatever distance; or that of one that
+    /// passed because of a weak test.
+    bool within_false_pair = false, within_weak_test = false;
+    Contact exact = Contact::overlapping;  ///< of the volumes
+    double gap = 0;                        ///< of disjoint volumes, at least; in the scene's unit
+    Work below;                            ///< what came of it: wasted, where the pair is false
+};
+
+/// What the tests of a query passed on, and why.
+struct Attribution {
+    std::vector<PassedPair> passed;  ///< in the order of the tests
+    /// Tests that rejected volumes which overlap: errors of the test. Ascending.
+    std::vector<std::uint32_t> wrongly_rejected;
+    PassCounts counts;
+};
+
+/// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
+/// overlap of the volumes. `tree` is test_tree's. `contacts` are all pairs of triangles that
+/// intersect, see all_contacts; sorted or not. O(N_v) verdicts.
+Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
+                      const TraceFrame& frame, const TestTree& tree,
+                      std::span<const IndexPair> contacts);
+
+/// All pairs of triangles that intersect, at the pose of a frame: those that the query found, or,
+/// where it ended before it had them all or its test is not sound, those of another query.
+std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
+                                    const AnyHierarchy& b, const Mesh& mesh_b,
+                                    const TraceHeader& header, const TraceFrame& frame);
+
+}  // namespace scb

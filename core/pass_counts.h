@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace scb {
+
+/// Why a test let a pair of nodes pass.
+enum class PassReason : std::uint8_t {
+    weak_test,       ///< the volumes are disjoint: the test is conservative
+    loose_fit,       ///< the volumes meet, but no triangles below them do
+    triangles_meet,  ///< triangles below them intersect
+};
+inline constexpr std::size_t pass_reason_count = 3;
+
+/// "test", "fit", "true".
+std::string_view pass_reason_name(PassReason reason);
+
+/// What a query, or a part of it, did.
+struct Work {
+    std::uint64_t volume_tests = 0;
+    std::uint64_t triangle_tests = 0;
+    std::uint64_t operations = 0;  ///< of the volume tests, see operation_cost
+
+    Work& operator+=(const Work& other);
+    Work& operator-=(const Work& other);
+    friend bool operator==(const Work&, const Work&) = default;
+};
+
+/// The passed pairs of a query, or of several, and what came of the false ones.
+///
+/// A pair is false where it passed although no triangles below it intersect. A test is wasted where
+/// the pair whose division led to it is false; so is the test of two triangles after a false pair
+/// of leaves. The wasted work is that below the false pairs that are not within another one; all
+/// work is that and what is not wasted. An exact overlap test would save the wasted work below
+/// pairs that passed because of a weak test; the rest is due to the fit.
+struct PassCounts {
+    std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};  ///< passed pairs by reason
+    std::uint64_t touching = 0;          ///< passed pairs whose volumes only touch
+    std::uint64_t wrongly_rejected = 0;  ///< tests that rejected volumes which overlap
+    Work all, wasted;
+    Work wasted_by_tests;  ///< of the wasted work, what an exact test would save
+
+    std::uint64_t passed() const;
+    std::uint64_t passed(PassReason reason) const;
+    /// The wasted work that is not the tests' fault.
+    Work wasted_by_fit() const;
+    PassCounts& operator+=(const PassCounts& other);
+};
+
+}  // namespace scb

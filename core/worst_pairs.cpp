@@ -1,0 +1,29 @@
+#include "core/worst_pairs.h"
+
+#include <algorithm>
+
+namespace scb {
+namespace {
+
+std::uint64_t tests_below(const FalsePair& p) {
+    return p.pair.below.volume_tests + p.pair.below.triangle_tests;
+}
+
+bool is_worse(const FalsePair& x, const FalsePair& y) {
+    const std::uint64_t of_x = tests_below(x), of_y = tests_below(y);
+    if (of_x != of_y) return of_x > of_y;
+    return std::pair(x.frame, x.pair.test) < std::pair(y.frame, y.pair.test);
+}
+
+}  // namespace
+
+void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
+    const bool weak = reason_ == PassReason::weak_test;
+    for (const PassedPair& pair : attribution.passed)
+        if (pair.reason == reason_ && !(weak ? pair.within_weak_test : pair.within_false_pair))
+            pairs_.push_back({frame.frame, pair, frame.events.volume_tests[pair.test]});
+    std::sort(pairs_.begin(), pairs_.end(), is_worse);
+    if (pairs_.size() > most_) pairs_.resize(most_);
+}
+
+}  // namespace scb

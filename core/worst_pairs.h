@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/attribution.h"
+
+namespace scb {
+
+/// A pair that passed although no triangles below it intersect.
+struct FalsePair {
+    int frame = 0;
+    PassedPair pair;
+    VolumeTest test;
+};
+
+/// A test that rejected volumes which overlap.
+struct WrongRejection {
+    int frame = 0;
+    VolumeTest test;
+};
+
+/// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
+/// below them (of volumes and of triangles), then by frame and by the order of the tests. Of weak
+/// tests those that are not within another one; of loose fits those that are not within any false
+/// pair.
+class WorstPairs {
+  public:
+    WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
+
+    void add(const TraceFrame& frame, const Attribution& attribution);
+    /// The worst one first.
+    const std::vector<FalsePair>& pairs() const { return pairs_; }
+
+  private:
+    PassReason reason_;
+    std::size_t most_;
+    std::vector<FalsePair> pairs_;
+};
+
+}  // namespace scb

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace scb {
+
+/// One row of a picture from the rows of its samples: each pixel is the mean of scale x scale
+/// samples, in whole numbers, so that the rounding is the same everywhere; opaque. A color is
+/// the word that its bytes r, g, b, a are in memory. `samples` has `scale` rows of scale *
+/// row.size() words; scale is 1 or 2.
+void resolve_colors(const std::uint32_t* samples, int scale, std::span<std::uint32_t> row);
+
+/// The same for ids: that of each pixel's left sample in the last of the rows.
+void resolve_ids(const std::uint32_t* samples, int scale, std::span<std::uint32_t> row);
+
+}  // namespace scb

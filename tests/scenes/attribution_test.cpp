@@ -1,0 +1,163 @@
+#include "core/attribution.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/operation_cost.h"
+#include "scenes/builtin.h"
+#include "tests/core/built_mesh.h"
+#include "tests/core/traces.h"
+
+// Why pairs passed, on the built-in scenes, recomputed without what attribution.cpp is made of.
+
+namespace scb {
+namespace {
+
+std::set<std::uint32_t> triangles_below(const Topology& topology, std::uint32_t node) {
+    const TopologyNode& n = topology.nodes[node];
+    return {topology.order.begin() + n.first, topology.order.begin() + n.first + n.count};
+}
+
+struct Query {
+    const BuiltMesh &a, &b;
+    TraceHeader header;
+    TraceFrame frame;
+    TestTree tree;
+    std::vector<IndexPair> contacts;
+    Attribution result;
+
+    Query(const BuiltMesh& mesh_a, const BuiltMesh& mesh_b, const Pose& pose, VolumeKind kind,
+          OverlapTest test)
+        : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
+        frame = record_frame(a, b, 0, pose, header);
+        tree = test_tree(header, frame);
+        const auto i = static_cast<std::size_t>(kind);
+        contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
+        result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
+    }
+};
+
+void check_counts(const Query& q) {
+    const Attribution& r = q.result;
+    const std::vector<VolumeTest>& tests = q.frame.events.volume_tests;
+    std::uint64_t passed = 0;
+    for (const VolumeTest& test : tests) passed += test.stage == Stage::overlapping;
+    EXPECT_EQ(r.passed.size(), passed);
+    EXPECT_EQ(r.counts.passed(PassReason::weak_test) + r.counts.passed(PassReason::loose_fit) +
+                  r.counts.passed(PassReason::triangles_meet),
+              passed);
+    EXPECT_EQ(r.counts.all.volume_tests, q.frame.found.n_v);
+    EXPECT_EQ(r.counts.all.triangle_tests, q.frame.found.n_p);
+    EXPECT_EQ(r.counts.all.operations,
+              operation_count(q.header.volume, q.header.options.overlap, q.frame.found.stages));
+
+    // Test by test: wasted is what a false pair led to.
+    std::vector<char> is_false(tests.size());
+    for (const PassedPair& pair : r.passed)
+        is_false[pair.test] = pair.reason != PassReason::triangles_meet;
+    Work wasted, useful;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const std::uint32_t parent = q.tree.parents[i];
+        (parent != TestTree::no_parent && is_false[parent] ? wasted : useful) +=
+            {1, 0, operation_cost(q.header.volume, q.header.options.overlap, tests[i].stage)};
+    }
+    for (const TriangleTest& test : q.frame.events.triangle_tests)
+        ++(is_false[test.after] ? wasted : useful).triangle_tests;
+    EXPECT_EQ(r.counts.wasted, wasted);
+    // An exact test saves what a pair that passed a weak one led to, at whatever distance.
+    std::vector<char> is_weak(tests.size());
+    for (const PassedPair& pair : r.passed)
+        is_weak[pair.test] = pair.reason == PassReason::weak_test;
+    std::uint64_t saved = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        for (std::uint32_t at = q.tree.parents[i]; at != TestTree::no_parent;
+             at = q.tree.parents[at])
+            if (is_weak[at]) {
+                ++saved;
+                break;
+            }
+    EXPECT_EQ(r.counts.wasted_by_tests.volume_tests, saved);
+    Work sum = useful;
+    sum += r.counts.wasted;
+    EXPECT_EQ(sum, r.counts.all);
+}
+
+/// By sets of triangles, for some of the pairs.
+void check_contacts(const Query& q) {
+    const std::size_t step = std::max<std::size_t>(1, q.result.passed.size() / 50);
+    for (std::size_t k = 0; k < q.result.passed.size(); k += step) {
+        const PassedPair& pair = q.result.passed[k];
+        const IndexPair nodes = q.frame.events.volume_tests[pair.test].nodes;
+        const std::set<std::uint32_t> of_a = triangles_below(q.a.topology(), nodes.a),
+                                      of_b = triangles_below(q.b.topology(), nodes.b);
+        const bool contact = std::any_of(
+            q.contacts.begin(), q.contacts.end(),
+            [&](const IndexPair& c) { return of_a.contains(c.a) && of_b.contains(c.b); });
+        EXPECT_EQ(contact, pair.reason == PassReason::triangles_meet) << pair.test;
+        EXPECT_EQ(pair.reason == PassReason::weak_test,
+                  !contact && pair.exact == Contact::disjoint);
+    }
+}
+
+TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
+    std::uint64_t weak = 0, loose = 0, wrong = 0;
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        if (!builtin.mesh_files.empty()) continue;
+        const Scene scene = load_builtin(builtin);
+        if (scene.bodies.size() != 2) continue;
+        SCOPED_TRACE(builtin.name);
+        std::vector<BuiltMesh> meshes;
+        for (const NamedMesh& mesh : scene.meshes) meshes.emplace_back(mesh.mesh);
+        const int frame = scene.frames / 5;
+        const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                        pose_at(scene.bodies[1].motion, frame));
+        const BuiltMesh &a = meshes[scene.bodies[0].mesh], &b = meshes[scene.bodies[1].mesh];
+        for (const VolumeKind kind : all_volume_kinds())
+            for (const OverlapTest test : all_overlap_tests()) {
+                if (kind != VolumeKind::scb && test != OverlapTest::symmetric) continue;
+                SCOPED_TRACE(std::string(volume_kind_name(kind)) + " " +
+                             std::string(overlap_test_name(test)));
+                const Query query(a, b, pose, kind, test);
+                check_counts(query);
+                check_contacts(query);
+                if (kind == VolumeKind::scb && test == OverlapTest::printed)
+                    wrong += query.result.wrongly_rejected.size();
+                else
+                    EXPECT_EQ(query.result.wrongly_rejected.size(), 0u);
+                if (kind != VolumeKind::scb) {
+                    EXPECT_EQ(query.result.counts.passed(PassReason::weak_test), 0u)
+                        << "the test of these volumes is exact";
+                } else {
+                    weak += query.result.counts.passed(PassReason::weak_test);
+                }
+                loose += query.result.counts.passed(PassReason::loose_fit);
+            }
+    }
+    EXPECT_GT(weak, 0u);
+    EXPECT_GT(loose, 0u);
+    EXPECT_GT(wrong, 0u) << "line 8 as printed rejects volumes that overlap";
+}
+
+TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    const std::vector<IndexPair> contacts =
+        collide(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh, pose, {}).pairs;
+    header.options.max_pairs = 1;
+    const TraceFrame frame = record_frame(a, b, 0, pose, header);
+    ASSERT_FALSE(frame.found.complete);
+    const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame,
+                                    test_tree(header, frame), contacts);
+    EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
+    // The roots are of a pair that meets, although it is not the one that was found.
+    EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
+}
+
+}  // namespace
+}  // namespace scb
