@@ -35,7 +35,7 @@ void Console::error(std::string_view text) const {
 }
 
 void Console::alarm(std::string_view line) const {
-    const bool red = colored(color);
+    const bool red = colored(color, STDERR_FILENO);
     std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "", printable(std::string(line)).c_str(),
                  red ? "\033[0m" : "");
 }

@@ -39,6 +39,7 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     const ExplainedPair pair =
         explained_nodes(query, at.frame, options.nodes(), "--pair " + options.pair);
     const int status = pair.found.answer == Answer::false_negative ? exit_different : exit_done;
+    if (status != exit_done) console.alarm("scb: the test rejected volumes that overlap.");
     Json entry = {{"scene", scene.name}, {"frame", at.frame}};
     entry.update(explanation_json(pair));
     const std::string title = printable(scene.name) + ", frame " + std::to_string(at.frame) + ": " +

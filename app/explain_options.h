@@ -28,6 +28,9 @@ struct ExplainOptions {
     void check() const;
     /// The numbers of --pair; throws InputError.
     std::array<std::int64_t, 2> nodes() const;
+
+  private:
+    void check_folder() const;
 };
 
 void add_explain_options(CLI::App& command, ExplainOptions& options);

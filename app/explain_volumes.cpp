@@ -157,6 +157,9 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
         progress.step("pairs");
     }
     const Summary& summary = report.finish();
+    if (const std::size_t count = summary.false_negatives.size(); count > 0)
+        console.alarm("scb: the test rejected volumes that overlap, in " + std::to_string(count) +
+                      (count == 1 ? " pair." : " pairs."));
     if (done == pairs.size()) return summary.exit_status();
     console.note("scb: interrupted; " + std::to_string(done) + " of " +
                  std::to_string(pairs.size()) + " pairs are explained.");

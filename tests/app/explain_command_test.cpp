@@ -33,7 +33,7 @@ struct ExplainCommand : testing::Test {
     json explained(const std::string& arguments, int status = 0) {
         const ProgramRun run = run_scb("--quiet explain --json " + arguments);
         EXPECT_EQ(run.status, status) << arguments << run.err;
-        EXPECT_EQ(run.err, "");
+        EXPECT_EQ(lines_of(run.err), status == 1 ? 1u : 0u) << run.err;
         const json list = json::parse(run.out, nullptr, false);
         EXPECT_TRUE(list.is_array()) << run.out;
         return list;
@@ -281,6 +281,7 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
     json many = json::array();
     for (int i = 0; i < 1001; ++i) many.push_back(pair_of(1));
     const std::string many_file = folder.write("many.json", many.dump());
+    const std::string index_file = folder.write("index.json", pair_of(1).dump());
     const std::size_t files = files_in(folder.path);
     const std::vector<std::pair<std::string, std::string>> refusals = {
         {"", "there is nothing to explain"},
@@ -303,6 +304,7 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
         {"spheres-l1 --pairs " + file, "leave out one of them"},
         {"--pairs " + file + " --frame 3", "--frame: it is of scenes"},
         {"--pairs " + file + " --volume obb", "--volume: it is of scenes"},
+        {"--pairs " + index_file + " -o " + folder.path.string(), "its index.json is the file"},
         {"--pairs none.json", "none.json: there is no such file"},
         {"--pairs " + many_file + " -o " + (folder / "new"), "at most 1000 are drawn"},
         {"cone.off --pair 0,0", "there is no such file"},
