@@ -18,6 +18,14 @@ struct ProgramRun {
 /// an environment, a limit.
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
 
+/// A prefix for a run that is interrupted, as by Ctrl-C, once it has begun to give results: after a
+/// time that is enough for that on a busy machine, with sanitizers too.
+#ifdef SCB_SANITIZED
+inline const std::string interrupted = "timeout --preserve-status -s INT 20";
+#else
+inline const std::string interrupted = "timeout --preserve-status -s INT 3";
+#endif
+
 /// The whole file, as bytes.
 std::string file_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);

@@ -142,7 +142,7 @@ TEST_F(RenderQueries, StepThroughATraversal) {
 TEST_F(RenderQueries, StopBetweenTwoStepsAtASignal) {
     const ProgramRun run = run_scb(
         "render rejections spheres-l1 --frames 100 --steps 1 --size 320x240 --samples 1 -o " + out,
-        "timeout --preserve-status -s INT 3");
+        interrupted);
     ASSERT_EQ(run.status, 130) << run.err;
     EXPECT_NE(run.err.find("interrupted"), std::string::npos) << run.err;
     const json index = json::parse(file_text(out + "/index.json"));

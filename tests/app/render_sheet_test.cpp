@@ -97,7 +97,7 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
     write_text(scene, endless_scene);
     const ProgramRun run = run_scb(
         "render pairs " + scene + " --frames 0:2799 --sheet --size 320x240 --samples 1 -o " + out,
-        "timeout --preserve-status -s INT 3");
+        interrupted);
     ASSERT_EQ(run.status, 130) << run.err;
     const json files = json::parse(file_text(out + "/index.json"))["files"];
     ASSERT_FALSE(files.empty());

@@ -127,7 +127,7 @@ TEST_F(RenderVideo, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
     const ProgramRun run =
         run_scb("render pairs " + scene + " --frames 0:9999 --size 320x240 --samples 1 --video " +
                     file + " -o " + out,
-                "timeout --preserve-status -s INT 3");
+                interrupted);
     ASSERT_EQ(run.status, 130) << run.err;
     const json index = json::parse(file_text(out + "/index.json"));
     EXPECT_GT(index["files"].size(), 0u);

@@ -63,7 +63,7 @@ std::string to_text(const Scb& a, const Scb& b) {
 }
 
 Agreement compare(const ScbPair& pair) {
-    const Scb &a = pair.a, b = moved(pair.b_to_a, pair.b);
+    const Scb &a = pair.a, b = placed(pair.b, pair.b_to_a);
     const double larger = std::max(a.r, b.r);
     const ContactProof proof = exact_overlap(a, b);
     const SupportBounds shown = search_supports(a, b, clearly_apart * larger,
