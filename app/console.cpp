@@ -12,9 +12,8 @@
 namespace scb {
 namespace {
 
-bool colored(ColorMode mode) {
-    return mode == ColorMode::always ||
-           (mode == ColorMode::automatic && isatty(STDERR_FILENO) != 0);
+bool colored(ColorMode mode, int file) {
+    return mode == ColorMode::always || (mode == ColorMode::automatic && isatty(file) != 0);
 }
 
 }  // namespace
@@ -26,15 +25,17 @@ std::string printable(std::string text) {
     return text;
 }
 
+bool Console::colors_results() const { return colored(color, STDOUT_FILENO); }
+
 void Console::error(std::string_view text) const {
     const std::string sentence = printable(std::string(text));
-    const bool red = colored(color);
+    const bool red = colored(color, STDERR_FILENO);
     std::fprintf(stderr, "%sscb: error:%s %.*s\n", red ? "\033[1;31m" : "", red ? "\033[0m" : "",
                  static_cast<int>(sentence.size()), sentence.data());
 }
 
 void Console::alarm(std::string_view line) const {
-    const bool red = colored(color);
+    const bool red = colored(color, STDERR_FILENO);
     std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "", printable(std::string(line)).c_str(),
                  red ? "\033[0m" : "");
 }

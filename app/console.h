@@ -12,6 +12,8 @@ struct Console {
     ColorMode color = ColorMode::automatic;
     bool quiet = false;  ///< no notes and no progress; errors always
 
+    /// Whether results on standard output have colors.
+    bool colors_results() const;
     /// "scb: error: SENTENCE" on standard error.
     void error(std::string_view sentence) const;
     /// A line on standard error that no one should miss, --quiet or not.

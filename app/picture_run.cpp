@@ -70,7 +70,7 @@ void PictureRun::finish(Json head) {
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
     if (with_video) list += options_.video.file + "\n";
-    print_result(options_.json ? text : said_ + list);
+    print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
 }
 
 }  // namespace scb

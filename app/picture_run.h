@@ -44,6 +44,8 @@ class PictureRun {
 
     /// Notes a line that is printed before the file names.
     void say(std::string line) { said_ += std::move(line) + "\n"; }
+    /// Has finish() print this and nothing else.
+    void print_instead(std::string text) { instead_ = std::move(text); }
     /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
     std::uint32_t id_at(int x, int y) const;
 
@@ -65,6 +67,7 @@ class PictureRun {
     Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;
+    std::optional<std::string> instead_;
     IdImage last_ids_;  ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
 };

@@ -36,15 +36,18 @@ std::vector<OverlapTest> QueryOptions::tests() const {
     return tests;
 }
 
-CollideOptions QueryOptions::collide() const {
-    CollideOptions options;
+OverlapOptions QueryOptions::overlap() const {
     const std::vector<OverlapTest> all = tests();
     if (all.size() != 1)
         throw InputError("--test " + test + ": this command takes one overlap test at a time.");
-    options.overlap.test = all[0];
     if (!(threshold >= 0 && threshold <= 1))
         throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
-    options.overlap.threshold = threshold + 0.0;  // -0 is 0
+    return {all[0], threshold + 0.0};  // -0 is 0
+}
+
+CollideOptions QueryOptions::collide() const {
+    CollideOptions options;
+    options.overlap = overlap();
     const std::optional<DescentRule> rule = descent_rule_of(descent);
     if (!rule)
         throw InputError("--descent " + descent + ": unknown rule; give one of " + rule_names() +
@@ -79,7 +82,7 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
             "scb: the test 'printed' rejects some volumes that meet, so pairs may be missing.");
 }
 
-void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests) {
     command
         .add_option("--test", options.test,
                     std::string(several_tests ? "Overlap tests for slab cut balls: some of "
@@ -94,6 +97,17 @@ void add_query_options(CLI::App& command, QueryOptions& options, bool several_te
         ->check(real_number())
         ->type_name("A")
         ->capture_default_str();
+}
+
+void add_bodies_option(CLI::App& command, QueryOptions& options) {
+    command
+        .add_option("--bodies", options.bodies,
+                    "Names of the two bodies, where the scene has more than two")
+        ->type_name("A,B");
+}
+
+void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+    add_overlap_options(command, options, several_tests);
     command
         .add_option("--descent", options.descent,
                     "Which of two nodes is divided, the larger or by turns: " + rule_names())
@@ -102,10 +116,7 @@ void add_query_options(CLI::App& command, QueryOptions& options, bool several_te
     command.add_option("--frames", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
         ->type_name("LIST")
         ->capture_default_str();
-    command
-        .add_option("--bodies", options.bodies,
-                    "Names of the two bodies, where the scene has more than two")
-        ->type_name("A,B");
+    add_bodies_option(command, options);
 }
 
 void add_query_limits(CLI::App& command, QueryLimits& limits) {

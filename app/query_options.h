@@ -20,7 +20,9 @@ struct QueryOptions {
 
     /// The overlap tests named, each once; throws InputError for an unknown name.
     std::vector<OverlapTest> tests() const;
-    /// What a query is to do, with the one test named; throws InputError.
+    /// The one test named, and its threshold; throws InputError.
+    OverlapOptions overlap() const;
+    /// What a query is to do, with that test; throws InputError.
     CollideOptions collide() const;
 };
 
@@ -39,7 +41,10 @@ struct QueryLimits {
 void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
                  const Console& console);
 
-/// `several_tests`: whether --test takes a list.
+/// --test and --threshold; `several_tests`: whether --test takes a list.
+void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests);
+void add_bodies_option(CLI::App& command, QueryOptions& options);
+/// These and the rest.
 void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests);
 void add_query_limits(CLI::App& command, QueryLimits& limits);
 

@@ -18,6 +18,7 @@ namespace {
 constexpr ImWchar glyph_ranges[] = {0x0020, 0x00FF,  // Latin-1
                                     0x0370, 0x03FF,  // Greek
                                     0x2010, 0x2027,  // dashes, quotation marks, dots
+                                    0x2032, 0x2033,  // primes
                                     0x2190, 0x2193,  // arrows
                                     0x2200, 0x22FF,  // mathematical operators
                                     0};

@@ -17,7 +17,10 @@
     X(concentric_spheres)       \
     X(thin_cylinder)            \
     X(cone)                     \
-    X(soup)
+    X(soup)                     \
+    X(line_8)                   \
+    X(lines_20_23)              \
+    X(long_triangles)
 
 extern "C" {
 #define SCB_DECLARE(symbol)                    \

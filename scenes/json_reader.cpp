@@ -78,11 +78,11 @@ json parse_json(std::string_view text, const std::string& file) {
     }
 }
 
-std::string read_text_file(const std::string& file) {
-    constexpr std::size_t largest = std::size_t{64} << 20;
+std::string read_text_file(const std::string& file, std::size_t largest) {
     std::string text = file_bytes(file, largest + 1);
     if (text.size() > largest)
-        throw InputError(file + ": longer than 64 MiB, which no scene file is; check the path.");
+        throw InputError(file + ": longer than " + std::to_string(largest >> 20) +
+                         " MiB, which no such file is; check the path.");
     return text;
 }
 

@@ -28,9 +28,9 @@ inline constexpr int max_json_depth = 100;
 /// more than max_json_depth deep.
 nlohmann::json parse_json(std::string_view text, const std::string& file);
 
-/// The whole of a text file. Throws InputError where it is missing, a directory, larger than 64
-/// MiB, or unreadable.
-std::string read_text_file(const std::string& file);
+/// The whole of a text file. Throws InputError where it is missing, a directory, larger than
+/// `largest`, or unreadable.
+std::string read_text_file(const std::string& file, std::size_t largest = std::size_t{64} << 20);
 
 /// Throws InputError: `FILE: PATH: SENTENCE`.
 [[noreturn]] void refuse(const JsonPlace& place, const std::string& sentence);

@@ -1,8 +1,11 @@
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <memory>
 
 #include "core/collide.h"
+#include "core/exact_overlap.h"
+#include "core/placed_volume.h"
 #include "scenes/load_scene.h"
 
 namespace scb {
@@ -22,7 +25,8 @@ template <Volume V>
 struct Recorded {
     std::vector<Hierarchy<V>> hierarchies;
     struct Frame {
-        Placement placed;
+        Pose b_to_a;
+        Placement placement;
         std::vector<IndexPair> pairs;
     };
     std::vector<Frame> list;
@@ -42,7 +46,8 @@ const Recorded<V>& recorded() {
                 b{r.hierarchies[1], scene.meshes[1].mesh};
             PairRecorder recorder;
             collide(a, b, pose, {}, recorder);
-            r.list.push_back({query_placement(a.hierarchy, b.hierarchy, pose), recorder.pairs});
+            r.list.push_back(
+                {pose, query_placement(a.hierarchy, b.hierarchy, pose), recorder.pairs});
         }
         return r;
     }();
@@ -61,10 +66,30 @@ void volume_tests(benchmark::State& state, const Test& test) {
             for (const IndexPair& pair : frame.pairs)
                 ++stages[static_cast<std::size_t>(test(r.hierarchies[0].volumes[pair.a],
                                                        r.hierarchies[1].volumes[pair.b],
-                                                       frame.placed))];
+                                                       frame.placement))];
             tests += frame.pairs.size();
         }
     benchmark::DoNotOptimize(stages);
+    state.counters["per_test"] = benchmark::Counter(
+        static_cast<double>(tests), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// The same of the exact test, which proves each verdict; with B's volume carried into A's frame.
+template <Volume V>
+void exact_verdicts(benchmark::State& state) {
+    const Recorded<V>& r = recorded<V>();
+    std::size_t tests = 0;
+    std::array<std::uint64_t, 3> verdicts{};
+    for (auto _ : state)
+        for (const auto& frame : r.list) {
+            for (const IndexPair& pair : frame.pairs)
+                ++verdicts[static_cast<std::size_t>(
+                    exact_overlap(r.hierarchies[0].volumes[pair.a],
+                                  placed(r.hierarchies[1].volumes[pair.b], frame.b_to_a))
+                        .contact)];
+            tests += frame.pairs.size();
+        }
+    benchmark::DoNotOptimize(verdicts);
     state.counters["per_test"] = benchmark::Counter(
         static_cast<double>(tests), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -83,6 +108,9 @@ void extents(benchmark::State& state) {
 }
 void ball(benchmark::State& state) { volume_tests<Ball>(state, BallTest{}); }
 void obb(benchmark::State& state) { volume_tests<Obb>(state, ObbTest{}); }
+void exact_scb(benchmark::State& state) { exact_verdicts<Scb>(state); }
+void exact_ball(benchmark::State& state) { exact_verdicts<Ball>(state); }
+void exact_obb(benchmark::State& state) { exact_verdicts<Obb>(state); }
 
 BENCHMARK(printed);
 BENCHMARK(corrected);
@@ -90,6 +118,9 @@ BENCHMARK(symmetric);
 BENCHMARK(extents);
 BENCHMARK(ball);
 BENCHMARK(obb);
+BENCHMARK(exact_scb);
+BENCHMARK(exact_ball);
+BENCHMARK(exact_obb);
 
 }  // namespace
 }  // namespace scb

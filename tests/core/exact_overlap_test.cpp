@@ -30,6 +30,11 @@ Ball random_ball(Random& random) {
             random.below(8) == 0 ? 0 : log_uniform(random, 1e-3, 1)};
 }
 
+Scb at_origin(Scb s) {
+    s.c = Vec3::Zero();
+    return s;
+}
+
 /// B moved so that the gap along the best direction found is near nothing, or by `gap`.
 template <class V>
 V moved_to_contact(const V& a, V b, double gap) {
@@ -128,6 +133,12 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
             if (proof.contact == Contact::touching) continue;
             EXPECT_GE(better.margin, proof.margin);
             EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
+            if (proof.contact == Contact::overlapping) {
+                // Still a point of both.
+                const Vec3 in_b = better.point - (b.c - pair.a.c);
+                EXPECT_TRUE(contains(grown(at_origin(pair.a), 1e-12), better.point));
+                EXPECT_TRUE(contains(grown(at_origin(b), 1e-12), in_b));
+            }
             if (family.near_contact && pair.gap > 0 && proof.contact == Contact::disjoint) {
                 EXPECT_LE(better.margin, pair.gap * (1 + 1e-9) + 1e-13);
                 ++distances;

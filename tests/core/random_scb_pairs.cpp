@@ -135,6 +135,11 @@ ScbPair random_scb_pair(Random& random, const ScbPairFamily& family) {
     return framed(random, bodies, (larger + smaller) * offset, 0);
 }
 
+ScbPair scb_pair_at_gap(Random& random, const ScbPairFamily& family, double gap) {
+    const Bodies bodies = random_bodies(random, family);
+    return at_contact(random, bodies, gap * std::max(bodies.a.r, bodies.b.r));
+}
+
 ScbPair touching_scb_pair(Random& random, const ScbPairFamily& family, double spread) {
     Bodies bodies = random_bodies(random, family);
     bodies.a.c *= spread;

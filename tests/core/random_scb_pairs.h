@@ -48,6 +48,10 @@ struct ScbPair : VolumePair<Scb> {
 /// outward or inward.
 ScbPair random_scb_pair(Random& random, const ScbPairFamily& family);
 
+/// A pair near contact that was moved by that share of the larger radius, outward or (negative)
+/// inward.
+ScbPair scb_pair_at_gap(Random& random, const ScbPairFamily& family, double gap);
+
 /// A pair near contact that was not moved: the two share a point, up to rounding, and no more. Both
 /// are `spread` times as far from the origins of their frames as other pairs.
 ScbPair touching_scb_pair(Random& random, const ScbPairFamily& family, double spread);
