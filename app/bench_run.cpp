@@ -1,22 +1,10 @@
 #include "app/bench_run.h"
 
-#include <time.h>
-
 #include <algorithm>
 
 #include "render/volume_titles.h"
 
 namespace scb {
-namespace {
-
-/// Processor time of this thread: other programs' turns on a shared machine do not count.
-double thread_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 std::string BenchSubject::title() const {
     if (kind != VolumeKind::scb) return std::string(volume_title(kind));
@@ -60,37 +48,27 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     result.all_frames = frames.size() == static_cast<std::size_t>(scene.frames);
     for (const std::size_t m : {mesh_a, mesh_b})
         result.triangles.push_back(scene.meshes[m].mesh.triangles.size());
-    std::vector<std::vector<std::vector<double>>> ms;  // per subject, per frame, per repeat
-    for (const BenchSubject& subject : options.subjects) {
+    for (const BenchSubject& subject : options.subjects)
         result.subjects.push_back({subject, {}, {}, {}, {}, {}});
-        ms.emplace_back(frames.size());
-    }
     for (std::size_t s = 0; s < options.subjects.size(); ++s) query(s, 0);
 
-    const auto measure = [&](std::size_t s, std::size_t i, bool keep_counts) {
-        const double start = thread_milliseconds();
-        const Collision found = query(s, i);
-        ms[s][i].push_back(thread_milliseconds() - start);
-        if (keep_counts) {
-            SubjectBench& subject = result.subjects[s];
-            subject.n_v.push_back(found.n_v);
-            subject.n_p.push_back(found.n_p);
-            subject.n_u.push_back(found.n_u);
-            subject.pairs.push_back(found.pairs.size());
-        }
-        return step();
+    QueryTiming timing;
+    timing.subjects = options.subjects.size();
+    timing.frames = frames.size();
+    timing.repeats = options.repeats;
+    timing.order = options.order;
+    timing.query = query;
+    timing.keep = [&](std::size_t s, std::size_t, const Collision& found) {
+        SubjectBench& subject = result.subjects[s];
+        subject.n_v.push_back(found.n_v);
+        subject.n_p.push_back(found.n_p);
+        subject.n_u.push_back(found.n_u);
+        subject.pairs.push_back(found.pairs.size());
     };
-    const std::size_t count = options.subjects.size();
-    for (int repeat = 0; repeat < options.repeats; ++repeat)
-        for (std::size_t k = 0; k < count * frames.size(); ++k) {
-            const bool cold = options.order == BenchOrder::cold;
-            const std::size_t s = cold ? k % count : k / frames.size();
-            const std::size_t i = cold ? k / count : k % frames.size();
-            if (!measure(s, i, repeat == 0)) return std::nullopt;
-        }
-    for (std::size_t s = 0; s < count; ++s)
-        for (const std::vector<double>& repeats : ms[s])
-            result.subjects[s].ms.push_back(median(repeats));
+    timing.step = step;
+    const auto ms = time_queries(timing);
+    if (!ms) return std::nullopt;
+    for (std::size_t s = 0; s < ms->size(); ++s) result.subjects[s].ms = (*ms)[s];
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/query_timing.h"
 #include "app/scene_query.h"
 #include "core/statistics.h"
 
@@ -36,11 +37,6 @@ struct SceneBench {
     bool builtin = false;     ///< whether the name is that of a built-in scene, and so Table 3's
     std::vector<SubjectBench> subjects;
 };
-
-/// Whether the subjects take turns. Cold: at each frame every subject once, so that between two
-/// queries of one the others pass through the caches and the branch predictor, as an application's
-/// other work does. Warm: each subject runs through all frames.
-enum class BenchOrder { cold, warm };
 
 struct BenchOptions {
     std::vector<BenchSubject> subjects;

@@ -20,6 +20,7 @@ void add_bench(CLI::App& program, const Console& console, Action& action);
 void add_collide(CLI::App& program, const Console& console, Action& action);
 void add_inspect(CLI::App& program, const Console& console, Action& action);
 void add_trace(CLI::App& program, const Console& console, Action& action);
+void add_tune(CLI::App& program, const Console& console, Action& action);
 void add_diff(CLI::App& program, Action& action);
 void add_explain(CLI::App& program, const Console& console, Action& action);
 void add_stats(CLI::App& program, const Console& console, Action& action);

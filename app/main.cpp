@@ -110,6 +110,7 @@ int run(int argc, char** argv) {
     add_inspect(program, console, action);
     add_collide(program, console, action);
     add_bench(program, console, action);
+    add_tune(program, console, action);
     add_trace(program, console, action);
     add_diff(program, action);
     add_explain(program, console, action);

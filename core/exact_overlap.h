@@ -15,6 +15,7 @@ inline constexpr double contact_tolerance = 1e-9;
 /// point, only for one above the tolerance. Two SCBs without thickness, nearly parallel, that
 /// barely cross at their rims touch up to a depth of `tolerance` over the sine of their
 /// angle; so does a single point of a sphere, a slab that only touches its ball, within the other.
+/// Two such that are up to a few times `tolerance` apart may touch, too.
 ///
 /// Why a handful of formulas suffices. Let x be the point of A within B's slab that is closest to
 /// the center of B: the two overlap where x exists and is in the ball of B. A projection onto two
