@@ -51,18 +51,18 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     }
     PictureRun pictures(options.picture);
     ExplainPicture picture;
-    picture.name = scene.name + "_" + std::string(volume_kind_name(query.kind)) +
-                   format("_explain_frame-%04d", at.frame);
-    for (const ExplainedNode& node : *pair.nodes)
-        picture.name += "_" + file_name_of(node.body) + "-" + std::to_string(node.index);
+    const auto& [a, b] = *pair.nodes;
+    picture.name =
+        explain_name(scene.name, query.kind, at.frame, {{{a.body, a.index}, {b.body, b.index}}});
     picture.title = scene.name + " · " + std::string(volume_title(query.kind)) + " · explain · " +
                     node_names(pair);
     picture.subtitle = asked_words(pair);
     if (scene.frames > 1)
         picture.subtitle += (picture.subtitle.empty() ? "" : ", ") + format("frame %d", at.frame);
-    picture.to_world = pose_at(scene.bodies[query.a].motion, at.frame);
+    place_nodes(picture, query, at.frame, pair);
     picture.camera = asked_camera(options.camera, &scene);
-    draw_explanation(pictures, options, pair, picture, entry);
+    picture.orthographic = options.camera.orthographic;
+    draw_explanation(pictures, options.picture, pair, picture, entry);
     pictures.say(text);
     entry["file"] = picture.name + ".png";
     if (options.picture.json) pictures.print_instead(json_text(Json::array({entry}), 2) + "\n");

@@ -1,6 +1,7 @@
 #include "app/explain_pictures.h"
 
 #include "app/text_format.h"
+#include "core/node_mesh.h"
 #include "render/explain_layout.h"
 #include "render/figure_layout.h"
 
@@ -17,7 +18,28 @@ std::optional<CameraSpec> asked_camera(const CameraOptions& options, const Scene
     return spec;
 }
 
-void draw_explanation(PictureRun& pictures, const ExplainOptions& options,
+std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
+                         const std::array<std::pair<std::string, std::uint32_t>, 2>& nodes) {
+    std::string name =
+        scene + "_" + std::string(volume_kind_name(kind)) + format("_explain_frame-%04d", frame);
+    for (const auto& [body, node] : nodes)
+        name += "_" + file_name_of(body) + "-" + std::to_string(node);
+    return name;
+}
+
+void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
+                 const ExplainedPair& pair) {
+    const std::size_t bodies[] = {query.a, query.b};
+    picture.triangles.emplace();
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t body = bodies[side];
+        picture.to_world[side] = pose_at(query.scene.bodies[body].motion, frame);
+        (*picture.triangles)[side] = node_mesh(query.mesh(body), topology_of(query.hierarchy(body)),
+                                               (*pair.nodes)[side].index);
+    }
+}
+
+void draw_explanation(PictureRun& pictures, const PictureOptions& options,
                       const ExplainedPair& pair, const ExplainPicture& picture,
                       nlohmann::ordered_json entry) {
     ExplainFigure figure;
@@ -35,19 +57,28 @@ void draw_explanation(PictureRun& pictures, const ExplainOptions& options,
     figure.b = b_seen_from_a(pair);
     figure.options = pair.options;
     figure.found = &pair.found;
-    figure.to_world = picture.to_world;
-    figure.orthographic = options.camera.orthographic;
-    figure.theme = options.picture.theme();
-    const int width = options.picture.width(), height = options.picture.height();
+    figure.to_world = picture.to_world[0];
+    figure.orthographic = picture.orthographic;
+    figure.theme = options.theme();
+    if (picture.triangles) {
+        figure.triangles.emplace();
+        for (std::size_t side = 0; side < 2; ++side) {
+            MeshDraw& mesh = (*figure.triangles)[side];
+            mesh.mesh = pictures.renderer().upload((*picture.triangles)[side]);
+            mesh.pose = picture.to_world[side];
+        }
+    }
+    const int width = options.width(), height = options.height();
     if (picture.camera) {
         const std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
                                                 placed(figure.b, figure.to_world)};
         const PixelRect view = explain_layout(width, height, figure).view_box();
         figure.camera = camera_for(*picture.camera, support_of(volumes), aspect_of(view));
     }
-    const Picture composed =
-        compose(figure, width, height, options.picture.samples, pictures.overlay());
+    const Picture composed = compose(figure, width, height, options.samples, pictures.overlay());
     pictures.draw(picture.name, composed, std::move(entry));
+    if (figure.triangles)
+        for (const MeshDraw& mesh : *figure.triangles) pictures.renderer().release(mesh.mesh);
 }
 
 std::string asked_words(const ExplainedPair& pair) {

@@ -3,6 +3,7 @@
 #include "app/explain_options.h"
 #include "app/explained_pair.h"
 #include "app/picture_run.h"
+#include "core/mesh.h"
 #include "render/explain_figure.h"
 
 namespace scb {
@@ -11,12 +12,22 @@ namespace scb {
 struct ExplainPicture {
     std::string name;  ///< of the file, without .png
     std::string title, subtitle;
-    Pose to_world;                     ///< from A's frame
-    std::optional<CameraSpec> camera;  ///< that the user asked for
+    std::array<Pose, 2> to_world{};                  ///< from the frames of A and B
+    std::optional<std::array<Mesh, 2>> triangles{};  ///< what the volumes bound, in these frames
+    std::optional<CameraSpec> camera{};              ///< that the user asked for
+    bool orthographic = false;                       ///< without such a camera
 };
 
+/// The name of such a picture of two nodes: a body's name and a node of each.
+std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
+                         const std::array<std::pair<std::string, std::uint32_t>, 2>& nodes);
+
+/// Places the picture of two nodes at a frame, with the triangles below them.
+void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
+                 const ExplainedPair& pair);
+
 /// Draws the pair and hands the picture on to be written. `entry` is what the index says of it.
-void draw_explanation(PictureRun& pictures, const ExplainOptions& options,
+void draw_explanation(PictureRun& pictures, const PictureOptions& options,
                       const ExplainedPair& pair, const ExplainPicture& picture,
                       nlohmann::ordered_json entry);
 

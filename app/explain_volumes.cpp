@@ -120,7 +120,8 @@ class VolumesReport {
                         (pairs_ == 1 ? "" : format(" · pair %zu", i));
         picture.subtitle = asked_words(pair);
         picture.camera = asked_camera(options_.camera, nullptr);
-        draw_explanation(*pictures_, options_, pair, picture, entry);
+        picture.orthographic = options_.camera.orthographic;
+        draw_explanation(*pictures_, options_.picture, pair, picture, entry);
         return picture.name;
     }
 

@@ -1,7 +1,12 @@
 #include <memory>
 
+#include "app/command_text.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/explain_report.h"
+#include "app/inspect_csv.h"
+#include "app/inspect_page.h"
+#include "app/inspect_pictures.h"
 #include "app/inspect_report.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -11,84 +16,167 @@
 namespace scb {
 namespace {
 
+/// With -o: nobody looks at more, and they fill disks.
+constexpr int most_pictured = 200;
+
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
     QueryLimits limits;
-    std::vector<std::string> recording;  ///< see given_recording_options
+    PictureOptions picture{.output = ""};
+    std::vector<std::string> recording;    ///< see given_recording_options
+    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
+    std::string command, explain;          ///< see InspectPage
     std::optional<int> frame;
     int top = 10;
-    bool json = false;
 
-    void check() {
-        hierarchy.kind();
-        hierarchy.fit();
-        query.collide();
-        if (top < 1 || top > 10000)
-            throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
-        for (const std::string& name : scene.names)
-            if (names_trace(name)) refuse_for_trace(recording, name);
-        if (frame) query.frames = std::to_string(*frame);
-    }
+    bool draws() const { return !picture.output.empty(); }
+    void check();
 };
+
+void Options::check() {
+    hierarchy.kind();
+    hierarchy.fit();
+    query.collide();
+    if (top < 1 || top > 10000)
+        throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
+    for (const std::string& name : scene.names)
+        if (names_trace(name)) refuse_for_trace(recording, name);
+    if (frame) query.frames = std::to_string(*frame);
+    picture.check();
+    if (!draws() && !of_pictures.empty())
+        throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
+    if (!draws()) return;
+    if (top > most_pictured)
+        throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
+                         std::to_string(most_pictured) + " pairs, each of which is drawn.");
+    for (const char* file : {"index.html", "index.json", "frames.csv", "pairs.csv"})
+        refuse_overwriting(std::filesystem::path(picture.output) / file, "-o", scene);
+}
+
+/// Adds frame after frame.
+class Inspector {
+  public:
+    Inspector(const QuerySource& source, int top)
+        : query_(source.query()),
+          top_(static_cast<std::size_t>(top)),
+          weak_tests_(PassReason::weak_test, top_),
+          loose_fits_(PassReason::loose_fit, top_) {
+        report_.header = source.header();
+        for (const OverlapOptions& other : other_tests(report_.header)) {
+            report_.others.emplace_back();
+            report_.others.back().overlap = other;
+        }
+    }
+
+    void add(const TraceFrame& frame) {
+        const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
+        const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
+        const TestTree tree = test_tree(report_.header, frame);
+        const Attribution attribution =
+            attribute(a, b, report_.header, frame, tree,
+                      all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
+        report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
+        report_.sum += report_.frames.back().found;
+        for (const std::uint32_t test : attribution.wrongly_rejected)
+            if (report_.wrong.size() < top_)
+                report_.wrong.push_back({frame.frame, frame.events.volume_tests[test]});
+        weak_tests_.add(frame, attribution);
+        loose_fits_.add(frame, attribution);
+        for (OtherTest& other : report_.others)
+            other.add(try_other_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
+                                     other.overlap));
+    }
+
+    std::size_t frames() const { return report_.frames.size(); }
+
+    InspectReport report() && {
+        report_.weak_tests = weak_tests_.pairs();
+        report_.loose_fits = loose_fits_.pairs();
+        sort_by_waste(report_.frames);
+        return std::move(report_);
+    }
+
+  private:
+    const SceneQuery& query_;
+    std::size_t top_;
+    WorstPairs weak_tests_, loose_fits_;
+    InspectReport report_;
+};
+
+/// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
+bool write_report(PictureRun& pictures, const Options& options, const SceneQuery& query,
+                  const InspectReport& report, const Console& console,
+                  const InterruptWatch& watch) {
+    Progress progress(
+        console, 1 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
+    const auto step = [&] {
+        progress.step("pictures");
+        return watch.signal() == 0;
+    };
+    const bool whole = draw_inspection(pictures, options.picture, query, report, step);
+    const InspectPage page{inspect_summary_name(report) + ".png", options.picture.width(),
+                           options.picture.height(), options.command, options.explain};
+    nlohmann::ordered_json head = {{"command", "inspect"}};
+    head.update(inspect_json(report));
+    if (whole) {
+        pictures.write("frames.csv", frames_csv(report));
+        pictures.write("pairs.csv", pairs_csv(report));
+        pictures.write("index.html", inspect_html(report, page));
+        pictures.finish(std::move(head));
+    }
+    return whole;
+}
+
+void print_report(const Options& options, const InspectReport& report) {
+    print_result(options.picture.json ? json_text(inspect_json(report), 2) + "\n"
+                                      : inspect_text(report));
+}
 
 int run(Options& options, const Console& console) {
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
-    const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
-    const Mesh &mesh_a = query.mesh(query.a), &mesh_b = query.mesh(query.b);
+    std::optional<PictureRun> pictures;
+    if (options.draws()) pictures.emplace(options.picture);
 
-    InspectReport report;
-    report.header = source.header();
-    const auto top = static_cast<std::size_t>(options.top);
-    WorstPairs weak_tests(PassReason::weak_test, top), loose_fits(PassReason::loose_fit, top);
-    for (const OverlapOptions& other : other_tests(report.header)) {
-        report.others.emplace_back();
-        report.others.back().overlap = other;
-    }
     const InterruptWatch watch;
     Progress progress(console, source.frames().size());
+    Inspector inspector(source, options.top);
     for (const int number : source.frames()) {
         if (watch.signal() != 0) break;
-        const TraceFrame& frame = source.frame(number);
-        const TestTree tree = test_tree(report.header, frame);
-        const Attribution attribution =
-            attribute(a, b, report.header, frame, tree,
-                      all_contacts(a, mesh_a, b, mesh_b, report.header, frame));
-        report.frames.push_back({number, inspection(frame, tree, attribution)});
-        for (const std::uint32_t test : attribution.wrongly_rejected)
-            if (report.wrong.size() < top)
-                report.wrong.push_back({number, frame.events.volume_tests[test]});
-        weak_tests.add(frame, attribution);
-        loose_fits.add(frame, attribution);
-        for (OtherTest& other : report.others)
-            other.add(try_other_test(a, mesh_a, b, mesh_b, report.header, frame, attribution,
-                                     other.overlap));
+        inspector.add(source.frame(number));
         progress.step("frames");
     }
-    report.weak_tests = weak_tests.pairs();
-    report.loose_fits = loose_fits.pairs();
-    for (const InspectedFrame& frame : report.frames) report.sum += frame.found;
-    sort_by_waste(report.frames);
-    print_result(options.json ? inspect_json(report).dump(
-                                    2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                                    "\n"
-                              : inspect_text(report));
+    const std::size_t done = inspector.frames();
+    InspectReport report = std::move(inspector).report();
+    if (pictures && watch.signal() == 0) {
+        report.drawn = true;
+        if (options.picture.json)
+            pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
+        else
+            pictures->say(inspect_text(report));
+        if (!write_report(*pictures, options, query, report, console, watch)) {
+            console.note("scb: interrupted; not all pictures are drawn, and there is no page.");
+            return exit_interrupted(watch.signal());
+        }
+    } else {
+        print_report(options, report);
+    }
     if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(report.frames.size()) + " of " +
-                     std::to_string(source.frames().size()) + " frames were inspected.");
+        console.note("scb: interrupted; " + std::to_string(done) + " of " +
+                     std::to_string(source.frames().size()) + " frames were inspected" +
+                     (pictures ? ", and nothing is drawn." : "."));
         return exit_interrupted(watch.signal());
     }
-    if (report.sum.counts.wrongly_rejected > 0) {
-        console.alarm("scb: the test rejected " +
-                      std::to_string(report.sum.counts.wrongly_rejected) +
-                      " pairs of volumes that overlap; collisions may be missing.");
-        return exit_different;
-    }
-    return exit_done;
+    const std::uint64_t wrong = report.sum.counts.wrongly_rejected;
+    if (wrong == 0) return exit_done;
+    console.alarm("scb: the test rejected " + std::to_string(wrong) +
+                  (wrong == 1 ? " pair" : " pairs") +
+                  " of volumes that overlap; collisions may be missing.");
+    return exit_different;
 }
 
 }  // namespace
@@ -114,7 +202,12 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         ->check(decimal_number())
         ->type_name("K")
         ->capture_default_str();
-    command->add_flag("--json", options->json, "Print JSON");
+    add_picture_options(*command, options->picture);
+    options->picture.samples = PictureOptions{}.samples;
+    command->get_option("--output")
+        ->default_str("")
+        ->description("Also write a page with pictures of the worst pairs, CSV and JSON");
+    command->get_option("--json")->description("Print JSON");
     command->footer(
         "A pair of nodes passes the test for one of three reasons: triangles below it intersect "
         "(true); its volumes\n"
@@ -125,9 +218,20 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         "Exit status 1 where the test rejected volumes that overlap, as --test printed does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
-        "  scb inspect knots-l1 --frame 0 --top 20 --json");
+        "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"
+        "  scb inspect knots-l1 --frame 0 --json");
     command->callback([&action, &console, command, options] {
         options->recording = given_recording_options(*command);
+        for (const char* option : {"--size", "--background", "--gl", "--jobs"})
+            if (command->count(option) > 0) options->of_pictures.emplace_back(option);
+        const std::vector<std::string> of_queries = {"SCENE",    "--pose",      "--models",
+                                                     "--volume", "--growth",    "--margin",
+                                                     "--test",   "--threshold", "--bodies"};
+        options->explain = "scb explain" + given_text(*command, of_queries);
+        options->command = "scb inspect" + given_text(*command, of_queries) +
+                           given_text(*command, {"--descent", "--frames", "--frame", "--max-pairs",
+                                                 "--level", "--top", "--size", "--background"}) +
+                           " -o DIR";
         action = [&console, options] { return run(*options, console); };
     });
 }

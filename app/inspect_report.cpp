@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "app/console.h"
+#include "app/explain_pictures.h"
+#include "app/inspect_findings.h"
 #include "app/text_format.h"
 #include "app/trace_report.h"
 #include "render/figure_layout.h"
+#include "render/inspect_figure.h"
 #include "render/volume_titles.h"
 
 namespace scb {
@@ -14,12 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 unsigned long long wide(std::uint64_t value) { return value; }
-
-/// "corrected, a = 0.7"
-std::string test_title(const OverlapOptions& overlap) {
-    const std::string name(overlap_test_name(overlap.test));
-    return has_threshold(overlap.test) ? name + format(", a = %g", overlap.threshold) : name;
-}
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
     return share_text(static_cast<double>(part), static_cast<double>(whole));
@@ -171,19 +168,30 @@ Json inspection_json(const Inspection& i) {
               {"fit", work_json(i.counts.wasted_by_fit())}}}};
 }
 
-Json pair_json(const FalsePair& p) {
-    return {{"frame", p.frame},
-            {"nodes", {p.test.nodes.a, p.test.nodes.b}},
-            {"depths", {p.test.depth_a, p.test.depth_b}},
-            {"test", p.pair.test},
-            {"reason", pass_reason_name(p.pair.reason)},
-            {"exact", contact_name(p.pair.exact)},
-            {"gap", p.pair.gap},
-            {"leaves", p.pair.leaves},
-            {"wasted", work_json(p.pair.below)}};
+Json pair_json(const InspectReport& report, const FalsePair& p) {
+    Json json = {{"frame", p.frame},
+                 {"nodes", {p.test.nodes.a, p.test.nodes.b}},
+                 {"depths", {p.test.depth_a, p.test.depth_b}},
+                 {"test", p.pair.test},
+                 {"reason", pass_reason_name(p.pair.reason)},
+                 {"exact", contact_name(p.pair.exact)},
+                 {"gap", p.pair.gap},
+                 {"leaves", p.pair.leaves},
+                 {"wasted", work_json(p.pair.below)}};
+    if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
+    return json;
 }
 
 }  // namespace
+
+std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
+    if (!report.drawn) return "";
+    const TraceHeader& header = report.header;
+    return explain_name(
+               header.scene, header.volume, frame,
+               {{{header.bodies[0].name, test.nodes.a}, {header.bodies[1].name, test.nodes.b}}}) +
+           ".png";
+}
 
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
@@ -191,7 +199,9 @@ std::string inspect_text(const InspectReport& report) {
         printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
         ", " + std::string(volume_title(header.volume));
     if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
-    return title + "\n\n" + frames_text(report) + reasons_text(report.sum.counts) +
+    title += "\n\n";
+    for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
+    return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +
            depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
            worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
            others_text(report);
@@ -209,20 +219,26 @@ Json inspect_json(const InspectReport& report) {
     json["depths"] = Json::array();
     for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
         const DepthInspection& at = report.sum.depths[d];
-        json["depths"].push_back({{"depth", d},
-                                  {"n_v", at.tests},
-                                  {"passed", reasons_json(at.passed)},
-                                  {"wasted", at.wasted}});
+        json["depths"].push_back(
+            {{"depth", d},
+             {"n_v", at.tests},
+             {"passed", reasons_json(at.passed)},
+             {"wasted", at.wasted},
+             {"wasted_by",
+              {{"test", at.wasted_by_tests}, {"fit", at.wasted - at.wasted_by_tests}}}});
     }
     json["worst"] = Json::array();
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(p));
+        for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
     json["wrongly_rejected"] = Json::array();
-    for (const WrongRejection& w : report.wrong)
-        json["wrongly_rejected"].push_back({{"frame", w.frame},
-                                            {"nodes", {w.test.nodes.a, w.test.nodes.b}},
-                                            {"depths", {w.test.depth_a, w.test.depth_b}},
-                                            {"stage", stage_name(w.test.stage)}});
+    for (const WrongRejection& w : report.wrong) {
+        Json entry = {{"frame", w.frame},
+                      {"nodes", {w.test.nodes.a, w.test.nodes.b}},
+                      {"depths", {w.test.depth_a, w.test.depth_b}},
+                      {"stage", stage_name(w.test.stage)}};
+        if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
+        json["wrongly_rejected"].push_back(std::move(entry));
+    }
     json["other_tests"] = Json::array();
     for (const OtherTest& other : report.others) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};

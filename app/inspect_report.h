@@ -18,7 +18,11 @@ struct InspectReport {
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<WrongRejection> wrong;              ///< the first ones
     std::vector<OtherTest> others;
+    bool drawn = false;  ///< there is a picture of each pair
 };
+
+/// The picture of a pair of nodes; empty where none was drawn.
+std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
 
 /// As tables for a reader.
 std::string inspect_text(const InspectReport& report);

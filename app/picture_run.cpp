@@ -43,6 +43,11 @@ void PictureRun::draw(const std::string& name, const Picture& picture, Json entr
 
 std::uint32_t PictureRun::id_at(int x, int y) const { return pixel(last_ids_, x, y); }
 
+void PictureRun::write(const std::string& name, const std::string& text) {
+    write_file_whole(folder_ / name, text);
+    written_.push_back(name);
+}
+
 void PictureRun::draw_sheet() {
     const std::string file = sheet_->name + ".png";
     queue_.push(folder_ / file, scb::draw(sheet_->sheet, renderer_, overlay_));

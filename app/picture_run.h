@@ -42,6 +42,9 @@ class PictureRun {
     void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
               bool of_sequence = true);
 
+    /// Writes a file beside the pictures.
+    void write(const std::string& name, const std::string& text);
+
     /// Notes a line that is printed before the file names.
     void say(std::string line) { said_ += std::move(line) + "\n"; }
     /// Has finish() print this and nothing else.

@@ -11,6 +11,7 @@ Inspection& Inspection::operator+=(const Inspection& other) {
     for (std::size_t d = 0; d < other.depths.size(); ++d) {
         depths[d].tests += other.depths[d].tests;
         depths[d].wasted += other.depths[d].wasted;
+        depths[d].wasted_by_tests += other.depths[d].wasted_by_tests;
         for (std::size_t r = 0; r < pass_reason_count; ++r)
             depths[d].passed[r] += other.depths[d].passed[r];
     }
@@ -27,15 +28,19 @@ Inspection inspection(const TraceFrame& frame, const TestTree& tree,
     const auto depth_of = [&](std::size_t test) -> DepthInspection& {
         return result.depths[static_cast<std::size_t>(tests[test].depth_a + tests[test].depth_b)];
     };
-    std::vector<char> is_false(tests.size());
+    std::vector<char> is_false(tests.size()), is_within_weak_test(tests.size());
     for (const PassedPair& pair : attribution.passed) {
         ++depth_of(pair.test).passed[static_cast<std::size_t>(pair.reason)];
         is_false[pair.test] = pair.reason != PassReason::triangles_meet;
+        is_within_weak_test[pair.test] =
+            pair.within_weak_test || pair.reason == PassReason::weak_test;
     }
     for (std::size_t i = 0; i < tests.size(); ++i) {
         ++depth_of(i).tests;
         const std::uint32_t parent = tree.parents[i];
-        if (parent != TestTree::no_parent && is_false[parent]) ++depth_of(i).wasted;
+        if (parent == TestTree::no_parent) continue;
+        depth_of(i).wasted += static_cast<std::uint64_t>(is_false[parent]);
+        depth_of(i).wasted_by_tests += static_cast<std::uint64_t>(is_within_weak_test[parent]);
     }
     return result;
 }

@@ -7,7 +7,8 @@ namespace scb {
 /// The volume tests of pairs at one depth: the depths of both nodes added.
 struct DepthInspection {
     std::uint64_t tests = 0;
-    std::uint64_t wasted = 0;  ///< of these, those that a false pair led to
+    std::uint64_t wasted = 0;           ///< of these, those that a false pair led to
+    std::uint64_t wasted_by_tests = 0;  ///< of these, those that an exact test would save
     std::array<std::uint64_t, pass_reason_count> passed{};  ///< by reason
 };
 

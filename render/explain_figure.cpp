@@ -42,15 +42,21 @@ std::vector<AnyVolume> held(const ExplainFigure& figure) {
 }
 
 Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect& view, int unit) {
-    constexpr double opacity = 0.45;
     const Theme& theme = *figure.theme;
     const ContactProof& proof = figure.found->proof;
     Pane pane;
     pane.viewport = view;
     pane.camera = camera;
     const std::vector<AnyVolume> volumes = held(figure);
+    const double opacity = figure.triangles ? 0.3 : 0.45;
     pane.volumes = {{volumes[0], with_opacity(body_a_color, opacity), 1},
                     {volumes[1], with_opacity(body_b_color, opacity), 2}};
+    if (figure.triangles) {
+        pane.meshes.assign(figure.triangles->begin(), figure.triangles->end());
+        pane.meshes[0].color = body_a_color;
+        pane.meshes[1].color = body_b_color;
+        for (MeshDraw& mesh : pane.meshes) mesh.edges = true;
+    }
     if (proof.contact == Contact::disjoint) {
         pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
         const Scb& disc = std::get<Scb>(volumes[2]);

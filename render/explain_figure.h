@@ -23,6 +23,8 @@ struct ExplainFigure {
     std::array<std::string, 2> names;  ///< "A 412"
     VolumeKind kind{};
     AnyVolume a, b;  ///< in A's frame
+    /// What the volumes bound, where that is known: in the world; their colors are set.
+    std::optional<std::array<MeshDraw, 2>> triangles;
     OverlapOptions options;
     const PairExplanation* found = nullptr;
     Pose to_world;                 ///< from A's frame, for the camera

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/inspect_report.h"
+
+namespace scb {
+
+/// What a reader should know first, a sentence each: how much was wasted and why, where, and which
+/// other test would have helped most.
+std::vector<std::string> inspect_findings(const InspectReport& report);
+
+}  // namespace scb

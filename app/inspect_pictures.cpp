@@ -1,0 +1,75 @@
+#include "app/inspect_pictures.h"
+
+#include "app/explain_pictures.h"
+#include "app/explain_report.h"
+#include "app/inspect_page.h"
+#include "app/text_format.h"
+#include "render/figure_layout.h"
+#include "render/inspect_figure.h"
+#include "render/volume_titles.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void draw_summary(PictureRun& pictures, const PictureOptions& options,
+                  const InspectReport& report) {
+    InspectFigure figure;
+    figure.title = inspect_title(report);
+    figure.subtitle = inspect_subtitle(report);
+    figure.frames = report.frames;
+    figure.sum = report.sum;
+    figure.test = test_title(report.header.options.overlap);
+    figure.others = report.others;
+    figure.theme = options.theme();
+    const Picture picture = compose(figure, options.width(), options.height(), pictures.overlay());
+    pictures.draw(inspect_summary_name(report), picture, Json{{"summary", true}});
+}
+
+void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
+               const InspectReport& report, int frame, const VolumeTest& test,
+               const std::string& reason, const std::string& detail) {
+    const ExplainedPair pair =
+        explained_nodes(query, frame, {test.nodes.a, test.nodes.b}, "the report");
+    const std::string file = file_of(report, frame, test);
+    ExplainPicture picture;
+    picture.name = file.substr(0, file.size() - std::string_view(".png").size());
+    picture.title = query.scene.name + " · " + std::string(volume_title(query.kind)) + " · " +
+                    reason + " · " + node_names(pair);
+    const std::string asked = asked_words(pair);
+    picture.subtitle = detail + (asked.empty() ? "" : ", " + asked) + format(", frame %d", frame);
+    place_nodes(picture, query, frame, pair);
+    draw_explanation(pictures, options, pair, picture,
+                     Json{{"frame", frame}, {"nodes", {test.nodes.a, test.nodes.b}}});
+}
+
+}  // namespace
+
+std::string inspect_summary_name(const InspectReport& report) {
+    return report.header.scene + "_" + std::string(volume_kind_name(report.header.volume)) +
+           "_inspect";
+}
+
+bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
+                     const InspectReport& report, const std::function<bool()>& step) {
+    draw_summary(pictures, options, report);
+    if (!step()) return false;
+    for (const WrongRejection& w : report.wrong) {
+        draw_pair(pictures, options, query, report, w.frame, w.test, "REJECTED WRONGLY",
+                  "at " + std::string(stage_name(w.test.stage)));
+        if (!step()) return false;
+    }
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst) {
+            const std::uint64_t wasted = p.pair.below.volume_tests;
+            draw_pair(pictures, options, query, report, p.frame, p.test,
+                      worst == &report.loose_fits ? "fit too loose" : "test too weak",
+                      count_text(wasted) +
+                          (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
+            if (!step()) return false;
+        }
+    return true;
+}
+
+}  // namespace scb
