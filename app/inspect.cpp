@@ -5,6 +5,7 @@
 #include "app/exit_status.h"
 #include "app/explain_report.h"
 #include "app/inspect_csv.h"
+#include "app/inspect_findings.h"
 #include "app/inspect_page.h"
 #include "app/inspect_pictures.h"
 #include "app/inspect_report.h"
@@ -60,9 +61,9 @@ class Inspector {
   public:
     Inspector(const QuerySource& source, int top)
         : query_(source.query()),
-          top_(static_cast<std::size_t>(top)),
-          weak_tests_(PassReason::weak_test, top_),
-          loose_fits_(PassReason::loose_fit, top_) {
+          wrong_(static_cast<std::size_t>(top)),
+          weak_tests_(PassReason::weak_test, static_cast<std::size_t>(top)),
+          loose_fits_(PassReason::loose_fit, static_cast<std::size_t>(top)) {
         report_.header = source.header();
         for (const OverlapOptions& other : other_tests(report_.header)) {
             report_.others.emplace_back();
@@ -79,9 +80,7 @@ class Inspector {
                       all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
         report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
         report_.sum += report_.frames.back().found;
-        for (const std::uint32_t test : attribution.wrongly_rejected)
-            if (report_.wrong.size() < top_)
-                report_.wrong.push_back({frame.frame, frame.events.volume_tests[test]});
+        wrong_.add(frame, attribution);
         weak_tests_.add(frame, attribution);
         loose_fits_.add(frame, attribution);
         for (OtherTest& other : report_.others)
@@ -92,6 +91,7 @@ class Inspector {
     std::size_t frames() const { return report_.frames.size(); }
 
     InspectReport report() && {
+        report_.wrong = wrong_.pairs();
         report_.weak_tests = weak_tests_.pairs();
         report_.loose_fits = loose_fits_.pairs();
         sort_by_waste(report_.frames);
@@ -100,7 +100,7 @@ class Inspector {
 
   private:
     const SceneQuery& query_;
-    std::size_t top_;
+    WorstRejections wrong_;
     WorstPairs weak_tests_, loose_fits_;
     InspectReport report_;
 };
@@ -171,11 +171,9 @@ int run(Options& options, const Console& console) {
                      (pictures ? ", and nothing is drawn." : "."));
         return exit_interrupted(watch.signal());
     }
-    const std::uint64_t wrong = report.sum.counts.wrongly_rejected;
-    if (wrong == 0) return exit_done;
-    console.alarm("scb: the test rejected " + std::to_string(wrong) +
-                  (wrong == 1 ? " pair" : " pairs") +
-                  " of volumes that overlap; collisions may be missing.");
+    const PassCounts& counts = report.sum.counts;
+    if (counts.wrongly_rejected == 0) return exit_done;
+    console.alarm("scb: " + wrong_rejections_sentence(counts));
     return exit_different;
 }
 

@@ -23,7 +23,8 @@ std::string pair_row(int frame, const VolumeTest& test, const char* reason) {
 
 std::string frames_csv(const InspectReport& report) {
     std::string text =
-        "frame,pairs,n_v,n_p,passed,true,fit,test,wrongly_rejected,operations,wasted_n_v,"
+        "frame,pairs,n_v,n_p,passed,true,fit,test,wrongly_rejected,missed_pairs,operations,wasted_"
+        "n_v,"
         "wasted_n_p,wasted_operations,wasted_by_test_n_v,wasted_by_test_n_p,"
         "wasted_by_test_operations\n";
     std::vector<const InspectedFrame*> frames;
@@ -35,10 +36,10 @@ std::string frames_csv(const InspectReport& report) {
         text += std::to_string(frame->frame) + "," +
                 row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
                      c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
-                     c.passed(PassReason::weak_test), c.wrongly_rejected, c.all.operations,
-                     c.wasted.volume_tests, c.wasted.triangle_tests, c.wasted.operations,
-                     c.wasted_by_tests.volume_tests, c.wasted_by_tests.triangle_tests,
-                     c.wasted_by_tests.operations}) +
+                     c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
+                     c.all.operations, c.wasted.volume_tests, c.wasted.triangle_tests,
+                     c.wasted.operations, c.wasted_by_tests.volume_tests,
+                     c.wasted_by_tests.triangle_tests, c.wasted_by_tests.operations}) +
                 "\n";
     }
     return text;
@@ -47,7 +48,7 @@ std::string frames_csv(const InspectReport& report) {
 std::string pairs_csv(const InspectReport& report) {
     std::string text =
         "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,leaves,wasted_n_v,wasted_n_p,"
-        "wasted_operations,stage,file\n";
+        "wasted_operations,stage,missed_pairs,file\n";
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) {
             const Work& below = p.pair.below;
@@ -56,12 +57,12 @@ std::string pairs_csv(const InspectReport& report) {
                 "," + std::string(contact_name(p.pair.exact)) +
                 (p.pair.exact == Contact::disjoint ? format(",%.17g,", p.pair.gap) : ",,") +
                 row({p.pair.leaves, below.volume_tests, below.triangle_tests, below.operations}) +
-                ",overlapping," + file_of(report, p.frame, p.test) + "\n";
+                ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
         }
-    for (const WrongRejection& w : report.wrong)
+    for (const WronglyRejectedPair& w : report.wrong)
         text += pair_row(w.frame, w.test, "wrongly rejected") + ",overlapping,,,,,," +
-                std::string(stage_name(w.test.stage)) + "," + file_of(report, w.frame, w.test) +
-                "\n";
+                std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
+                "," + file_of(report, w.frame, w.test) + "\n";
     return text;
 }
 

@@ -47,7 +47,7 @@ std::string where(const InspectReport& report) {
     const auto worst = std::max_element(
         depths.begin(), depths.end(),
         [](const DepthInspection& x, const DepthInspection& y) { return x.wasted < y.wasted; });
-    return format("Half of the waste is at depths up to %zu of %zu, and most of it at depth %zu.",
+    return format("Half of the waste is at depths up to %zu of %zu; depth %zu alone has the most.",
                   depth, depths.size() - 1, static_cast<std::size_t>(worst - depths.begin()));
 }
 
@@ -76,18 +76,26 @@ std::string best_other(const InspectReport& report) {
 
 }  // namespace
 
+std::string wrong_rejections_sentence(const PassCounts& counts) {
+    return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
+           " of volumes that overlap, and so missed " +
+           (counts.missed == 0 ? "no pairs" : counted(counts.missed, "pair", "pairs")) +
+           " of triangles that intersect.";
+}
+
 std::vector<std::string> inspect_findings(const InspectReport& report) {
     std::vector<std::string> sentences;
     const PassCounts& counts = report.sum.counts;
-    if (counts.wrongly_rejected > 0)
-        sentences.push_back("The test rejected " +
-                            counted(counts.wrongly_rejected, "pair", "pairs") +
-                            " of volumes that overlap: collisions may be missing.");
+    if (counts.wrongly_rejected > 0) {
+        sentences.push_back(wrong_rejections_sentence(counts));
+        sentences.back().front() = 'T';
+    }
     sentences.push_back(waste(report));
     if (counts.wasted.volume_tests == 0) return sentences;
     if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
     sentences.push_back(where(report));
-    if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0)
+    // Queries that miss contacts are no measure of others.
+    if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
         sentences.push_back(best_other(report));
     return sentences;
 }

@@ -21,7 +21,7 @@ using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 
 /// More rows make a page that nobody reads; frames.csv has them.
-constexpr std::size_t most_frames = 100;
+constexpr std::size_t most_frames = 20;
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
     return share_text(static_cast<double>(part), static_cast<double>(whole));
@@ -45,6 +45,8 @@ data frame_row(const std::string& name, const Inspection& found) {
          {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
         row[std::string(pass_reason_name(reason))] = count_text(counts.passed(reason));
     row["wasted"] = count_text(wasted);
+    row["wrong"] = count_text(counts.wrongly_rejected);
+    row["missed"] = count_text(counts.missed);
     row["share"] = share(wasted, all);
     row["true_width"] = percents(all - wasted, all);
     row["fit_width"] = percents(wasted - by_tests, all);
@@ -133,9 +135,11 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
     data groups(data::type::list);
     Group wrong(report, page, "rejected-wrongly", "alarm", "Rejected wrongly",
                 "The volumes overlap, and the test says that they do not: an error of the test. "
-                "The first ones.");
-    for (const WrongRejection& w : report.wrong)
-        wrong.add(w.frame, w.test, "rejected at " + std::string(stage_name(w.test.stage)));
+                "The worst first.");
+    for (const WronglyRejectedPair& w : report.wrong)
+        wrong.add(w.frame, w.test,
+                  "rejected at " + std::string(stage_name(w.test.stage)) + ", " +
+                      count_text(w.rejection.missed) + " pairs of triangles missed");
     wrong.append_to(groups);
     Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
                 "The volumes overlap, but no triangles below them intersect: no overlap test could "
@@ -190,6 +194,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
         values["more_frames"] = "The worst " + std::to_string(most_frames) + " of " +
                                 count_text(report.frames.size()) +
                                 " frames; frames.csv has all of them.";
+    values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
+                                                                      : data::type::bool_false);
     values["has_others"] =
         data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
     values["others"] = other_rows(report);

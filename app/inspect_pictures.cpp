@@ -20,7 +20,6 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     figure.subtitle = inspect_subtitle(report);
     figure.frames = report.frames;
     figure.sum = report.sum;
-    figure.test = test_title(report.header.options.overlap);
     figure.others = report.others;
     figure.theme = options.theme();
     const Picture picture = compose(figure, options.width(), options.height(), pictures.overlay());
@@ -55,9 +54,10 @@ bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const 
                      const InspectReport& report, const std::function<bool()>& step) {
     draw_summary(pictures, options, report);
     if (!step()) return false;
-    for (const WrongRejection& w : report.wrong) {
+    for (const WronglyRejectedPair& w : report.wrong) {
         draw_pair(pictures, options, query, report, w.frame, w.test, "REJECTED WRONGLY",
-                  "at " + std::string(stage_name(w.test.stage)));
+                  count_text(w.rejection.missed) + (w.rejection.missed == 1 ? " pair" : " pairs") +
+                      " of triangles missed");
         if (!step()) return false;
     }
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})

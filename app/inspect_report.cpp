@@ -16,6 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// More rows make a table that nobody reads.
+constexpr std::size_t most_frames = 20;
+
 unsigned long long wide(std::uint64_t value) { return value; }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
@@ -32,7 +35,8 @@ std::string frame_row(const std::string& name, const Inspection& i) {
                   wide(i.counts.wasted.triangle_tests),
                   share(i.counts.wasted.triangle_tests, i.counts.all.triangle_tests).c_str()) +
            (i.counts.wrongly_rejected > 0
-                ? format("  REJECTED WRONGLY: %llu", wide(i.counts.wrongly_rejected))
+                ? format("  REJECTED WRONGLY: %llu, %llu pairs missed",
+                         wide(i.counts.wrongly_rejected), wide(i.counts.missed))
                 : "") +
            "\n";
 }
@@ -44,8 +48,12 @@ std::string frames_text(const InspectReport& report) {
         "   share\n"
         "                                                                   N_v   of N_v       N_p "
         "  of N_p\n";
-    for (const InspectedFrame& frame : report.frames)
-        text += frame_row(std::to_string(frame.frame), frame.found);
+    const std::size_t rows = std::min(report.frames.size(), most_frames);
+    for (std::size_t i = 0; i < rows; ++i)
+        text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+    if (report.frames.size() > rows)
+        text += format("  ...  %zu more frames, which --json and frames.csv of -o list\n",
+                       report.frames.size() - rows);
     if (report.frames.size() > 1) text += frame_row("sum", report.sum);
     return text + "\n";
 }
@@ -104,13 +112,13 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
 std::string wrong_text(const InspectReport& report) {
     if (report.wrong.empty()) return "";
     std::string text =
-        format("REJECTED WRONGLY: the first %zu of %llu pairs whose volumes overlap\n",
+        format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes overlap\n",
                report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
-    text += "frame          nodes     depths  rejected at\n";
-    for (const WrongRejection& w : report.wrong)
-        text +=
-            format("%5d %8u %8u   %3d %3d  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
-                   w.test.depth_a, w.test.depth_b, std::string(stage_name(w.test.stage)).c_str());
+    text += "frame          nodes     depths   missed  rejected at\n";
+    for (const WronglyRejectedPair& w : report.wrong)
+        text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
+                       w.test.depth_a, w.test.depth_b, wide(w.rejection.missed),
+                       std::string(stage_name(w.test.stage)).c_str());
     return text + "\n";
 }
 
@@ -161,6 +169,7 @@ Json inspection_json(const Inspection& i) {
             {"leaves", reasons_json(i.counts.leaves)},
             {"touching", i.counts.touching},
             {"wrongly_rejected", i.counts.wrongly_rejected},
+            {"missed_pairs", i.counts.missed},
             {"work", work_json(i.counts.all)},
             {"wasted", work_json(i.counts.wasted)},
             {"wasted_by",
@@ -231,11 +240,12 @@ Json inspect_json(const InspectReport& report) {
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
     json["wrongly_rejected"] = Json::array();
-    for (const WrongRejection& w : report.wrong) {
+    for (const WronglyRejectedPair& w : report.wrong) {
         Json entry = {{"frame", w.frame},
                       {"nodes", {w.test.nodes.a, w.test.nodes.b}},
                       {"depths", {w.test.depth_a, w.test.depth_b}},
-                      {"stage", stage_name(w.test.stage)}};
+                      {"stage", stage_name(w.test.stage)},
+                      {"missed", w.rejection.missed}};
         if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
         json["wrongly_rejected"].push_back(std::move(entry));
     }

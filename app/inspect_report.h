@@ -16,7 +16,7 @@ struct InspectReport {
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
-    std::vector<WrongRejection> wrong;              ///< the first ones
+    std::vector<WronglyRejectedPair> wrong;         ///< those that miss the most
     std::vector<OtherTest> others;
     bool drawn = false;  ///< there is a picture of each pair
 };

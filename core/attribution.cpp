@@ -28,18 +28,18 @@ std::vector<std::uint32_t> first_children(const TestTree& tree) {
     return children;
 }
 
-/// Which of the tests are of nodes that hold a pair of triangles which intersect, as far down as
-/// pairs passed.
-std::vector<char> tests_with_contact(const Topology& a, const Topology& b, const TraceFrame& frame,
-                                     const TestTree& tree, std::span<const IndexPair> contacts) {
+/// For each test, how many of the pairs of triangles that intersect its nodes hold.
+std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
+                                          const TraceFrame& frame, const TestTree& tree,
+                                          std::span<const IndexPair> contacts) {
     const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b),
                                      children = first_children(tree);
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
-    std::vector<char> marked(tests.size());
+    std::vector<std::uint64_t> below(tests.size());
     for (const IndexPair& contact : contacts) {
         std::uint32_t test = tests.empty() ? none : 0;
         while (test != none) {
-            marked[test] = 1;
+            ++below[test];
             const std::uint32_t parent = test;
             test = none;
             for (std::uint32_t child = children[parent];
@@ -51,7 +51,7 @@ std::vector<char> tests_with_contact(const Topology& a, const Topology& b, const
                 }
         }
     }
-    return marked;
+    return below;
 }
 
 /// For each test, the work below it.
@@ -71,21 +71,22 @@ std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame,
 
 template <class V>
 void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>& b,
-                  const TraceFrame& frame, const std::vector<char>& contact) {
+                  const TraceFrame& frame, const std::vector<std::uint64_t>& contacts) {
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const IndexPair nodes = tests[i].nodes;
         const ContactProof proof =
             exact_overlap(a.volumes[nodes.a], placed(b.volumes[nodes.b], frame.b_to_a));
         if (tests[i].stage != Stage::overlapping) {
-            if (proof.contact == Contact::overlapping) result.wrongly_rejected.push_back(i);
+            if (proof.contact == Contact::overlapping)
+                result.wrongly_rejected.push_back({i, contacts[i]});
             continue;
         }
         PassedPair pair;
         pair.test = i;
         pair.exact = proof.contact;
         pair.leaves = a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf();
-        if (contact[i]) {
+        if (contacts[i] > 0) {
             pair.reason = PassReason::triangles_meet;
         } else if (proof.contact == Contact::disjoint) {
             pair.reason = PassReason::weak_test;
@@ -103,8 +104,8 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, const TestTree& tree,
                       std::span<const IndexPair> contacts) {
-    const std::vector<char> contact =
-        tests_with_contact(topology_of(a), topology_of(b), frame, tree, contacts);
+    const std::vector<std::uint64_t> contact =
+        contacts_below(topology_of(a), topology_of(b), frame, tree, contacts);
     const std::vector<Work> below = work_below(header, frame, tree);
     Attribution result;
     std::visit(
@@ -116,13 +117,15 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
     counts.all = {frame.found.n_v, frame.found.n_p,
                   operation_count(header.volume, header.options.overlap, frame.found.stages)};
     counts.wrongly_rejected = result.wrongly_rejected.size();
+    for (const WrongRejection& rejection : result.wrongly_rejected)
+        counts.missed += rejection.missed;
     // Parents come before their children.
     std::vector<char> weak_so_far(frame.events.volume_tests.size());
     for (PassedPair& pair : result.passed) {
         pair.below = below[pair.test];
         const std::uint32_t parent = tree.parents[pair.test];
         if (parent != none) {
-            pair.within_false_pair = !contact[parent];
+            pair.within_false_pair = contact[parent] == 0;
             pair.within_weak_test = weak_so_far[parent] != 0;
         }
         const bool weak = pair.reason == PassReason::weak_test;

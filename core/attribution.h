@@ -24,11 +24,18 @@ struct PassedPair {
     Work below;                            ///< what came of it: wasted, where the pair is false
 };
 
+/// A volume test that rejected volumes which overlap: an error of the test.
+struct WrongRejection {
+    std::uint32_t test = 0;    ///< index into Events::volume_tests
+    std::uint64_t missed = 0;  ///< pairs of triangles below it that intersect
+
+    friend bool operator==(const WrongRejection&, const WrongRejection&) = default;
+};
+
 /// What the tests of a query passed on, and why.
 struct Attribution {
-    std::vector<PassedPair> passed;  ///< in the order of the tests
-    /// Tests that rejected volumes which overlap: errors of the test. Ascending.
-    std::vector<std::uint32_t> wrongly_rejected;
+    std::vector<PassedPair> passed;                ///< in the order of the tests
+    std::vector<WrongRejection> wrongly_rejected;  ///< in the order of the tests
     PassCounts counts;
 };
 

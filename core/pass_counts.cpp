@@ -52,6 +52,7 @@ PassCounts& PassCounts::operator+=(const PassCounts& other) {
     }
     touching += other.touching;
     wrongly_rejected += other.wrongly_rejected;
+    missed += other.missed;
     all += other.all;
     wasted += other.wasted;
     wasted_by_tests += other.wasted_by_tests;

@@ -40,6 +40,7 @@ struct PassCounts {
     std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};  ///< passed pairs by reason
     std::uint64_t touching = 0;          ///< passed pairs whose volumes only touch
     std::uint64_t wrongly_rejected = 0;  ///< tests that rejected volumes which overlap
+    std::uint64_t missed = 0;            ///< pairs of triangles below these that intersect
     Work all, wasted;
     Work wasted_by_tests;  ///< of the wasted work, what an exact test would save
 

@@ -26,4 +26,14 @@ void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
     if (pairs_.size() > most_) pairs_.resize(most_);
 }
 
+void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
+    for (const WrongRejection& rejection : attribution.wrongly_rejected)
+        pairs_.push_back({frame.frame, rejection, frame.events.volume_tests[rejection.test]});
+    // Frames are added in their order, and tests are in theirs.
+    std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto& x, const auto& y) {
+        return x.rejection.missed > y.rejection.missed;
+    });
+    if (pairs_.size() > most_) pairs_.resize(most_);
+}
+
 }  // namespace scb

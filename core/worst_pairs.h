@@ -11,9 +11,10 @@ struct FalsePair {
     VolumeTest test;
 };
 
-/// A test that rejected volumes which overlap.
-struct WrongRejection {
+/// A pair that was rejected although its volumes overlap.
+struct WronglyRejectedPair {
     int frame = 0;
+    WrongRejection rejection;
     VolumeTest test;
 };
 
@@ -33,6 +34,21 @@ class WorstPairs {
     PassReason reason_;
     std::size_t most_;
     std::vector<FalsePair> pairs_;
+};
+
+/// The wrong rejections that miss the most pairs of triangles, of as many frames as are added; of
+/// equal ones the first.
+class WorstRejections {
+  public:
+    explicit WorstRejections(std::size_t most) : most_(most) {}
+
+    void add(const TraceFrame& frame, const Attribution& attribution);
+    /// The worst one first.
+    const std::vector<WronglyRejectedPair>& pairs() const { return pairs_; }
+
+  private:
+    std::size_t most_;
+    std::vector<WronglyRejectedPair> pairs_;
 };
 
 }  // namespace scb

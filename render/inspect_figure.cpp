@@ -63,6 +63,13 @@ StackedBarsPlot depths_plot(const InspectFigure& figure) {
     return plot;
 }
 
+/// "corrected 0.7"
+std::string short_title(const OverlapOptions& overlap) {
+    std::string title(overlap_test_name(overlap.test));
+    if (has_threshold(overlap.test)) title += " " + number_text(overlap.threshold, 2);
+    return title;
+}
+
 void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>& words,
                 const Split& split, const Theme& theme) {
     const std::uint64_t all = split[0] + split[1] + split[2];
@@ -82,17 +89,19 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     add_legend(items, {"true contact", "fit too loose", "test too weak"},
                {counts.passed(reasons[0]), counts.passed(reasons[1]), counts.passed(reasons[2])},
                *figure.theme);
-    if (counts.wrongly_rejected > 0)
-        items.emplace_back(PanelLegendRow{figure.theme->warning, "REJECTED WRONGLY",
-                                          count_text(counts.wrongly_rejected), ""});
+    if (counts.wrongly_rejected > 0) {
+        const Rgba8 alarm = figure.theme->warning;
+        items.emplace_back(PanelHeading{"REJECTED WRONGLY"});
+        items.emplace_back(PanelLegendRow{alarm, "pairs", count_text(counts.wrongly_rejected), ""});
+        items.emplace_back(PanelLegendRow{alarm, "contacts missed", count_text(counts.missed), ""});
+    }
     if (figure.others.empty()) return items;
-    items.emplace_back(PanelHeading{"in place of " + figure.test});
-    items.emplace_back(PanelRow{"", {"caught", "N_v", "operations"}});
+    items.emplace_back(PanelHeading{"with another test"});
+    items.emplace_back(PanelRow{"", {"tests", "operations"}});
     for (const OtherTest& other : figure.others)
-        items.emplace_back(PanelRow{
-            test_title(other.overlap),
-            {count_text(other.caught), change_text(counts.all.volume_tests, other.all.volume_tests),
-             change_text(counts.all.operations, other.all.operations)}});
+        items.emplace_back(PanelRow{short_title(other.overlap),
+                                    {change_text(counts.all.volume_tests, other.all.volume_tests),
+                                     change_text(counts.all.operations, other.all.operations)}});
     return items;
 }
 

@@ -18,7 +18,6 @@ struct InspectFigure {
     std::string subtitle;
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
-    std::string test;               ///< the overlap test of the queries
     std::vector<OtherTest> others;  ///< what others would have done
     const Theme* theme = &light_theme;
 };

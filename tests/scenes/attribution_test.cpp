@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/inspection.h"
 #include "core/operation_cost.h"
+#include "core/worst_pairs.h"
 #include "scenes/builtin.h"
 #include "tests/core/built_mesh.h"
 #include "tests/core/traces.h"
@@ -79,9 +81,25 @@ void check_counts(const Query& q) {
                 break;
             }
     EXPECT_EQ(r.counts.wasted_by_tests.volume_tests, saved);
+    // What was not found was missed by a wrong rejection.
+    EXPECT_EQ(q.frame.found.pairs.size() + r.counts.missed, q.contacts.size());
     Work sum = useful;
     sum += r.counts.wasted;
     EXPECT_EQ(sum, r.counts.all);
+}
+
+/// The same per depth.
+void check_depths(const Query& q) {
+    const Inspection found = inspection(q.frame, q.tree, q.result);
+    DepthInspection sum;
+    for (const DepthInspection& depth : found.depths) {
+        sum.tests += depth.tests;
+        sum.wasted += depth.wasted;
+        sum.wasted_by_tests += depth.wasted_by_tests;
+    }
+    EXPECT_EQ(sum.tests, q.frame.found.n_v);
+    EXPECT_EQ(sum.wasted, q.result.counts.wasted.volume_tests);
+    EXPECT_EQ(sum.wasted_by_tests, q.result.counts.wasted_by_tests.volume_tests);
 }
 
 /// By sets of triangles, for some of the pairs.
@@ -101,6 +119,33 @@ void check_contacts(const Query& q) {
     }
 }
 
+struct Case {
+    int frame = 0;
+    VolumeKind kind{};
+    OverlapTest test{};
+};
+
+/// Every hierarchy and every overlap test, at frames from the whole scene.
+std::vector<Case> cases(const Scene& scene) {
+#ifdef SCB_SANITIZED
+    const std::vector<int> frames = {scene.frames / 5};
+#else
+    const std::vector<int> frames = {0,
+                                     scene.frames / 5,
+                                     scene.frames * 2 / 5,
+                                     scene.frames * 3 / 5,
+                                     scene.frames * 4 / 5,
+                                     scene.frames - 1};
+#endif
+    std::vector<Case> cases;
+    for (const int frame : frames)
+        for (const VolumeKind kind : all_volume_kinds())
+            for (const OverlapTest test : all_overlap_tests())
+                if (kind == VolumeKind::scb || test == OverlapTest::symmetric)
+                    cases.push_back({frame, kind, test});
+    return cases;
+}
+
 TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
     std::uint64_t weak = 0, loose = 0, wrong = 0;
     for (const BuiltinScene& builtin : builtin_scenes()) {
@@ -110,30 +155,28 @@ TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
         SCOPED_TRACE(builtin.name);
         std::vector<BuiltMesh> meshes;
         for (const NamedMesh& mesh : scene.meshes) meshes.emplace_back(mesh.mesh);
-        const int frame = scene.frames / 5;
-        const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
-                                        pose_at(scene.bodies[1].motion, frame));
         const BuiltMesh &a = meshes[scene.bodies[0].mesh], &b = meshes[scene.bodies[1].mesh];
-        for (const VolumeKind kind : all_volume_kinds())
-            for (const OverlapTest test : all_overlap_tests()) {
-                if (kind != VolumeKind::scb && test != OverlapTest::symmetric) continue;
-                SCOPED_TRACE(std::string(volume_kind_name(kind)) + " " +
-                             std::string(overlap_test_name(test)));
-                const Query query(a, b, pose, kind, test);
-                check_counts(query);
-                check_contacts(query);
-                if (kind == VolumeKind::scb && test == OverlapTest::printed)
-                    wrong += query.result.wrongly_rejected.size();
-                else
-                    EXPECT_EQ(query.result.wrongly_rejected.size(), 0u);
-                if (kind != VolumeKind::scb) {
-                    EXPECT_EQ(query.result.counts.passed(PassReason::weak_test), 0u)
-                        << "the test of these volumes is exact";
-                } else {
-                    weak += query.result.counts.passed(PassReason::weak_test);
-                }
-                loose += query.result.counts.passed(PassReason::loose_fit);
+        for (const auto& [frame, kind, test] : cases(scene)) {
+            const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                            pose_at(scene.bodies[1].motion, frame));
+            SCOPED_TRACE(std::string(volume_kind_name(kind)) + " " +
+                         std::string(overlap_test_name(test)) + ", frame " + std::to_string(frame));
+            const Query query(a, b, pose, kind, test);
+            check_counts(query);
+            check_depths(query);
+            check_contacts(query);
+            if (kind == VolumeKind::scb && test == OverlapTest::printed)
+                wrong += query.result.wrongly_rejected.size();
+            else
+                EXPECT_EQ(query.result.wrongly_rejected.size(), 0u);
+            if (kind != VolumeKind::scb) {
+                EXPECT_EQ(query.result.counts.passed(PassReason::weak_test), 0u)
+                    << "the test of these volumes is exact";
+            } else {
+                weak += query.result.counts.passed(PassReason::weak_test);
             }
+            loose += query.result.counts.passed(PassReason::loose_fit);
+        }
     }
     EXPECT_GT(weak, 0u);
     EXPECT_GT(loose, 0u);
@@ -157,6 +200,36 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
     // The roots are of a pair that meets, although it is not the one that was found.
     EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
+}
+
+TEST(Attribution, TheWorstRejectionsMissTheMostPairs) {
+    const Scene scene = load_builtin(*find_builtin("line-8"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    WorstRejections worst(5);
+    std::vector<std::uint64_t> all;
+    std::uint64_t missed = 0;
+    for (int frame = 80; frame < 160; frame += 4) {
+        const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                        pose_at(scene.bodies[1].motion, frame));
+        Query query(a, b, pose, VolumeKind::scb, OverlapTest::printed);
+        query.frame.frame = frame;
+        worst.add(query.frame, query.result);
+        for (const WrongRejection& rejection : query.result.wrongly_rejected)
+            all.push_back(rejection.missed);
+        missed += query.result.counts.missed;
+    }
+    EXPECT_GT(missed, 0u);
+    std::sort(all.rbegin(), all.rend());
+    ASSERT_EQ(worst.pairs().size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const WronglyRejectedPair& pair = worst.pairs()[i];
+        EXPECT_EQ(pair.rejection.missed, all[i]);
+        EXPECT_NE(pair.test.stage, Stage::overlapping);
+        if (i > 0 && all[i] == all[i - 1]) {
+            EXPECT_LE(worst.pairs()[i - 1].frame, pair.frame);
+        }
+    }
 }
 
 }  // namespace

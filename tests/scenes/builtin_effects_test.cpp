@@ -48,10 +48,12 @@ TEST(BuiltinScenes, Line8LosesAllPairsToOneWrongRejectionOfThePrintedTest) {
     const TraceFrame frame =
         record_frame(shown.a(), shown.b(), 0, shown.pose(shown.scene.default_frame), header);
     const auto kind = static_cast<std::size_t>(VolumeKind::scb);
+    const std::vector<IndexPair> contacts =
+        shown.found(VolumeKind::scb, OverlapTest::corrected).pairs;
     const Attribution attribution =
         attribute(shown.a().hierarchies[kind], shown.b().hierarchies[kind], header, frame,
-                  test_tree(header, frame), {});
-    EXPECT_EQ(attribution.wrongly_rejected, std::vector<std::uint32_t>{0});
+                  test_tree(header, frame), contacts);
+    EXPECT_EQ(attribution.wrongly_rejected, (std::vector<WrongRejection>{{0, pairs}}));
 }
 
 // Lines 20 and 23 test the cylinder about the small tile against the slab of the large panel; the
