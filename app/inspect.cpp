@@ -196,7 +196,8 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         ->excludes(frames)
         ->type_name("N");
     command
-        ->add_option("--top", options->top, "How many of the worst pairs to list, of each reason")
+        ->add_option("--top", options->top,
+                     "How many of the worst pairs to list, of each reason, each at its worst frame")
         ->check(decimal_number())
         ->type_name("K")
         ->capture_default_str();

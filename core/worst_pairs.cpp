@@ -1,6 +1,7 @@
 #include "core/worst_pairs.h"
 
 #include <algorithm>
+#include <set>
 
 namespace scb {
 namespace {
@@ -15,6 +16,19 @@ bool is_worse(const FalsePair& x, const FalsePair& y) {
     return std::pair(x.frame, x.pair.test) < std::pair(y.frame, y.pair.test);
 }
 
+/// Keeps the first of those with the same nodes, and at most that many.
+template <class P>
+void keep_worst(std::vector<P>& sorted, std::size_t most) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+    std::vector<P> kept;
+    for (const P& pair : sorted) {
+        if (kept.size() == most) break;
+        const IndexPair nodes = pair.test.nodes;
+        if (seen.insert({nodes.a, nodes.b}).second) kept.push_back(pair);
+    }
+    sorted = std::move(kept);
+}
+
 }  // namespace
 
 void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
@@ -23,7 +37,7 @@ void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
         if (pair.reason == reason_ && !(weak ? pair.within_weak_test : pair.within_false_pair))
             pairs_.push_back({frame.frame, pair, frame.events.volume_tests[pair.test]});
     std::sort(pairs_.begin(), pairs_.end(), is_worse);
-    if (pairs_.size() > most_) pairs_.resize(most_);
+    keep_worst(pairs_, most_);
 }
 
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
@@ -33,7 +47,7 @@ void WorstRejections::add(const TraceFrame& frame, const Attribution& attributio
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto& x, const auto& y) {
         return x.rejection.missed > y.rejection.missed;
     });
-    if (pairs_.size() > most_) pairs_.resize(most_);
+    keep_worst(pairs_, most_);
 }
 
 }  // namespace scb

@@ -19,7 +19,8 @@ struct WronglyRejectedPair {
 };
 
 /// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
-/// below them (of volumes and of triangles), then by frame and by the order of the tests. Of weak
+/// below them (of volumes and of triangles), then by frame and by the order of the tests. Each pair
+/// of nodes once, at the frame where it is worst: some are in the way at every frame. Of weak
 /// tests those that are not within another one; of loose fits those that are not within any false
 /// pair.
 class WorstPairs {
@@ -37,7 +38,7 @@ class WorstPairs {
 };
 
 /// The wrong rejections that miss the most pairs of triangles, of as many frames as are added; of
-/// equal ones the first.
+/// equal ones the first; each pair of nodes once, at the frame where it is worst.
 class WorstRejections {
   public:
     explicit WorstRejections(std::size_t most) : most_(most) {}

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/inspection.h"
@@ -202,33 +203,57 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
 }
 
-TEST(Attribution, TheWorstRejectionsMissTheMostPairs) {
+using Nodes = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Each pair of nodes once, with the most that it has at any frame, the worst first.
+std::vector<std::uint64_t> ranked(const std::map<Nodes, std::uint64_t>& most_of) {
+    std::vector<std::uint64_t> most;
+    for (const auto& [nodes, value] : most_of) most.push_back(value);
+    std::sort(most.rbegin(), most.rend());
+    return most;
+}
+
+TEST(Attribution, WorstPairsAreEachListedOnceAtTheirWorstFrame) {
     const Scene scene = load_builtin(*find_builtin("line-8"));
     const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
         b(scene.meshes[scene.bodies[1].mesh].mesh);
-    WorstRejections worst(5);
-    std::vector<std::uint64_t> all;
-    std::uint64_t missed = 0;
+    WorstRejections rejections(5);
+    WorstPairs weak(PassReason::weak_test, 12);
+    std::map<Nodes, std::uint64_t> missed, wasted;
     for (int frame = 80; frame < 160; frame += 4) {
         const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
                                         pose_at(scene.bodies[1].motion, frame));
         Query query(a, b, pose, VolumeKind::scb, OverlapTest::printed);
         query.frame.frame = frame;
-        worst.add(query.frame, query.result);
+        rejections.add(query.frame, query.result);
+        weak.add(query.frame, query.result);
+        const auto raise = [&](std::map<Nodes, std::uint64_t>& most, std::uint32_t test,
+                               std::uint64_t value) {
+            const IndexPair nodes = query.frame.events.volume_tests[test].nodes;
+            std::uint64_t& so_far = most[{nodes.a, nodes.b}];
+            so_far = std::max(so_far, value);
+        };
         for (const WrongRejection& rejection : query.result.wrongly_rejected)
-            all.push_back(rejection.missed);
-        missed += query.result.counts.missed;
+            raise(missed, rejection.test, rejection.missed);
+        for (const PassedPair& pair : query.result.passed)
+            if (pair.reason == PassReason::weak_test && !pair.within_weak_test)
+                raise(wasted, pair.test, pair.below.volume_tests + pair.below.triangle_tests);
     }
-    EXPECT_GT(missed, 0u);
-    std::sort(all.rbegin(), all.rend());
-    ASSERT_EQ(worst.pairs().size(), 5u);
+    EXPECT_GT(ranked(missed)[4], 0u);
+    ASSERT_EQ(rejections.pairs().size(), 5u);
+    std::set<Nodes> seen;
     for (std::size_t i = 0; i < 5; ++i) {
-        const WronglyRejectedPair& pair = worst.pairs()[i];
-        EXPECT_EQ(pair.rejection.missed, all[i]);
+        const WronglyRejectedPair& pair = rejections.pairs()[i];
+        EXPECT_EQ(pair.rejection.missed, ranked(missed)[i]);
         EXPECT_NE(pair.test.stage, Stage::overlapping);
-        if (i > 0 && all[i] == all[i - 1]) {
-            EXPECT_LE(worst.pairs()[i - 1].frame, pair.frame);
-        }
+        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
+    }
+    ASSERT_EQ(weak.pairs().size(), 12u);
+    seen.clear();
+    for (std::size_t i = 0; i < 12; ++i) {
+        const FalsePair& pair = weak.pairs()[i];
+        EXPECT_EQ(pair.pair.below.volume_tests + pair.pair.below.triangle_tests, ranked(wasted)[i]);
+        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
     }
 }
 
