@@ -1,0 +1,51 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/counts_difference.h"
+#include "golden/id_difference.h"
+#include "golden/image_difference.h"
+#include "golden/verdict.h"
+
+namespace scb {
+
+/// A picture of a case in three versions, as paths of files relative to the folder of results.json;
+/// empty where there is none.
+struct ResultPictures {
+    std::string baseline, candidate, difference;
+};
+
+/// What came of one case.
+struct CaseResult {
+    std::string name;
+    Verdict verdict = Verdict::same;
+    std::string message;             ///< a sentence: what differs, or why it could not run
+    std::vector<std::string> lines;  ///< what changed in the terms of the field, a sentence each
+    std::vector<CountChange> counts;
+    std::optional<IdDifference> ids;        ///< where ids were compared and differ
+    std::optional<ImageDifference> colors;  ///< where colors were compared and differ
+    ColorTolerance tolerance;
+    int variant = 0;  ///< which accepted picture it was compared with: the first is 1; 0: none
+    ResultPictures picture, id_picture;
+    std::string reproduce;            ///< a command
+    std::string update;               ///< a command
+    std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
+    double seconds = 0;
+};
+
+/// What came of a suite, or of a shard of it.
+struct SuiteResult {
+    std::string suite;  ///< path of the file with the cases
+    std::vector<std::pair<std::string, std::string>> environment;  ///< versions: name and value
+    std::vector<CaseResult> cases;                                 ///< in the order of the suite
+    std::string shard;                                             ///< "2/3"; empty: all
+};
+
+nlohmann::ordered_json result_json(const SuiteResult& result);
+/// Throws InputError, naming `path`, where it is no such JSON.
+SuiteResult result_of(const nlohmann::json& json, const std::string& path);
+
+}  // namespace scb
