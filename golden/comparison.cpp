@@ -1,0 +1,212 @@
+#include "golden/comparison.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "golden/baseline.h"
+#include "golden/files_equal.h"
+#include "render/image_file.h"
+#include "render/output_file.h"
+#include "scenes/file_bytes.h"
+#include "scenes/json_reader.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string box_words(const PixelBox& box) {
+    return "in the box from (" + std::to_string(box.left) + ", " + std::to_string(box.top) +
+           ") to (" + std::to_string(box.right - 1) + ", " + std::to_string(box.bottom - 1) + ")";
+}
+
+std::string size_words(const Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+bool same_size(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height;
+}
+
+/// One comparison after the other; the first that cannot be made ends it.
+class Comparison {
+  public:
+    Comparison(const GoldenCase& golden, const ComparisonFolders& folders)
+        : golden_(golden),
+          folders_(folders),
+          baseline_(case_files(folders.baselines, golden.name)),
+          candidate_(case_files(folders.candidates, golden.name)) {
+        result_.name = golden.name;
+        result_.tolerance = golden.tolerance;
+    }
+
+    CaseResult make() {
+        if (is_missing()) {
+            result_.verdict = Verdict::missing_baseline;
+            result_.message =
+                "There is no baseline; look at what the run made and, if it is right, "
+                "take it over with the command below.";
+            result_.picture.candidate = copied(candidate_.image, "new");
+            result_.id_picture.candidate = copied(candidate_.ids, "new");
+            return std::move(result_);
+        }
+        if (golden_.counts) compare_counts();
+        if (golden_.ids && result_.verdict != Verdict::size_differs) compare_ids();
+        if (golden_.colors && result_.verdict != Verdict::size_differs) compare_colors();
+        if (!said_.empty() && result_.message.empty()) {
+            result_.message = "These differ: ";
+            for (std::size_t i = 0; i < said_.size(); ++i)
+                result_.message += (i == 0 ? "" : "; ") + said_[i];
+            result_.message += ".";
+        }
+        return std::move(result_);
+    }
+
+  private:
+    bool is_missing() const {
+        return !(golden_.counts && is_there(baseline_.counts)) &&
+               !(golden_.ids && is_there(baseline_.ids)) &&
+               !(golden_.colors && is_there(baseline_.image));
+    }
+
+    /// False where the baseline lacks the file, which the run made.
+    bool has(const fs::path& baseline, const char* what) {
+        if (is_there(baseline)) return true;
+        raise(Verdict::new_output);
+        said_.push_back("the baseline has no " + std::string(what) + ", and the run made some");
+        return false;
+    }
+
+    void raise(Verdict verdict) {
+        if (result_.verdict == Verdict::same || result_.verdict == Verdict::new_output)
+            result_.verdict = verdict;
+    }
+
+    void compare_counts() {
+        if (!has(baseline_.counts, "counts")) return;
+        if (files_equal(baseline_.counts, candidate_.counts)) return;
+        const auto read = [](const fs::path& path) {
+            return parse_json(read_text_file(path.string()), path.string());
+        };
+        result_.counts = counts_difference(read(baseline_.counts), read(candidate_.counts));
+        if (result_.counts.empty()) return;
+        raise(Verdict::different);
+        said_.push_back(counted(result_.counts.size(), "count", "counts"));
+    }
+
+    void compare_ids() {
+        if (!has(baseline_.ids, "ids")) return;
+        if (files_equal(baseline_.ids, candidate_.ids)) return;
+        const Image before = read_png(baseline_.ids), after = read_png(candidate_.ids);
+        if (!same_size(before, after)) {
+            size_differs(before, after);
+            return;
+        }
+        IdDifference difference = id_difference(unpack_ids(before), unpack_ids(after));
+        if (difference.pixels == 0) return;
+        raise(Verdict::different);
+        said_.push_back("the owners of " + counted(difference.pixels, "pixel", "pixels") + " " +
+                        box_words(difference.box));
+        result_.id_picture = {copied(baseline_.ids, "baseline"), copied(candidate_.ids, "new"), ""};
+        result_.ids = std::move(difference);
+    }
+
+    void compare_colors() {
+        if (!has(baseline_.image, "picture")) return;
+        const std::vector<fs::path> accepted = accepted_images(folders_.baselines, golden_.name);
+        for (std::size_t i = 0; i < accepted.size(); ++i)
+            if (files_equal(accepted[i], candidate_.image)) {
+                result_.variant = static_cast<int>(i) + 1;
+                return;
+            }
+        const Image after = read_png(candidate_.image);
+        std::optional<ImageDifference> closest;
+        Image closest_image;
+        for (std::size_t i = 0; i < accepted.size(); ++i) {
+            Image before = read_png(accepted[i]);
+            if (!same_size(before, after)) {
+                if (!closest) closest_image = std::move(before);
+                continue;
+            }
+            const ImageDifference difference = image_difference(before, after);
+            const bool passes = within(difference, golden_.tolerance);
+            if (passes || !closest || difference.pixels < closest->pixels) {
+                result_.variant = static_cast<int>(i) + 1;
+                closest = difference;
+                closest_image = std::move(before);
+            }
+            if (passes) return;
+        }
+        if (!closest) {
+            size_differs(closest_image, after);
+            return;
+        }
+        raise(Verdict::different);
+        said_.push_back("the colors of " + counted(closest->pixels, "pixel", "pixels") + " " +
+                        box_words(closest->box) + ", by up to " + std::to_string(closest->largest) +
+                        " of 255");
+        result_.colors = closest;
+        copy_pictures(&closest_image, after);
+    }
+
+    void size_differs(const Image& before, const Image& after) {
+        result_.verdict = Verdict::size_differs;
+        result_.message = "The baseline's picture has " + size_words(before) +
+                          " pixels, and the run made " + size_words(after) + ".";
+        result_.picture.baseline = copied(baseline_.image, "baseline");
+        result_.picture.candidate = copied(candidate_.image, "new");
+    }
+
+    void copy_pictures(const Image* before, const Image& after) {
+        const std::vector<fs::path> accepted = accepted_images(folders_.baselines, golden_.name);
+        result_.picture.baseline =
+            copied(accepted[static_cast<std::size_t>(result_.variant) - 1], "baseline");
+        result_.picture.candidate = copied(candidate_.image, "new");
+        if (folders_.report.empty()) return;
+        const std::string name = golden_.name + ".difference.png";
+        write_file_whole(folders_.report / name, encode_png(difference_picture(*before, after)));
+        result_.picture.difference = name;
+    }
+
+    /// Copies a file for the report: its name there, empty where there is none.
+    std::string copied(const fs::path& from, const std::string& kind) const {
+        if (folders_.report.empty() || !is_there(from)) return "";
+        const std::string file = from.filename().string(),
+                          ids = file.ends_with(".ids.png") ? ".ids" : "",
+                          name = golden_.name + "." + kind + ids + ".png";
+        write_file_whole(folders_.report / name, file_bytes(from.string()));
+        return name;
+    }
+
+    const GoldenCase& golden_;
+    const ComparisonFolders& folders_;
+    CaseFiles baseline_, candidate_;
+    CaseResult result_;
+    std::vector<std::string> said_;
+};
+
+}  // namespace
+
+CaseResult compare_case(const GoldenCase& golden, const ComparisonFolders& folders) {
+    try {
+        return Comparison(golden, folders).make();
+    } catch (const InputError& error) {
+        CaseResult result;
+        result.name = golden.name;
+        result.tolerance = golden.tolerance;
+        result.verdict = Verdict::could_not_run;
+        result.message = error.what();
+        return result;
+    }
+}
+
+}  // namespace scb
