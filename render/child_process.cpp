@@ -158,9 +158,13 @@ std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most) {
     return ProcessEnd{false, WEXITSTATUS(status)};
 }
 
-std::string ChildProcess::last_line() const {
+std::string ChildProcess::said() const {
     const std::vector<std::uint8_t> said = said_.bytes();
-    std::istringstream lines(std::string(said.begin(), said.end()));
+    return {said.begin(), said.end()};
+}
+
+std::string ChildProcess::last_line() const {
+    std::istringstream lines(said());
     std::string last;
     for (std::string line; std::getline(lines, line);)
         if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;

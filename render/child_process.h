@@ -56,6 +56,9 @@ class ChildProcess {
     /// learns how it ended.
     std::optional<ProcessEnd> wait(std::chrono::milliseconds most);
 
+    /// All that it has said on standard output and standard error.
+    std::string said() const;
+
     /// The last line that is not empty of what it has said on standard output and standard error.
     std::string last_line() const;
 

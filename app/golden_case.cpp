@@ -1,0 +1,157 @@
+#include "app/golden_case.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/command_text.h"
+#include "app/exit_status.h"
+#include "core/error.h"
+#include "golden/baseline.h"
+#include "golden/case_counts.h"
+#include "render/child_process.h"
+#include "render/output_file.h"
+#include "scenes/builtin.h"
+#include "scenes/file_bytes.h"
+#include "scenes/json_reader.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+struct ChildEnd {
+    std::optional<ProcessEnd> end;  ///< nothing where it took too long
+    std::string said, last_line;
+};
+
+ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
+    std::vector<std::string> words = {settings.program, "--quiet"};
+    words.insert(words.end(), command.begin(), command.end());
+    const UnnamedFile unused;
+    ChildProcess child(words, unused, std::chrono::seconds(1));
+    ChildEnd result;
+    result.end = child.wait(settings.patience);
+    result.said = child.said();
+    result.last_line = child.last_line();
+    return result;
+}
+
+/// Why it did not do what it should; empty where it did.
+std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings) {
+    if (!child.end)
+        return "It took longer than " + std::to_string(settings.patience.count()) +
+               " seconds and was ended.";
+    if (child.end->by_signal)
+        return "It was ended by signal " + std::to_string(child.end->code) + ".";
+    const int status = child.end->code;
+    // 1: `inspect` has found wrong rejections, which are what the case is about.
+    if (status == exit_done || status == exit_different) return "";
+    constexpr std::string_view start = "scb: error: ";
+    std::string said = child.last_line;
+    if (said.starts_with(start)) said.erase(0, start.size());
+    return said.empty() ? "It ended with status " + std::to_string(status) + "." : said;
+}
+
+/// Whether the scene is a built-in one whose meshes are not here.
+bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
+    const BuiltinScene* scene = find_builtin(golden.scene[0]);
+    return scene != nullptr && !missing_mesh_file(*scene, settings.models).empty();
+}
+
+std::string meta_text(const GoldenCase& golden, const Json& document) {
+    Json meta = {{"command", typed(command_of(golden, "DIR"))}};
+    for (const char* key : {"versions", "scb_version"})
+        if (document.contains(key)) meta[key] = document[key];
+    return meta.dump(2) + "\n";
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+        throw OutputError(to.string() + ": cannot be written (" + error.message() +
+                          "); see that the disk has room.");
+}
+
+/// Takes over what the command has left in `made`.
+void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& made,
+               const fs::path& folder) {
+    const CaseFiles files = case_files(folder, golden.name);
+    Json document;
+    if (has_picture(golden.run)) {
+        const fs::path index = made / "index.json";
+        document = parse_json(read_text_file(index.string()), index.string());
+        const Json& drawn = document.at("files").at(0);
+        move_file(made / drawn.at("file").get<std::string>(), files.image);
+        if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
+        move_file(index, folder / (golden.name + ".index.json"));
+    } else {
+        document = parse_json(child.said, "the output of the case");
+    }
+    write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
+    write_file_whole(files.meta, meta_text(golden, document));
+}
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,
+                      const fs::path& folder) {
+    const Clock::time_point start = Clock::now();
+    GoldenRunEnd result;
+    if (lacks_meshes(golden, settings)) {
+        result.skipped = true;
+        result.message = "The meshes of " + golden.scene[0] +
+                         " are not here; name their folder with --models or SCB_MODELS.";
+        return result;
+    }
+    const fs::path made = folder / (golden.name + ".made");
+    try {
+        std::vector<std::string> command = command_of(golden, made);
+        if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
+        const ChildEnd child = run_child(settings, command);
+        result.message = trouble(child, settings);
+        if (result.message.empty()) take_over(golden, child, made, folder);
+        result.ran = result.message.empty();
+    } catch (const InputError& error) {
+        result.message = error.what();
+    } catch (const Json::exception& error) {
+        result.message = "Its index.json is not as it should be: " + std::string(error.what());
+    }
+    std::error_code ignored;
+    fs::remove_all(made, ignored);
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+GoldenRunEnd record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
+                          const fs::path& folder) {
+    GoldenRunEnd result;
+    const std::vector<std::string> command =
+        trace_command_of(golden, case_files(folder, golden.name).trace);
+    if (command.empty()) return result;
+    const Clock::time_point start = Clock::now();
+    result.message = trouble(run_child(settings, command), settings);
+    result.ran = result.message.empty();
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+ProgramAnswer ask_program(const GoldenRunSettings& settings,
+                          const std::vector<std::string>& command) {
+    const ChildEnd child = run_child(settings, command);
+    if (!trouble(child, settings).empty()) return {};
+    return {child.end->code, child.said};
+}
+
+std::string typed(const std::vector<std::string>& command) {
+    std::string text = "scb";
+    for (const std::string& word : command) text += " " + shell_word(word);
+    return text;
+}
+
+}  // namespace scb

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/suite.h"
+
+namespace scb {
+
+/// How cases are run.
+struct GoldenRunSettings {
+    std::string program;  ///< this one
+    std::string models;   ///< --models; empty: none
+    std::string gl;       ///< --gl
+    std::chrono::seconds patience{300};
+};
+
+/// How a run of a case ended.
+struct GoldenRunEnd {
+    bool ran = false;
+    bool skipped = false;  ///< a mesh file that the scene needs is not here
+    std::string message;   ///< why it did not run: a sentence
+    double seconds = 0;
+};
+
+/// Runs the case in a process of its own, with one thread, and leaves what it made in `folder`,
+/// named as baselines are; its index.json as NAME.index.json. The folder must be there.
+GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,
+                      const std::filesystem::path& folder);
+
+/// Records the trace of the case's queries as NAME.scbtrace in `folder`. Nothing where it makes no
+/// queries, or more than `most_frames` of them.
+GoldenRunEnd record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
+                          const std::filesystem::path& folder);
+
+/// What the program says to that command line; nothing where it could not be run, or failed with a
+/// status other than 0 and 1.
+struct ProgramAnswer {
+    int status = -1;
+    std::string text;
+};
+ProgramAnswer ask_program(const GoldenRunSettings& settings,
+                          const std::vector<std::string>& command);
+
+/// The command line of a case as a user would type it.
+std::string typed(const std::vector<std::string>& command);
+
+}  // namespace scb
