@@ -1,0 +1,98 @@
+#include "app/golden_check.h"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "app/golden_lines.h"
+#include "golden/baseline.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keeps both traces beside the report.
+void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
+    const auto keep = [&](const fs::path& folder, const char* kind) {
+        const fs::path from = case_files(folder, result.name).trace;
+        std::error_code error;
+        if (!fs::exists(from, error)) return;
+        const std::string name = result.name + "." + kind + ".scbtrace";
+        fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
+        if (!error) result.traces.push_back(name);
+    };
+    keep(folders.baselines, "baseline");
+    keep(folders.candidates, "new");
+}
+
+CaseResult check_case(const GoldenCase& golden, const GoldenCheck& check) {
+    const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
+    CaseResult result;
+    if (run.ran) {
+        result = compare_case(golden, check.folders);
+    } else {
+        result.name = golden.name;
+        result.verdict = run.skipped ? Verdict::skipped : Verdict::could_not_run;
+        result.message = run.message;
+    }
+    result.seconds = run.seconds;
+    if (result.verdict == Verdict::different) {
+        const bool before = fs::exists(case_files(check.folders.baselines, golden.name).trace);
+        if (before || check.traces) record_trace(golden, check.settings, check.folders.candidates);
+        add_lines(result, golden, check.settings, check.folders);
+        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
+    }
+    return result;
+}
+
+}  // namespace
+
+void for_each_in_threads(std::size_t count, std::size_t threads,
+                         const std::function<void(std::size_t)>& work,
+                         const std::function<bool()>& step) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex stepping;
+    std::exception_ptr error;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::lock_guard lock(stepping);
+                if (!error) error = std::current_exception();
+                next = count;
+                return;
+            }
+            const std::lock_guard lock(stepping);
+            if (!step()) next = count;
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < threads && i < count; ++i) others.emplace_back(run);
+        run();
+    }
+    if (error) std::rethrow_exception(error);
+}
+
+bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
+    const CaseFiles made = case_files(folders.candidates, golden.name);
+    return fs::exists(made.meta) && fs::exists(made.counts) &&
+           (!golden.colors || fs::exists(made.image)) && (!golden.ids || fs::exists(made.ids));
+}
+
+std::vector<CaseResult> check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
+    std::vector<std::optional<CaseResult>> done(check.cases.size());
+    for_each_in_threads(
+        check.cases.size(), check.jobs,
+        [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
+    std::vector<CaseResult> results;
+    for (std::optional<CaseResult>& result : done)
+        if (result) results.push_back(std::move(*result));
+    return results;
+}
+
+}  // namespace scb

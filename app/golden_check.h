@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "app/golden_case.h"
+#include "golden/comparison.h"
+
+namespace scb {
+
+/// What of a suite is run, and how.
+struct GoldenCheck {
+    std::vector<GoldenCase> cases;
+    GoldenRunSettings settings;
+    ComparisonFolders folders;  ///< which must be there
+    std::size_t jobs = 1;       ///< cases at a time
+    bool traces = false;        ///< keep those of failing cases in the folder of the report
+};
+
+/// Runs all cases and compares each with its baseline; the results are in the order of the cases,
+/// whatever the number of jobs. `step` is called after each, by one thread at a time, and ends the
+/// run by returning false; then the cases that were not run are left out.
+std::vector<CaseResult> check_cases(const GoldenCheck& check, const std::function<bool()>& step);
+
+/// Whether the run of the case has left everything that is compared.
+bool has_run(const GoldenCase& golden, const ComparisonFolders& folders);
+
+/// Calls `work(i)` for 0 to count - 1 in so many threads, each the next one that is free, and
+/// `step` after each as above.
+void for_each_in_threads(std::size_t count, std::size_t threads,
+                         const std::function<void(std::size_t)>& work,
+                         const std::function<bool()>& step);
+
+}  // namespace scb

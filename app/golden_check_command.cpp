@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/golden_check.h"
+#include "app/golden_results.h"
+#include "app/interrupt.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "golden/shard.h"
+
+namespace scb {
+namespace {
+
+struct Options : GoldenOptions {
+    std::string shard, report, junit, json;
+    bool trace = false;
+};
+
+std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
+    std::vector<GoldenCase> cases = options.chosen(suite);
+    if (options.shard.empty()) return cases;
+    const Shard shard = parse_shard(options.shard);
+    std::vector<GoldenCase> mine;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (in_shard(shard, i)) mine.push_back(std::move(cases[i]));
+    return mine;
+}
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    const Suite suite = load_suite(options.suite);
+    const GoldenWork work;
+    GoldenCheck check;
+    check.cases = cases_of(options, suite);
+    check.settings = options.settings();
+    check.folders = {options.baselines_folder(), work.candidates(), work.report()};
+    check.jobs = options.job_count();
+    check.traces = options.trace;
+
+    SuiteResult result;
+    result.suite = options.suite;
+    result.shard = options.shard;
+    result.environment = golden_environment(check.settings);
+    const InterruptWatch watch;
+    Progress progress(console, check.cases.size());
+    result.cases = check_cases(check, [&] {
+        progress.step("cases");
+        return watch.signal() == 0;
+    });
+    add_commands(result, check.cases, options);
+    write_results(result, {options.report, options.junit, options.json}, work.report());
+    print_result(results_text(result));
+    if (has_failed(result) && options.report.empty())
+        console.note("scb: --report DIR writes a page that shows what differs.");
+    if (!options.report.empty())
+        console.note("scb: the report is " +
+                     (std::filesystem::path(options.report) / "report.html").string() + ".");
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; " + std::to_string(result.cases.size()) + " of " +
+                     std::to_string(check.cases.size()) + " cases were checked.");
+        return exit_interrupted(watch.signal());
+    }
+    return has_failed(result) ? exit_different : exit_done;
+}
+
+}  // namespace
+
+void add_golden_check(CLI::App& golden, const Console& console, Action& action) {
+    CLI::App* command =
+        golden.add_subcommand("check", "Run the cases and compare them with their baselines");
+    const auto options = std::make_shared<Options>();
+    add_golden_options(*command, *options);
+    command
+        ->add_option("--shard", options->shard,
+                     "Only every N-th case, beginning with the K-th: of N machines, this is K")
+        ->type_name("K/N");
+    command
+        ->add_option("--report", options->report,
+                     "Folder for report.html, results.json and the pictures of failing cases")
+        ->check(has_name())
+        ->type_name("DIR");
+    command->add_option("--junit", options->junit, "Also write the results as JUnit XML")
+        ->check(has_name())
+        ->type_name("FILE.xml");
+    command->add_option("--json", options->json, "Also write the results as JSON")
+        ->check(has_name())
+        ->type_name("FILE.json");
+    command->add_flag("--trace", options->trace,
+                      "Keep the traces of failing cases in the folder of the report");
+    command->footer(
+        "Compared are counts, then the ids of what owns each pixel, then colors: exactly, unless a "
+        "case declares how far\ncolors may differ. Exit status 1 where a case differs, has no "
+        "baseline or could not run. See golden/README.md.\n\n"
+        "Examples:\n"
+        "  scb golden check\n"
+        "  scb golden check --report out/ --junit out/junit.xml\n"
+        "  scb golden check --suite my/cases.json --baselines my/baselines --shard 2/4");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,92 @@
+#include "app/golden_options.h"
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "app/command_text.h"
+#include "app/options.h"
+#include "app/picture_options.h"
+#include "core/error.h"
+
+namespace scb {
+
+void GoldenOptions::check() const {
+    if (jobs < 0 || jobs > 256)
+        throw InputError("--jobs " + std::to_string(jobs) + ": give 1 to 256.");
+    if (!gl_backend_from_string(gl)) throw InputError("--gl " + gl + ": give osmesa or egl.");
+}
+
+std::filesystem::path GoldenOptions::baselines_folder() const {
+    if (!baselines.empty()) return baselines;
+    return std::filesystem::path(suite).parent_path() / "baselines";
+}
+
+std::vector<GoldenCase> GoldenOptions::chosen(const Suite& all) const {
+    if (names.empty()) return all.cases;
+    std::set<std::string> wanted(names.begin(), names.end());
+    std::vector<GoldenCase> cases;
+    for (const GoldenCase& golden : all.cases)
+        if (wanted.erase(golden.name) > 0) cases.push_back(golden);
+    if (!wanted.empty())
+        throw InputError(*wanted.begin() + ": " + suite +
+                         " has no case of that name; `scb golden list` shows them.");
+    return cases;
+}
+
+GoldenRunSettings GoldenOptions::settings() const {
+    GoldenRunSettings settings;
+    std::error_code error;
+    settings.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    if (error)
+        throw InputError("/proc/self/exe cannot be read (" + error.message() +
+                         "), by which cases are run; mount /proc.");
+    settings.models = models;
+    settings.gl = gl;
+    return settings;
+}
+
+std::size_t GoldenOptions::job_count() const {
+    return jobs > 0 ? static_cast<std::size_t>(jobs)
+                    : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
+std::string GoldenOptions::suite_words() const {
+    std::string words;
+    if (suite != GoldenOptions{}.suite) words += " --suite " + shell_word(suite);
+    if (!baselines.empty()) words += " --baselines " + shell_word(baselines);
+    return words;
+}
+
+void add_suite_options(CLI::App& command, GoldenOptions& options) {
+    command.add_option("NAME", options.names, "Cases; all of them where none is named")
+        ->type_name("");
+    command.add_option("--suite", options.suite, "The file that describes the cases")
+        ->check(has_name())
+        ->type_name("FILE.json")
+        ->capture_default_str();
+    command
+        .add_option("--baselines", options.baselines,
+                    "The folder of the baselines; else baselines/ beside the suite")
+        ->check(has_name())
+        ->type_name("DIR");
+}
+
+void add_golden_options(CLI::App& command, GoldenOptions& options) {
+    add_suite_options(command, options);
+    options.gl = PictureOptions{}.gl;
+    command
+        .add_option("--models", options.models,
+                    "Where meshes are looked for that are not where they are named")
+        ->envname("SCB_MODELS")
+        ->type_name("DIR");
+    command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
+        ->check(decimal_number())
+        ->type_name("J")
+        ->capture_default_str();
+    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
+}  // namespace scb

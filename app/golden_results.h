@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/console.h"
+#include "app/golden_options.h"
+#include "golden/result.h"
+
+namespace scb {
+
+/// A folder for what a run makes, which is gone at the end: `candidates` and `report`.
+class GoldenWork {
+  public:
+    /// Throws OutputError.
+    GoldenWork();
+    ~GoldenWork();
+    GoldenWork(const GoldenWork&) = delete;
+    GoldenWork& operator=(const GoldenWork&) = delete;
+
+    std::filesystem::path candidates() const { return path_ / "candidates"; }
+    std::filesystem::path report() const { return path_ / "report"; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// What drew and compared: versions, as index.json has them.
+std::vector<std::pair<std::string, std::string>> golden_environment(
+    const GoldenRunSettings& settings);
+
+/// The commands that reproduce each failing case and that take its candidate over.
+void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
+                  const GoldenOptions& options);
+
+/// Where results go; empty: nowhere.
+struct ResultFiles {
+    std::string report, junit, json;
+};
+
+/// Writes report.html and results.json, with the pictures of `work`, into the folder of the report;
+/// JUnit and JSON into their files; and, where the environment has them, annotations and a summary
+/// for GitHub Actions. Throws OutputError.
+void write_results(const SuiteResult& result, const ResultFiles& files,
+                   const std::filesystem::path& work);
+
+/// A line per case that is not the same, with what differs, and one with how many cases came to
+/// what.
+std::string results_text(const SuiteResult& result);
+
+bool has_failed(const SuiteResult& result);
+
+}  // namespace scb

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/golden_check.h"
+#include "app/golden_results.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "core/error.h"
+#include "golden/baseline.h"
+
+namespace scb {
+namespace {
+
+struct Options : GoldenOptions {
+    bool failing = false, missing = false, all = false;
+
+    void check() const;
+    /// Whether the baseline of a case that came to that is replaced.
+    bool takes(Verdict verdict) const;
+};
+
+void Options::check() const {
+    GoldenOptions::check();
+    const char* ci = std::getenv("CI");
+    if (ci != nullptr && *ci != '\0')
+        throw InputError(
+            "CI is set, and a run in CI must not change what it is compared with; update where a "
+            "person looks at the pictures.");
+    if (failing + missing + all + !names.empty() != 1)
+        throw InputError("which baselines? Give names of cases, or --failing, --missing or --all.");
+}
+
+bool Options::takes(Verdict verdict) const {
+    if (verdict == Verdict::could_not_run || verdict == Verdict::skipped) return false;
+    if (missing) return verdict == Verdict::missing_baseline;
+    if (failing) return is_failure(verdict);
+    return true;
+}
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    const Suite suite = load_suite(options.suite);
+    const GoldenWork work;
+    GoldenCheck check;
+    check.cases = options.chosen(suite);
+    check.settings = options.settings();
+    check.folders = {options.baselines_folder(), work.candidates(), ""};
+    check.jobs = options.job_count();
+    const InterruptWatch watch;
+    Progress progress(console, check.cases.size());
+    const std::vector<CaseResult> results = check_cases(check, [&] {
+        progress.step("cases");
+        return watch.signal() == 0;
+    });
+
+    std::string text;
+    std::size_t updated = 0, failed = 0;
+    for (const CaseResult& result : results) {
+        if (watch.signal() != 0) break;
+        const GoldenCase& golden =
+            *std::find_if(check.cases.begin(), check.cases.end(),
+                          [&](const GoldenCase& c) { return c.name == result.name; });
+        if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders)) {
+            text += result.name + ": could not run. " + result.message + "\n";
+            ++failed;
+            continue;
+        }
+        if (result.verdict == Verdict::skipped && !options.names.empty()) {
+            text += result.name + ": skipped. " + result.message + "\n";
+            ++failed;
+        }
+        // A baseline that cannot be read is replaced where it is asked for.
+        const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
+        if (!broken && !options.takes(result.verdict)) continue;
+        record_trace(golden, check.settings, work.candidates());
+        const std::vector<std::string> files =
+            replace_baseline(check.folders.baselines, work.candidates(), result.name);
+        if (files.empty()) continue;
+        ++updated;
+        for (const std::string& file : files) text += file + "\n";
+    }
+    if (options.all)
+        for (const std::string& file : stray_files(check.folders.baselines, suite))
+            text += file + ": belongs to no case; remove it by hand if it is not needed.\n";
+    text += std::to_string(updated) + " of " + std::to_string(results.size()) +
+            (results.size() == 1 ? " case" : " cases") + " updated\n";
+    print_result(text);
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; what is listed was updated, the rest is as it was.");
+        return exit_interrupted(watch.signal());
+    }
+    return failed > 0 ? exit_different : exit_done;
+}
+
+}  // namespace
+
+void add_golden_update(CLI::App& golden, const Console& console, Action& action) {
+    CLI::App* command =
+        golden.add_subcommand("update", "Run cases and make what they give their baselines");
+    const auto options = std::make_shared<Options>();
+    add_golden_options(*command, *options);
+    command->get_option("NAME")->description("Cases");
+    command->add_flag("--failing", options->failing, "All cases that differ or have no baseline");
+    command->add_flag("--missing", options->missing, "All cases that have no baseline");
+    command->add_flag("--all", options->all, "All cases");
+    command->footer(
+        "Lists the files that changed. A baseline is replaced whole or not at all. Refused where "
+        "CI "
+        "is set.\n\n"
+        "Examples:\n"
+        "  scb golden update levels-spheres-scb\n"
+        "  scb golden update --failing --suite my/cases.json");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb
