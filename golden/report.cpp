@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <kainjow/mustache.hpp>
 #include <optional>
@@ -362,6 +363,77 @@ void set_colors(data& values, const CaseResult& result) {
              });
 }
 
+std::string hex_color(Rgba8 color) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), color.a == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x",
+                  color.r, color.g, color.b, color.a);
+    return text.data();
+}
+
+struct PixelChange {
+    int x = 0, y = 0;
+    Rgba8 before, after;
+
+    std::array<int, 4> by() const {
+        return {after.r - before.r, after.g - before.g, after.b - before.b, after.a - before.a};
+    }
+    int most() const {
+        int largest = 0;
+        for (const int d : by()) largest = std::max(largest, std::abs(d));
+        return largest;
+    }
+};
+
+/// The pixels that differ most, ties from the top; none where a picture cannot be read.
+std::vector<PixelChange> worst_pixels(const CaseResult& result, const fs::path& folder) {
+    constexpr std::size_t listed = 6;
+    const ResultPictures& picture = result.picture;
+    if (!result.colors || picture.baseline.empty() || picture.candidate.empty()) return {};
+    Image before, after;
+    try {
+        before = read_png(folder / picture.baseline);
+        after = read_png(folder / picture.candidate);
+    } catch (const InputError&) {
+        return {};
+    }
+    if (before.width != after.width || before.height != after.height) return {};
+    std::vector<PixelChange> worst;
+    for (int y = 0; y < after.height; ++y)
+        for (int x = 0; x < after.width; ++x) {
+            const PixelChange change{x, y, pixel(before, x, y), pixel(after, x, y)};
+            const int most = change.most();
+            if (most == 0 || (worst.size() == listed && most <= worst.back().most())) continue;
+            const auto at = std::find_if(worst.begin(), worst.end(), [&](const PixelChange& other) {
+                return other.most() < most;
+            });
+            worst.insert(at, change);
+            if (worst.size() > listed) worst.pop_back();
+        }
+    return worst;
+}
+
+void set_worst_pixels(data& values, const std::vector<PixelChange>& worst) {
+    data rows(data::type::list);
+    for (const PixelChange& change : worst) {
+        std::string by;
+        const std::array<int, 4> channels = change.by();
+        for (std::size_t i = 0; i < (channels[3] == 0 ? 3u : 4u); ++i) {
+            const int d = channels[i];
+            by += (i == 0 ? "" : ", ") + std::string(d > 0 ? "+" : "") +
+                  signed_text(d < 0, magnitude(d));
+        }
+        data row;
+        row["at"] = "(" + std::to_string(change.x) + ", " + std::to_string(change.y) + ")";
+        row["before"] = hex_color(change.before);
+        row["after"] = hex_color(change.after);
+        row["change"] = by;
+        row["box"] = box_numbers({change.x, change.y, change.x + 1, change.y + 1});
+        rows << row;
+    }
+    values["has_worst"] = flag(!worst.empty());
+    values.set("worst", rows);
+}
+
 /// The update command without the name, for the page to put several names behind it.
 std::string update_prefix(const CaseResult& result) {
     for (const std::string& name : {shell_quoted(result.name), result.name})
@@ -435,6 +507,7 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     values["ids_words"] = counted(ids.pixels, "pixel has", "pixels have") + " another owner" +
                           (ids.box.empty() ? "" : ", " + box_words(ids.box));
     set_colors(values, result);
+    set_worst_pixels(values, worst_pixels(result, folder));
     set_commands(values, result);
     values["can_update"] = flag(!result.update.empty());
     values["update_prefix"] = update_prefix(result);

@@ -172,12 +172,20 @@
     }
   }
 
-  // One picture over the other is shown in whole multiples of its size where it fits.
+  // Pictures are shown in whole multiples of their size where they fit: anything else would make
+  // some pixels larger than others.
   function place(viewer) {
-    const { set, zoom } = viewer;
+    const { set, zoom, mode } = viewer;
     const [width, height] = sizeOf(set);
-    const times = Math.min(3, Math.floor((set.clientWidth - 2) / width));
-    set.style.setProperty('--stage', times >= 1 ? `${times * width + 2}px` : '100%');
+    const figure = all('figure', set).find((f) => f.clientWidth > 0);
+    if (!figure) return;
+    const room = (mode === 'side' ? figure : set).clientWidth - 2;
+    // One over the other is to be seen as a whole, below its buttons.
+    const times = Math.min(
+      mode === 'side' ? 2 : 4,
+      Math.floor(room / width),
+      Math.max(1, Math.floor((0.75 * innerHeight) / height)));
+    set.style.setProperty('--frame', times >= 1 ? `${times * width}px` : '100%');
     let scale = 1;
     for (const frame of all('.frame', set)) {
       const layer = one('.layer', frame);
@@ -195,7 +203,7 @@
       layer.style.left = `${Math.round(start(zoom.x, width, frame.clientWidth))}px`;
       layer.style.top = `${Math.round(start(zoom.y, height, frame.clientHeight))}px`;
     }
-    // A smaller picture is smoothed: dropping pixels could drop the very ones that changed.
+    // A picture made smaller is smoothed: dropping pixels could drop the very ones that changed.
     set.classList.toggle('pixels', scale * devicePixelRatio >= 1);
     set.classList.toggle('zoomed', zoom !== null);
   }
@@ -240,9 +248,9 @@
     if (root) viewers.set(article, makeViewer(root));
     all('[data-go]', article).forEach((button) => {
       const viewer = viewers.get(article);
-      if (!viewer || !button.dataset.go) return button.classList.add('plain');
+      if (!viewer || !button.dataset.go) return;
       button.addEventListener('click', () => {
-        showSet(viewer, 'ids');
+        showSet(viewer, button.dataset.goSet);
         zoomTo(viewer, boxOf(button.dataset.go));
         viewer.root.scrollIntoView({ block: 'nearest' });
       });
@@ -385,6 +393,14 @@
   one('#show-keys').addEventListener('click', () => dialog.showModal());
   let current = null;
 
+  // Unlike scrollIntoView, leaves the page where it is: it must not move under a finger.
+  function scrollWithin(list, item) {
+    const outer = list.getBoundingClientRect();
+    const inner = item.getBoundingClientRect();
+    if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top;
+    else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom;
+  }
+
   function enter(article) {
     if (current === article) return;
     const before = viewers.get(current);
@@ -396,7 +412,7 @@
     all('nav a').forEach((link) => {
       if (article && link.hash === `#${article.id}`) {
         link.setAttribute('aria-current', 'true');
-        link.scrollIntoView({ block: 'nearest' });
+        scrollWithin(one('nav'), link);
       } else link.removeAttribute('aria-current');
     });
     const viewer = viewers.get(article);
