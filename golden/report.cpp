@@ -345,9 +345,9 @@ void set_colors(data& values, const CaseResult& result) {
     values["has_colors"] = flag(result.colors.has_value());
     const ImageDifference none, &colors = result.colors ? *result.colors : none;
     const ColorTolerance& allowed = result.tolerance;
-    std::string words = counted(colors.pixels, "pixel differs", "pixels differ") + " " +
-                        box_words(colors.box) + ", by up to " + std::to_string(colors.largest) +
-                        " of 255 in a channel. Allowed: ";
+    std::string words = counted(colors.pixels, "pixel differs", "pixels differ") +
+                        (colors.box.empty() ? "" : ", " + box_words(colors.box)) + ", by up to " +
+                        std::to_string(colors.largest) + " of 255 in a channel. Allowed: ";
     if (allowed.max_channel_delta == 0 && allowed.max_pixels == 0)
         words += "none.";
     else

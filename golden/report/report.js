@@ -500,5 +500,7 @@
     if (article && !article.hidden) go(article);
   });
   if (location.hash) dispatchEvent(new Event('hashchange'));
+  // Browsers may keep what was typed and ticked when a page is loaded again.
   applyFilter();
+  showTicked();
 })();

@@ -127,7 +127,7 @@ test('the sweep lists tolerances only where they change', () =>
     const tinted = await sweep('tinted');
     assert.equal(tinted.length, 2);
     assert.deepEqual(tinted.map((row) => row[0]), ['0', '40']);
-    assert.match(await article(page, 'one-pixel').textContent(), /1 pixel differs at \(143, 77\), by up to 1 of 255/);
+    assert.match(await article(page, 'one-pixel').textContent(), /1 pixel differs, at \(143, 77\), by up to 1 of 255/);
     assert.match(await article(page, 'tinted').textContent(), /Allowed: up to 2 in a channel, and 16 pixels beyond/);
     assert.match(await article(page, 'tinted').textContent(), /accepted picture 2/);
   }));
@@ -320,7 +320,7 @@ test('commands are copied', () =>
     const root = article(page, 'spheres-scb-pairs');
     const commands = await root.locator('.commands code').allTextContents();
     assert.deepEqual(commands, [
-      "scb golden check 'spheres-scb-pairs' --trace --report out/golden",
+      'scb golden check spheres-scb-pairs --trace --report out/golden',
       'scb diff out/golden/spheres-scb-pairs.baseline.trace out/golden/spheres-scb-pairs.trace',
       'scb golden update spheres-scb-pairs',
     ]);

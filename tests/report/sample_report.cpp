@@ -131,7 +131,7 @@ class Sample {
         c.seconds = 0.41;
         c.variant = 1;
         if (is_failure(verdict)) {
-            c.reproduce = "scb golden check '" + name + "' --trace --report out/golden";
+            c.reproduce = "scb golden check " + name + " --trace --report out/golden";
             c.update = "scb golden update " + name;
         }
         result.cases.push_back(c);
@@ -188,9 +188,9 @@ SuiteResult sample(const fs::path& folder) {
     }
     {
         CaseResult& c = s.add("spheres-scb-pairs", Verdict::different,
-                              "11 counts differ, and node 13 of level 7 is missing.");
-        c.lines = {"Node 412 of A (level 7) is missing: it had 1,051 pixels.",
-                   "Frame 100: the pair (412, 97) is rejected at ball-slab; it was at cylinder-"
+                              "48 counts differ, and node 13 of A (level 7) is missing.");
+        c.lines = {"Node 13 of A (level 7) is missing: it had 1,060 pixels.",
+                   "Frame 100: the pair (21, 97) is rejected at ball-slab; it was at cylinder-"
                    "slab.",
                    "The first test that differs is number 1,204 of frame 100."};
         const auto count = [&](const char* place, std::int64_t before, std::int64_t after) {
@@ -258,6 +258,9 @@ SuiteResult sample(const fs::path& folder) {
                               "The name <i>is</i> {{hostile}}, and its command is quoted.");
         c.lines = {"</script><img src=x onerror=alert(1)>"};
         c.counts = {{"<b>place</b>/\"n\"", 1, 2}};
+        c.reproduce =
+            "scb golden check --suite my/cases.json '<script>alert('\\''x'\\'')</script> & "
+            "\"more\"'";
         c.update =
             "scb golden update --suite my/cases.json '<script>alert('\\''x'\\'')</script> & "
             "\"more\"'";
