@@ -297,9 +297,11 @@ void set_rows(data& values, const std::string& name, const std::vector<Row>& row
 }
 
 void fill_count(const CountChange& change, data& row) {
-    const auto value = [](const std::optional<std::int64_t>& n) {
-        return n ? signed_text(*n < 0, magnitude(*n)) : std::string("–");
+    const auto value = [](const std::optional<std::int64_t>& n, const std::string& text) {
+        return n ? signed_text(*n < 0, magnitude(*n)) : !text.empty() ? text : std::string("–");
     };
+    const bool was = change.before || !change.before_text.empty(),
+               is = change.after || !change.after_text.empty();
     // Long places may break behind a slash.
     data parts(data::type::list);
     for (std::size_t at = 0; at <= change.place.size();) {
@@ -310,12 +312,12 @@ void fill_count(const CountChange& change, data& row) {
         at = end + 1;
     }
     row.set("parts", parts);
-    row["before"] = value(change.before);
-    row["after"] = value(change.after);
+    row["before"] = value(change.before, change.before_text);
+    row["after"] = value(change.after, change.after_text);
     row["change"] = change.before && change.after ? change_of(*change.before, *change.after)
-                    : change.after                ? std::string("new")
-                    : change.before               ? std::string("gone")
-                                                  : std::string("not a number");
+                    : was && is                   ? std::string("changed")
+                    : is                          ? std::string("new")
+                                                  : std::string("gone");
 }
 
 void fill_id(const IdChange& change, data& row) {

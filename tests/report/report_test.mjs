@@ -101,18 +101,19 @@ test('counts have before, after and a signed difference', () =>
     const rows = await article(page, 'spheres-scb-pairs')
       .locator('.details section').first().locator('tbody tr')
       .evaluateAll((found) => found.map((row) => [...row.cells].map((c) => c.textContent)));
-    assert.equal(rows.length, 48);
-    assert.deepEqual(rows.slice(0, 7), [
+    assert.equal(rows.length, 49);
+    assert.deepEqual(rows.slice(0, 8), [
       ['frames/100/n_v', '24,680', '24,697', '+17'],
       ['frames/100/n_p', '912', '909', '−3'],
       ['frames/100/stages/ball-slab', '4,012', '4,031', '+19'],
       ['frames/100/stages/cylinder-slab', '1,024', '1,007', '−17'],
       ['frames/100/stages/slab-ball-corrected', '–', '3', 'new'],
       ['bodies/A/volumes', '128', '–', 'gone'],
-      ['bodies/A/name', '–', '–', 'not a number'],
+      ['bodies/A/name', '"A"', '"<A>"', 'changed'],
+      ['bodies/A/depth', '14.0', '14', 'changed'],
     ]);
-    assert.equal(rows[47][3], '+18,446,744,073,709,551,615');
-    assert.equal(await article(page, 'spheres-scb-pairs').getByText('24 more rows').count(), 1);
+    assert.equal(rows[48][3], '+18,446,744,073,709,551,615');
+    assert.equal(await article(page, 'spheres-scb-pairs').getByText('25 more rows').count(), 1);
     assert.equal(await article(page, 'thin-cylinder-counts').locator('.viewer').count(), 0);
   }));
 

@@ -188,7 +188,7 @@ SuiteResult sample(const fs::path& folder) {
     }
     {
         CaseResult& c = s.add("spheres-scb-pairs", Verdict::different,
-                              "48 counts differ, and node 13 of A (level 7) is missing.");
+                              "49 counts differ, and node 13 of A (level 7) is missing.");
         c.lines = {"Node 13 of A (level 7) is missing: it had 1,060 pixels.",
                    "Frame 100: the pair (21, 97) is rejected at ball-slab; it was at cylinder-"
                    "slab.",
@@ -202,7 +202,8 @@ SuiteResult sample(const fs::path& folder) {
         count("frames/100/stages/cylinder-slab", 1024, 1007);
         c.counts.push_back({"frames/100/stages/slab-ball-corrected", std::nullopt, 3});
         c.counts.push_back({"bodies/A/volumes", 128, std::nullopt});
-        c.counts.push_back({"bodies/A/name", std::nullopt, std::nullopt});
+        c.counts.push_back({"bodies/A/name", std::nullopt, std::nullopt, "\"A\"", "\"<A>\""});
+        c.counts.push_back({"bodies/A/depth", std::nullopt, 14, "14.0", ""});
         for (int depth = 0; depth < 40; ++depth)
             count(("frames/100/depths/" + std::to_string(depth)).c_str(), 100 * depth,
                   100 * depth + (depth % 2 == 0 ? 7 : -3));
