@@ -15,6 +15,8 @@ struct IdChange {
     std::size_t before = 0, after = 0;  ///< 0: it is not there
     std::size_t moved = 0;              ///< pixels that it has on one side only
     PixelBox box;                       ///< about these
+
+    friend bool operator==(const IdChange&, const IdChange&) = default;
 };
 
 struct IdDifference {
@@ -22,9 +24,11 @@ struct IdDifference {
     PixelBox box;                   ///< about all of these
     std::vector<IdChange> changes;  ///< things that appeared or vanished first, then by `moved`,
                                     ///< most first; ties by id. Without the background (0).
+
+    friend bool operator==(const IdDifference&, const IdDifference&) = default;
 };
 
-/// Compares two id pictures of one size.
+/// Compares two id pictures. The sizes must be equal.
 IdDifference id_difference(const IdImage& before, const IdImage& after);
 
 }  // namespace scb

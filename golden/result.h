@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "golden/counts_difference.h"
@@ -16,6 +17,8 @@ namespace scb {
 /// empty where there is none.
 struct ResultPictures {
     std::string baseline, candidate, difference;
+
+    friend bool operator==(const ResultPictures&, const ResultPictures&) = default;
 };
 
 /// What came of one case.
@@ -34,6 +37,8 @@ struct CaseResult {
     std::string update;               ///< a command
     std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
     double seconds = 0;
+
+    friend bool operator==(const CaseResult&, const CaseResult&) = default;
 };
 
 /// What came of a suite, or of a shard of it.
@@ -42,10 +47,18 @@ struct SuiteResult {
     std::vector<std::pair<std::string, std::string>> environment;  ///< versions: name and value
     std::vector<CaseResult> cases;                                 ///< in the order of the suite
     std::string shard;                                             ///< "2/3"; empty: all
+
+    friend bool operator==(const SuiteResult&, const SuiteResult&) = default;
 };
 
+/// The result as JSON, from which result_of makes an equal one. It has every field, null where
+/// there is nothing; a box is [left, top, right, bottom], and `beyond` ends with its last entry
+/// that is not 0. Texts that are not UTF-8 stay as they are: dump it with
+/// nlohmann::json::error_handler_t::replace.
 nlohmann::ordered_json result_json(const SuiteResult& result);
-/// Throws InputError, naming `path`, where it is no such JSON.
+
+/// The result that such JSON says. Throws InputError, naming `path` and the place in it, where a
+/// field is missing, unknown, of another type or out of range.
 SuiteResult result_of(const nlohmann::json& json, const std::string& path);
 
 }  // namespace scb

@@ -1,0 +1,185 @@
+#include "golden/github.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string_view>
+#include <vector>
+
+namespace scb {
+namespace {
+
+constexpr std::size_t most_annotations = 10, most_annotated_lines = 10;
+
+/// No sentence and no line is meant to be longer; names and sentences are shorter in a summary.
+constexpr std::size_t longest_text = 2000, longest_name = 100, longest_sentence = 300;
+
+using Cases = std::vector<const CaseResult*>;
+
+Cases failing_cases(const SuiteResult& result) {
+    Cases failing;
+    for (const CaseResult& one : result.cases)
+        if (is_failure(one.verdict)) failing.push_back(&one);
+    return failing;
+}
+
+std::string cases_text(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " case" : " cases");
+}
+
+std::string more_lines(std::size_t count) {
+    return "... and " + std::to_string(count) + (count == 1 ? " more line" : " more lines");
+}
+
+/// The text, cut before a character where it is long.
+std::string shortened(std::string_view text, std::size_t most = longest_text) {
+    if (text.size() <= most) return std::string(text);
+    std::size_t size = most;
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
+    return std::string(text.substr(0, size)) + "...";
+}
+
+std::string escaped(std::string_view text, std::string_view special) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string result;
+    for (const char c : text) {
+        if (special.find(c) == std::string_view::npos) {
+            result += c;
+            continue;
+        }
+        const auto byte = static_cast<unsigned char>(c);
+        result += {'%', digits[byte >> 4], digits[byte & 15]};
+    }
+    return result;
+}
+
+/// The two kinds of text in a workflow command ("Workflow commands for GitHub Actions"; toolkit,
+/// packages/core/src/command.ts).
+std::string command_data(std::string_view text) { return escaped(text, "%\r\n"); }
+std::string command_property(std::string_view text) { return escaped(text, "%\r\n:,"); }
+
+std::string annotation(const std::string& title, const std::string& message) {
+    return "::error title=" + command_property(shortened(title)) + "::" + command_data(message) +
+           "\n";
+}
+
+std::string annotation_of(const CaseResult& result) {
+    std::string message = shortened(result.message);
+    const std::size_t shown = std::min(result.lines.size(), most_annotated_lines);
+    for (std::size_t i = 0; i < shown; ++i) message += "\n" + shortened(result.lines[i]);
+    if (shown < result.lines.size()) message += "\n" + more_lines(result.lines.size() - shown);
+    return annotation(result.name + " (" + std::string(verdict_name(result.verdict)) + ")",
+                      message);
+}
+
+/// Text that Markdown shows as it is, on one line, cut where it is long.
+std::string markdown(std::string_view text, std::size_t most) {
+    std::string result;
+    for (const char c : shortened(text, most)) {
+        if (std::string_view("\\`*_[]<>|~#&$!").find(c) != std::string_view::npos) result += '\\';
+        result += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return result;
+}
+
+/// A block of code; its fence is longer than any row of backticks in it.
+std::string code_block(std::string_view language, std::string_view text) {
+    std::size_t longest = 0, row = 0;
+    for (const char c : text) {
+        row = c == '`' ? row + 1 : 0;
+        longest = std::max(longest, row);
+    }
+    const std::string fence(std::max<std::size_t>(3, longest + 1), '`');
+    return fence + std::string(language) + "\n" + std::string(text) + fence + "\n\n";
+}
+
+/// The block with the first `count` of the lines.
+std::string lines_block(const std::vector<std::string>& lines, std::size_t count) {
+    if (lines.empty()) return "";
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += shortened(lines[i]) + "\n";
+    if (count < lines.size()) text += more_lines(lines.size() - count) + "\n";
+    return code_block("", text);
+}
+
+/// How many of the lines a block of that size can have.
+std::size_t lines_that_fit(const std::vector<std::string>& lines, std::size_t size) {
+    if (lines_block(lines, lines.size()).size() <= size) return lines.size();
+    std::size_t fits = 0, too_many = lines.size();
+    while (too_many - fits > 1) {
+        const std::size_t middle = fits + (too_many - fits) / 2;
+        (lines_block(lines, middle).size() <= size ? fits : too_many) = middle;
+    }
+    return fits;
+}
+
+/// A failing case in at most `size` bytes; empty where not even its name and sentence fit.
+std::string section_of(const CaseResult& result, std::size_t size) {
+    std::string section = "### " + markdown(result.name, longest_name) + "\n\n**" +
+                          std::string(verdict_name(result.verdict)) +
+                          "**: " + markdown(result.message, longest_sentence) + "\n\n";
+    if (section.size() > size) return "";
+    std::string commands;
+    for (const std::string& command : {result.reproduce, result.update})
+        if (!command.empty()) commands += command + "\n";
+    if (!commands.empty()) commands = code_block("sh", commands);
+    // A command is whole or not at all.
+    if (section.size() + commands.size() > size) commands.clear();
+    const std::size_t left = size - section.size() - commands.size();
+    const std::string lines = lines_block(result.lines, lines_that_fit(result.lines, left));
+    if (lines.size() <= left) section += lines;
+    return section + commands;
+}
+
+std::string verdict_table(const SuiteResult& result) {
+    std::array<std::size_t, static_cast<std::size_t>(Verdict::skipped) + 1> counts{};
+    for (const CaseResult& one : result.cases) ++counts[static_cast<std::size_t>(one.verdict)];
+    std::string table = "| verdict | cases |\n| --- | ---: |\n";
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0)
+            table += "| " + std::string(verdict_name(static_cast<Verdict>(i))) + " | " +
+                     std::to_string(counts[i]) + " |\n";
+    return table + "\n";
+}
+
+}  // namespace
+
+std::string github_annotations(const SuiteResult& result) {
+    const Cases failing = failing_cases(result);
+    const std::size_t shown =
+        failing.size() > most_annotations ? most_annotations - 1 : failing.size();
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i) text += annotation_of(*failing[i]);
+    if (shown == failing.size()) return text;
+    std::string names;
+    for (std::size_t i = shown; i < failing.size(); ++i)
+        names += (names.empty() ? "" : ", ") + failing[i]->name;
+    return text +
+           annotation(std::to_string(failing.size() - shown) + " more cases", shortened(names));
+}
+
+std::string github_summary(const SuiteResult& result, std::size_t largest) {
+    assert(largest >= 4096 && "the heading, the table and a last sentence need room");
+    const Cases failing = failing_cases(result);
+    std::string text = "## Golden: ";
+    text += failing.empty() ? "nothing differs"
+                            : std::to_string(failing.size()) + " of " +
+                                  cases_text(result.cases.size()) + " failed";
+    if (!result.shard.empty()) text += ", shard " + markdown(result.shard, longest_name);
+    text += "\n\n" + verdict_table(result);
+    // What one case needs less than its share of what is left goes to those after it. A share in
+    // which nobody could read anything is not given: then the first cases are shown.
+    constexpr std::size_t last_sentence = 200, smallest_share = 1000;
+    for (std::size_t i = 0; i < failing.size(); ++i) {
+        const std::size_t cases_left = failing.size() - i,
+                          left = largest - last_sentence - text.size();
+        const std::string section =
+            section_of(*failing[i], std::min(left, std::max(left / cases_left, smallest_share)));
+        if (section.empty())
+            return text + cases_text(cases_left) + " more failed; the report has all of them.\n";
+        text += section;
+    }
+    return text;
+}
+
+}  // namespace scb

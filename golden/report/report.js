@@ -1,0 +1,506 @@
+'use strict';
+// Everything that can be read without a script is in the page; this adds filters, ways to compare,
+// and lists of commands. What is only of use with it has the class "script".
+(() => {
+  const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+  const one = (selector, root = document) => root.querySelector(selector);
+  const cases = all('.case');
+  const stillness = matchMedia('(prefers-reduced-motion: reduce)');
+  const mostZoom = 64;
+  // Slow enough not to flash: under three changes a second.
+  const blinkMilliseconds = 500;
+
+  document.documentElement.classList.add('scripted');
+
+  // --- pictures -------------------------------------------------------------------------------
+
+  // A viewer is what one case shows of its pictures. All pictures of a case move together.
+  const viewers = new Map();
+  let lastMode = 'side';
+
+  function makeViewer(root) {
+    const sets = all('.pictures', root);
+    const viewer = {
+      root,
+      sets,
+      set: sets[0],
+      mode: 'side',
+      touched: false,
+      shown: 'candidate',
+      at: 50,
+      // null: the whole picture; else what is in the middle, and how large a pixel is.
+      zoom: null,
+      blinking: 0,
+    };
+    sets.forEach((set, i) => (set.hidden = i > 0));
+    all('[data-show-set]', root).forEach((button) =>
+      button.addEventListener('click', () => showSet(viewer, button.dataset.showSet)));
+    all('[data-set-mode]', root).forEach((button) =>
+      button.addEventListener('click', () => setMode(viewer, button.dataset.setMode)));
+    all('[data-zoom]', root).forEach((button) =>
+      button.addEventListener('click', () => zoomBy(viewer, button.dataset.zoom)));
+    one('[data-flip]', root).addEventListener('click', () => flip(viewer));
+    one('[data-blink]', root).addEventListener('click', () => blink(viewer));
+    one('.slide input', root).addEventListener('input', (event) =>
+      slide(viewer, Number(event.target.value)));
+    sets.forEach((set) => dragIn(viewer, set));
+    new ResizeObserver(() => place(viewer)).observe(root);
+    update(viewer);
+    return viewer;
+  }
+
+  const isComparable = (viewer) => 'comparable' in viewer.set.dataset;
+  const sizeOf = (set) => [Number(set.dataset.width), Number(set.dataset.height)];
+  const boxOf = (text) => (text ? text.split(' ').map(Number) : null);
+
+  function showSet(viewer, name) {
+    const set = viewer.sets.find((s) => s.dataset.set === name);
+    if (!set) return;
+    viewer.set = set;
+    viewer.sets.forEach((s) => (s.hidden = s !== set));
+    if (!isComparable(viewer)) setMode(viewer, 'side', false);
+    else update(viewer);
+  }
+
+  function setMode(viewer, mode, touched = true) {
+    if (mode !== 'side' && !isComparable(viewer)) return;
+    if (mode !== 'flip') stopBlinking(viewer);
+    viewer.mode = mode;
+    viewer.touched ||= touched;
+    if (touched) lastMode = mode;
+    update(viewer);
+  }
+
+  function slide(viewer, at) {
+    viewer.at = Math.min(100, Math.max(0, at));
+    update(viewer);
+  }
+
+  function flip(viewer) {
+    if (!isComparable(viewer)) return;
+    if (viewer.mode !== 'flip') setMode(viewer, 'flip');
+    viewer.shown = viewer.shown === 'baseline' ? 'candidate' : 'baseline';
+    update(viewer);
+  }
+
+  function stopBlinking(viewer) {
+    clearInterval(viewer.blinking);
+    viewer.blinking = 0;
+  }
+
+  function blink(viewer) {
+    if (viewer.blinking) stopBlinking(viewer);
+    else if (!stillness.matches && isComparable(viewer)) {
+      setMode(viewer, 'flip');
+      viewer.blinking = setInterval(() => flip(viewer), blinkMilliseconds);
+    }
+    update(viewer);
+  }
+
+  // The largest whole number of screen pixels a pixel at which the box, with room around it, fits.
+  function zoomTo(viewer, box) {
+    if (!box) return;
+    const frame = one('.frame', viewer.set);
+    if (!frame) return;
+    const [left, top, right, bottom] = box;
+    const room = (from, to) => to - from + 2 * Math.max(3, Math.round((to - from) * 0.2));
+    const scale = Math.min(
+      frame.clientWidth / room(left, right), frame.clientHeight / room(top, bottom), mostZoom);
+    viewer.zoom = {
+      x: (left + right) / 2,
+      y: (top + bottom) / 2,
+      scale: Math.max(1, Math.floor(scale)),
+    };
+    update(viewer);
+  }
+
+  function zoomBy(viewer, how) {
+    const frame = one('.frame', viewer.set);
+    if (!frame) return;
+    const [width, height] = sizeOf(viewer.set);
+    const box = boxOf(viewer.set.dataset.box);
+    if (how === 'whole') viewer.zoom = null;
+    else if (how === 'box') return zoomTo(viewer, box);
+    else {
+      const fitting = frame.clientWidth / width;
+      const zoom = viewer.zoom ?? {
+        x: box ? (box[0] + box[2]) / 2 : width / 2,
+        y: box ? (box[1] + box[3]) / 2 : height / 2,
+        scale: fitting,
+      };
+      const scale = how === 'in' ? Math.floor(zoom.scale * 1.5) + 1 : Math.floor(zoom.scale / 1.5);
+      viewer.zoom = scale <= fitting ? null : { ...zoom, scale: Math.min(scale, mostZoom) };
+    }
+    update(viewer);
+  }
+
+  // By screen pixels; what is moved out of sight stays there only as far as it can.
+  function pan(viewer, dx, dy) {
+    if (!viewer.zoom) return;
+    const frame = one('.frame', viewer.set);
+    const [width, height] = sizeOf(viewer.set);
+    const within = (at, size, extent) => {
+      const half = extent / 2 / viewer.zoom.scale;
+      return half * 2 >= size ? size / 2 : Math.min(size - half, Math.max(half, at));
+    };
+    const { x, y, scale } = viewer.zoom;
+    viewer.zoom.x = within(x - dx / scale, width, frame.clientWidth);
+    viewer.zoom.y = within(y - dy / scale, height, frame.clientHeight);
+    update(viewer);
+  }
+
+  function dragIn(viewer, set) {
+    let last = null;
+    set.addEventListener('pointerdown', (event) => {
+      const frame = event.target.closest('.frame');
+      if (!frame || event.button !== 0) return;
+      last = event;
+      set.setPointerCapture(event.pointerId);
+      if (viewer.mode === 'slider') slideTo(event);
+    });
+    set.addEventListener('pointermove', (event) => {
+      if (!last) return;
+      if (viewer.mode === 'slider') slideTo(event);
+      else pan(viewer, event.clientX - last.clientX, event.clientY - last.clientY);
+      last = event;
+    });
+    for (const end of ['pointerup', 'pointercancel'])
+      set.addEventListener(end, () => (last = null));
+    function slideTo(event) {
+      const frame = one('.baseline .frame', set).getBoundingClientRect();
+      slide(viewer, Math.round((1000 * (event.clientX - frame.left)) / frame.width) / 10);
+    }
+  }
+
+  // Pictures are shown in whole multiples of their size where they fit: anything else would make
+  // some pixels larger than others.
+  function place(viewer) {
+    const { set, zoom, mode } = viewer;
+    const [width, height] = sizeOf(set);
+    const figure = all('figure', set).find((f) => f.clientWidth > 0);
+    if (!figure) return;
+    const room = (mode === 'side' ? figure : set).clientWidth - 2;
+    // One over the other is to be seen as a whole, below its buttons.
+    const times = Math.min(
+      mode === 'side' ? 2 : 4,
+      Math.floor(room / width),
+      Math.max(1, Math.floor((0.75 * innerHeight) / height)));
+    set.style.setProperty('--frame', times >= 1 ? `${times * width}px` : '100%');
+    let scale = 1;
+    for (const frame of all('.frame', set)) {
+      const layer = one('.layer', frame);
+      if (frame.clientWidth === 0) continue;
+      scale = zoom ? zoom.scale : frame.clientWidth / width;
+      if (!zoom) {
+        layer.style.width = layer.style.left = layer.style.top = '';
+        continue;
+      }
+      const start = (middle, size, extent) =>
+        size * scale <= extent
+          ? (extent - size * scale) / 2
+          : Math.min(0, Math.max(extent - size * scale, extent / 2 - middle * scale));
+      layer.style.width = `${width * scale}px`;
+      layer.style.left = `${Math.round(start(zoom.x, width, frame.clientWidth))}px`;
+      layer.style.top = `${Math.round(start(zoom.y, height, frame.clientHeight))}px`;
+    }
+    // A picture made smaller is smoothed: dropping pixels could drop the very ones that changed.
+    set.classList.toggle('pixels', scale * devicePixelRatio >= 1);
+    set.classList.toggle('zoomed', zoom !== null);
+  }
+
+  function update(viewer) {
+    const { root, set, mode } = viewer;
+    const comparable = isComparable(viewer);
+    for (const s of viewer.sets) {
+      s.dataset.mode = s === set ? mode : 'side';
+      s.dataset.shown = viewer.shown;
+      s.style.setProperty('--at', `${viewer.at}%`);
+    }
+    const press = (button, pressed) => button.setAttribute('aria-pressed', String(pressed));
+    all('[data-show-set]', root).forEach((b) => press(b, b.dataset.showSet === set.dataset.set));
+    all('[data-set-mode]', root).forEach((b) => press(b, b.dataset.setMode === mode));
+    one('.modes', root).hidden = !comparable;
+    one('.slide', root).hidden = mode !== 'slider';
+    one('.slide input', root).value = viewer.at;
+    one('.flips', root).hidden = mode !== 'flip';
+    const blinker = one('[data-blink]', root);
+    press(blinker, viewer.blinking !== 0);
+    blinker.disabled = stillness.matches;
+    blinker.title = stillness.matches ? 'Off, since this system asks for less motion' : '';
+    press(one('[data-zoom="whole"]', root), viewer.zoom === null);
+    const box = boxOf(set.dataset.box);
+    const changeButton = one('[data-zoom="box"]', root);
+    changeButton.hidden = !box;
+    press(changeButton, viewer.zoom !== null);
+    const words = [];
+    // Read out at every change otherwise.
+    if (mode === 'flip' && !viewer.blinking)
+      words.push(viewer.shown === 'baseline' ? 'baseline' : 'new');
+    if (viewer.zoom) words.push(`${viewer.zoom.scale} ×`);
+    const text = words.join(', ');
+    const state = one('.state', root);
+    if (state.textContent !== text) state.textContent = text;
+    place(viewer);
+  }
+
+  cases.forEach((article) => {
+    const root = one('.viewer', article);
+    if (root) viewers.set(article, makeViewer(root));
+    all('[data-go]', article).forEach((button) => {
+      const viewer = viewers.get(article);
+      if (!viewer || !button.dataset.go) return;
+      button.addEventListener('click', () => {
+        showSet(viewer, button.dataset.goSet);
+        zoomTo(viewer, boxOf(button.dataset.go));
+        viewer.root.scrollIntoView({ block: 'nearest' });
+      });
+    });
+  });
+  stillness.addEventListener('change', () => {
+    for (const viewer of viewers.values()) {
+      if (stillness.matches) stopBlinking(viewer);
+      update(viewer);
+    }
+  });
+
+  // --- filters --------------------------------------------------------------------------------
+
+  const filter = one('#filter');
+  const chips = all('.chip');
+  const briefs = all('.brief');
+  const briefWasOpen = new Map();
+
+  function shownCases() {
+    return cases.filter((article) => !article.hidden);
+  }
+
+  function applyFilter() {
+    const wanted = chips.filter((c) => c.getAttribute('aria-pressed') === 'true')
+      .map((c) => c.dataset.verdict);
+    const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const byVerdict = (element) => wanted.length === 0 || wanted.includes(element.dataset.verdict);
+    const byText = (text) => words.every((word) => text.toLowerCase().includes(word));
+    let count = 0;
+    for (const article of cases) {
+      article.hidden = !byVerdict(article) || !byText(textOf(article));
+      count += article.hidden ? 0 : 1;
+    }
+    for (const item of all('nav li'))
+      item.hidden = document.getElementById(item.dataset.for).hidden;
+    for (const brief of briefs) {
+      let names = 0;
+      for (const item of all('li', brief)) {
+        item.hidden = !byText(item.textContent);
+        names += item.hidden ? 0 : 1;
+      }
+      brief.hidden = !byVerdict(brief) || names === 0;
+      count += brief.hidden ? 0 : names;
+      // What was asked for is not left folded.
+      const asked = wanted.length > 0 || words.length > 0;
+      if (asked && !briefWasOpen.has(brief)) briefWasOpen.set(brief, brief.open);
+      if (asked) brief.open = true;
+      else if (briefWasOpen.has(brief)) {
+        brief.open = briefWasOpen.get(brief);
+        briefWasOpen.delete(brief);
+      }
+    }
+    const total = cases.length + briefs.reduce((n, b) => n + all('li', b).length, 0);
+    one('#shown').textContent = count === total ? '' : `${count} of ${total} cases shown`;
+    one('#nothing').hidden = count > 0 || total === 0;
+    one('#tick-all').hidden = all('.case:not([hidden]) .tick').length === 0;
+  }
+
+  const texts = new Map();
+  function textOf(article) {
+    if (!texts.has(article)) {
+      const parts = all('h2, .message, .lines, tbody th, .commands code', article);
+      texts.set(article, parts.map((p) => p.textContent).join(' '));
+    }
+    return texts.get(article);
+  }
+
+  chips.forEach((chip) => {
+    chip.disabled = false;
+    chip.addEventListener('click', () => {
+      chip.setAttribute('aria-pressed', String(chip.getAttribute('aria-pressed') !== 'true'));
+      applyFilter();
+    });
+  });
+  filter.addEventListener('input', applyFilter);
+  one('#clear-filter').addEventListener('click', () => {
+    filter.value = '';
+    chips.forEach((chip) => chip.setAttribute('aria-pressed', 'false'));
+    applyFilter();
+    filter.focus();
+  });
+
+  // --- ticked cases ---------------------------------------------------------------------------
+
+  const ticks = all('.tick');
+  const ticked = one('#ticked');
+
+  function showTicked() {
+    const chosen = ticks.filter((tick) => tick.checked);
+    // One command for all that share a suite and its baselines.
+    const commands = new Map();
+    for (const { dataset } of chosen)
+      commands.set(dataset.prefix, [...(commands.get(dataset.prefix) ?? []), dataset.name]);
+    ticked.hidden = chosen.length === 0;
+    one('#ticked-words').textContent =
+      chosen.length === 1 ? '1 case ticked' : `${chosen.length} cases ticked`;
+    one('#ticked-command').textContent =
+      [...commands].map(([prefix, names]) => [prefix, ...new Set(names)].join(' ')).join('\n');
+    for (const item of all('nav li')) {
+      const tick = one('.tick', document.getElementById(item.dataset.for));
+      item.classList.toggle('ticked', Boolean(tick?.checked));
+    }
+  }
+
+  ticks.forEach((tick) => tick.addEventListener('change', showTicked));
+  one('#tick-all').addEventListener('click', () => {
+    all('.case:not([hidden]) .tick').forEach((tick) => (tick.checked = true));
+    showTicked();
+  });
+  one('#untick').addEventListener('click', () => {
+    ticks.forEach((tick) => (tick.checked = false));
+    showTicked();
+    one('#tick-all').focus();
+  });
+
+  // --- copying --------------------------------------------------------------------------------
+
+  async function copy(button) {
+    const code = one('code', button.closest('dd, aside'));
+    let done = true;
+    try {
+      await navigator.clipboard.writeText(code.textContent);
+    } catch {
+      // Pages from disk may be refused the clipboard; a selection can always be copied.
+      const range = document.createRange();
+      range.selectNodeContents(code);
+      getSelection().removeAllRanges();
+      getSelection().addRange(range);
+      done = document.execCommand('copy');
+    }
+    button.textContent = done ? 'copied' : 'selected';
+    setTimeout(() => (button.textContent = 'copy'), 1500);
+  }
+  all('.copy').forEach((button) => button.addEventListener('click', () => copy(button)));
+
+  // --- keys -----------------------------------------------------------------------------------
+
+  const dialog = one('#keys');
+  one('#show-keys').addEventListener('click', () => dialog.showModal());
+  let current = null;
+
+  // Unlike scrollIntoView, leaves the page where it is: it must not move under a finger.
+  function scrollWithin(list, item) {
+    const outer = list.getBoundingClientRect();
+    const inner = item.getBoundingClientRect();
+    if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top;
+    else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom;
+  }
+
+  function enter(article) {
+    if (current === article) return;
+    const before = viewers.get(current);
+    if (before?.blinking) {
+      stopBlinking(before);
+      update(before);
+    }
+    current = article;
+    all('nav a').forEach((link) => {
+      if (article && link.hash === `#${article.id}`) {
+        link.setAttribute('aria-current', 'true');
+        scrollWithin(one('nav'), link);
+      } else link.removeAttribute('aria-current');
+    });
+    const viewer = viewers.get(article);
+    if (viewer && !viewer.touched) setMode(viewer, lastMode, false);
+  }
+
+  function go(article) {
+    enter(article);
+    article.focus({ preventScroll: true });
+    article.scrollIntoView({ block: 'start' });
+  }
+
+  function step(by) {
+    const shown = shownCases();
+    if (shown.length === 0) return;
+    const at = shown.indexOf(current);
+    const next = at < 0 ? (by > 0 ? 0 : shown.length - 1) : at + by;
+    go(shown[Math.min(shown.length - 1, Math.max(0, next))]);
+  }
+
+  document.addEventListener('focusin', (event) => {
+    const article = event.target.closest?.('.case');
+    if (article) enter(article);
+  });
+  // Clicking into a case makes it the one that the keys mean.
+  document.addEventListener('pointerdown', (event) => {
+    const article = event.target.closest?.('.case');
+    if (article) enter(article);
+  });
+
+  const arrows = {
+    ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  };
+
+  // Returns whether the key meant something.
+  function press(event) {
+    const { key, target } = event;
+    const viewer = viewers.get(current);
+    if (key === 'j') return step(1), true;
+    if (key === 'k') return step(-1), true;
+    if (key === '/') return filter.focus(), filter.select(), true;
+    if (key === '?') return dialog.showModal(), true;
+    if (!current || current.hidden) return false;
+    if (key === 'x') {
+      const tick = one('.tick', current);
+      if (tick) tick.click();
+      return true;
+    }
+    if (!viewer) return false;
+    if (key === ' ' && target.closest('button, a, input, summary')) return false;
+    if (key === ' ' || key === 'f') return flip(viewer), true;
+    if (key === 'b') return blink(viewer), true;
+    if (key === 'z') return zoomBy(viewer, viewer.zoom ? 'whole' : 'box'), true;
+    if (key === '+' || key === '=') return zoomBy(viewer, 'in'), true;
+    if (key === '-' || key === '−') return zoomBy(viewer, 'out'), true;
+    if (key === 'i') {
+      const next = viewer.sets[(viewer.sets.indexOf(viewer.set) + 1) % viewer.sets.length];
+      return showSet(viewer, next.dataset.set), true;
+    }
+    const mode = { 1: 'side', 2: 'slider', 3: 'flip' }[key];
+    if (mode) return setMode(viewer, mode), true;
+    if (key in arrows && event.shiftKey && viewer.zoom) {
+      const [dx, dy] = arrows[key];
+      return pan(viewer, 40 * dx, 40 * dy), true;
+    }
+    // Regions that scroll and the slider itself have their own arrows.
+    if (viewer.mode === 'slider' && !event.shiftKey && !target.closest('input, .scroll')) {
+      if (key === 'ArrowLeft') return slide(viewer, viewer.at - 2), true;
+      if (key === 'ArrowRight') return slide(viewer, viewer.at + 2), true;
+    }
+    return false;
+  }
+
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || dialog.open) return;
+    if (event.target.matches('input[type="search"]')) {
+      if (event.key === 'Escape' && event.target.value === '') event.target.blur();
+      return;
+    }
+    if (press(event)) event.preventDefault();
+  });
+
+  addEventListener('hashchange', () => {
+    const article = cases.find((a) => `#${a.id}` === location.hash);
+    if (article && !article.hidden) go(article);
+  });
+  if (location.hash) dispatchEvent(new Event('hashchange'));
+  // Browsers may keep what was typed and ticked when a page is loaded again.
+  applyFilter();
+  showTicked();
+})();

@@ -1,0 +1,288 @@
+// sample_report FOLDER: writes the pictures and the report of a made-up run, with a case of every
+// verdict, into a folder. The browser test reads it; people may.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "golden/report.h"
+#include "render/image_file.h"
+#include "render/output_file.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A row of discs, each with its id.
+struct Discs {
+    int width = 320, height = 240;
+    int missing = 0;  ///< this one is not drawn
+    double nudge = 0;
+    int tint = 0;  ///< is added to the red of disc 5
+};
+
+constexpr int columns = 8, rows = 6;
+
+IdImage ids_of(const Discs& discs) {
+    IdImage image{discs.width, discs.height, {}};
+    for (int y = 0; y < discs.height; ++y)
+        for (int x = 0; x < discs.width; ++x) {
+            const int column = x * columns / discs.width, row = y * rows / discs.height;
+            const int id = 1 + row * columns + column;
+            const double cx = (column + 0.5) * discs.width / columns,
+                         cy = (row + 0.5) * discs.height / rows;
+            const double radius = 0.46 * discs.height / rows + (id == 21 ? discs.nudge : 0);
+            const bool inside = std::hypot(x + 0.5 - cx, y + 0.5 - cy) < radius;
+            image.ids.push_back(inside && id != discs.missing ? static_cast<std::uint32_t>(id) : 0);
+        }
+    return image;
+}
+
+Image picture_of(const Discs& discs) {
+    const IdImage ids = ids_of(discs);
+    Image image{ids.width, ids.height, std::vector<std::uint8_t>(4 * ids.ids.size())};
+    for (int y = 0; y < ids.height; ++y)
+        for (int x = 0; x < ids.width; ++x) {
+            const std::uint32_t id = pixel(ids, x, y);
+            Rgba8 color{255, 255, 255, 255};
+            if (id != 0) {
+                const int red = static_cast<int>(id % 8) * 30 + (id == 5 ? discs.tint : 0);
+                color = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(90 + id * 2),
+                         static_cast<std::uint8_t>(id % 2 == 0 ? 178 : 60), 255};
+            }
+            set_pixel(image, x, y, color);
+        }
+    return image;
+}
+
+/// What the comparison would find, kept apart from it so that this page needs nothing else.
+ImageDifference colors_between(const Image& a, const Image& b) {
+    ImageDifference difference;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const Rgba8 p = pixel(a, x, y), q = pixel(b, x, y);
+            const int most = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g),
+                                       std::abs(p.b - q.b), std::abs(p.a - q.a)});
+            if (most == 0) continue;
+            ++difference.pixels;
+            difference.box.add(x, y);
+            difference.largest = std::max(difference.largest, most);
+            for (int d = 0; d < most; ++d) ++difference.beyond[static_cast<std::size_t>(d)];
+        }
+    return difference;
+}
+
+Image marked(const Image& a, const Image& b) {
+    Image image = b;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const Rgba8 q = pixel(b, x, y);
+            const auto pale = static_cast<std::uint8_t>(215 + (q.r + q.g + q.b) / 20);
+            set_pixel(image, x, y,
+                      q == pixel(a, x, y) ? Rgba8{pale, pale, pale, 255} : Rgba8{213, 0, 70, 255});
+        }
+    return image;
+}
+
+IdDifference owners_between(const IdImage& a, const IdImage& b) {
+    IdDifference difference;
+    for (std::uint32_t id = 1; id <= columns * rows; ++id) {
+        IdChange change{id, 0, 0, 0, {}};
+        for (int y = 0; y < a.height; ++y)
+            for (int x = 0; x < a.width; ++x) {
+                const bool before = pixel(a, x, y) == id, after = pixel(b, x, y) == id;
+                change.before += before;
+                change.after += after;
+                if (before == after) continue;
+                ++change.moved;
+                change.box.add(x, y);
+                ++difference.pixels;
+                difference.box.add(x, y);
+            }
+        if (change.moved > 0) difference.changes.push_back(change);
+    }
+    return difference;
+}
+
+class Sample {
+  public:
+    explicit Sample(fs::path folder) : folder_(std::move(folder)) {
+        result.suite = "golden/cases.json";
+        result.shard = "1/2";
+        result.environment = {{"scb", "0.1.0"},
+                              {"renderer", "osmesa, OpenGL 4.5, llvmpipe"},
+                              {"Mesa", "22.3.6"},
+                              {"LLVM", "15.0.6"},
+                              {"<b>quoted</b>", "\"&'"}};
+    }
+
+    CaseResult& add(const std::string& name, Verdict verdict, const std::string& message) {
+        CaseResult c;
+        c.name = name;
+        c.verdict = verdict;
+        c.message = message;
+        c.seconds = 0.41;
+        c.variant = 1;
+        if (is_failure(verdict)) {
+            c.reproduce = "scb golden check " + name + " --trace --report out/golden";
+            c.update = "scb golden update " + name;
+        }
+        result.cases.push_back(c);
+        return result.cases.back();
+    }
+
+    std::string write(const std::string& name, const Image& image) {
+        return write(name, encode_png(image));
+    }
+    std::string write(const std::string& name, const IdImage& image) {
+        return write(name, encode_png(image));
+    }
+
+    void compare(CaseResult& c, const Discs& before, const Discs& after) {
+        const Image a = picture_of(before), b = picture_of(after);
+        c.picture = {write(c.name + ".baseline.png", a), write(c.name + ".png", b), ""};
+        if (a.width != b.width || a.height != b.height) return;
+        c.picture.difference = write(c.name + ".difference.png", marked(a, b));
+        c.colors = colors_between(a, b);
+        const IdImage i = ids_of(before), j = ids_of(after);
+        c.id_picture = {write(c.name + ".ids.baseline.png", i), write(c.name + ".ids.png", j), ""};
+        if (IdDifference ids = owners_between(i, j); ids.pixels > 0) c.ids = ids;
+    }
+
+    SuiteResult result;
+
+  private:
+    std::string write(const std::string& name, const std::vector<std::uint8_t>& bytes) {
+        fs::create_directories(folder_ / "pictures");
+        write_file_whole(folder_ / "pictures" / name, bytes);
+        return "pictures/" + name;
+    }
+
+    fs::path folder_;
+};
+
+// In another order than the page's.
+SuiteResult sample(const fs::path& folder) {
+    Sample s(folder);
+    for (int i = 0; i < 12; ++i)
+        s.add("collide-scene-" + std::to_string(i + 1), Verdict::same, "").variant = i == 3 ? 2 : 1;
+    s.add("casting-levels", Verdict::skipped,
+          "The mesh TR12J_OCC.stl is not here; install the package occt-misc.");
+    s.add("broken-scene", Verdict::could_not_run,
+          "The baseline golden/baselines/broken-scene.png cannot be read: it ends after 412 bytes.")
+        .update = "";
+    {
+        CaseResult& c = s.add("spheres-fresh", Verdict::missing_baseline,
+                              "There is no baseline. Look at the picture, and accept it if it is "
+                              "right.");
+        c.picture.candidate = s.write("fresh.png", picture_of({}));
+        c.id_picture.candidate = s.write("fresh.ids.png", ids_of({}));
+        c.variant = 0;
+    }
+    {
+        CaseResult& c = s.add("spheres-scb-pairs", Verdict::different,
+                              "49 counts differ, and node 13 of A (level 7) is missing.");
+        c.lines = {"Node 13 of A (level 7) is missing: it had 1,060 pixels.",
+                   "Frame 100: the pair (21, 97) is rejected at ball-slab; it was at cylinder-"
+                   "slab.",
+                   "The first test that differs is number 1,204 of frame 100."};
+        const auto count = [&](const char* place, std::int64_t before, std::int64_t after) {
+            c.counts.push_back({place, before, after});
+        };
+        count("frames/100/n_v", 24680, 24697);
+        count("frames/100/n_p", 912, 909);
+        count("frames/100/stages/ball-slab", 4012, 4031);
+        count("frames/100/stages/cylinder-slab", 1024, 1007);
+        c.counts.push_back({"frames/100/stages/slab-ball-corrected", std::nullopt, 3});
+        c.counts.push_back({"bodies/A/volumes", 128, std::nullopt});
+        c.counts.push_back({"bodies/A/name", std::nullopt, std::nullopt, "\"A\"", "\"<A>\""});
+        c.counts.push_back({"bodies/A/depth", std::nullopt, 14, "14.0", ""});
+        for (int depth = 0; depth < 40; ++depth)
+            count(("frames/100/depths/" + std::to_string(depth)).c_str(), 100 * depth,
+                  100 * depth + (depth % 2 == 0 ? 7 : -3));
+        count("limits/smallest", std::numeric_limits<std::int64_t>::min(),
+              std::numeric_limits<std::int64_t>::max());
+        Discs after;
+        after.missing = 13;
+        after.nudge = -3;
+        s.compare(c, {}, after);
+        c.traces = {"out/golden/spheres-scb-pairs.baseline.trace",
+                    "out/golden/spheres-scb-pairs.trace"};
+    }
+    {
+        CaseResult& c = s.add("one-pixel", Verdict::different, "1 pixel differs, by 1.");
+        const Image before = picture_of({});
+        Image after = before;
+        Rgba8 color = pixel(after, 143, 77);
+        ++color.g;
+        set_pixel(after, 143, 77, color);
+        c.picture = {s.write("one.baseline.png", before), s.write("one.png", after),
+                     s.write("one.difference.png", marked(before, after))};
+        c.colors = colors_between(before, after);
+    }
+    {
+        CaseResult& c = s.add("tinted", Verdict::different, "Colors differ by more than allowed.");
+        Discs after;
+        after.tint = 40;
+        s.compare(c, {}, after);
+        c.tolerance = {2, 16};
+        c.id_picture = {};
+        c.variant = 2;
+    }
+    {
+        CaseResult& c =
+            s.add("thin-cylinder-counts", Verdict::different, "2 counts differ; no pictures.");
+        c.counts = {{"frames/0/pairs", 17, 18}, {"frames/0/n_v", 1203, 1100}};
+    }
+    {
+        CaseResult& c = s.add("cone-wide", Verdict::size_differs,
+                              "The new picture is 360 x 240; the baseline is 320 x 240.");
+        Discs after;
+        after.width = 360;
+        s.compare(c, {}, after);
+    }
+    {
+        CaseResult& c = s.add("knots-extra", Verdict::new_output,
+                              "It makes knots-extra.ids.png, which the baseline does not have.");
+        c.id_picture.candidate = s.write("extra.ids.png", ids_of({}));
+        c.picture.candidate = "pictures/not-there.png";
+    }
+    {
+        CaseResult& c = s.add("<script>alert('x')</script> & \"more\"", Verdict::different,
+                              "The name <i>is</i> {{hostile}}, and its command is quoted.");
+        c.lines = {"</script><img src=x onerror=alert(1)>"};
+        c.counts = {{"<b>place</b>/\"n\"", 1, 2}};
+        c.reproduce =
+            "scb golden check --suite my/cases.json '<script>alert('\\''x'\\'')</script> & "
+            "\"more\"'";
+        c.update =
+            "scb golden update --suite my/cases.json '<script>alert('\\''x'\\'')</script> & "
+            "\"more\"'";
+    }
+    return s.result;
+}
+
+}  // namespace
+}  // namespace scb
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fprintf(stderr, "usage: sample_report FOLDER\n");
+        return 2;
+    }
+    const std::filesystem::path folder = arguments[1];
+    std::filesystem::create_directories(folder);
+    const scb::SuiteResult failing = scb::sample(folder);
+    scb::write_file_whole(folder / "report.html", scb::report_html(failing, folder));
+    scb::SuiteResult passing = failing;
+    std::erase_if(passing.cases, [](const scb::CaseResult& c) { return is_failure(c.verdict); });
+    scb::write_file_whole(folder / "passing.html", scb::report_html(passing, folder));
+    scb::write_file_whole(folder / "empty.html", scb::report_html({}, folder));
+}
