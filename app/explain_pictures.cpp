@@ -45,6 +45,7 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     ExplainFigure figure;
     figure.title = picture.title;
     figure.subtitle = picture.subtitle;
+    figure.but = picture.but;
     const auto name = [&](std::size_t side) {
         const std::string raw = side == 0 ? "A" : "B";
         if (!pair.nodes) return raw;

@@ -148,6 +148,22 @@ std::string answer_text(Answer answer, bool colored) {
     return "correct";
 }
 
+/// What formulas have beyond the paper's symbols.
+std::string symbols_text(const ExplainedPair& pair) {
+    if (pair.kind == VolumeKind::ball) return "";
+    if (pair.kind == VolumeKind::obb)
+        return "  a, b: the axes of the boxes; ρ: how far a box reaches along the axis.\n";
+    switch (pair.options.test) {
+        case OverlapTest::symmetric:
+            return "  m, h: middle of a slab and half its thickness; r·sα: what the cylinder about "
+                   "a ball adds; sα is rounded up.\n";
+        case OverlapTest::extents:
+            return "  ρ: how far a slab cut ball reaches in that direction.\n";
+        default:
+            return "  r·sα: what the cylinder about a ball adds; sα is rounded up.\n";
+    }
+}
+
 std::string asked_text(const ExplainedPair& pair) {
     if (pair.kind != VolumeKind::scb) return "test";
     const OverlapOptions& options = pair.options;
@@ -167,7 +183,8 @@ std::string node_names(const ExplainedPair& pair) {
 }
 
 std::string explanation_text(const ExplainedPair& pair, bool colored) {
-    std::string text = volumes_text(pair) + "\n" + steps_text(pair.found.steps) + "\n";
+    std::string text =
+        volumes_text(pair) + "\n" + steps_text(pair.found.steps) + symbols_text(pair) + "\n";
     const auto row = [&text](const std::string& name, const std::string& value) {
         text += "  " + padded(name, 20) + value + "\n";
     };

@@ -81,8 +81,8 @@ class Inspector {
         report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
         report_.sum += report_.frames.back().found;
         wrong_.add(frame, attribution);
-        weak_tests_.add(frame, attribution);
-        loose_fits_.add(frame, attribution);
+        weak_tests_.add(frame, tree, attribution);
+        loose_fits_.add(frame, tree, attribution);
         for (OtherTest& other : report_.others)
             other.add(try_other_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
                                      other.overlap));
@@ -94,6 +94,10 @@ class Inspector {
         report_.wrong = wrong_.pairs();
         report_.weak_tests = weak_tests_.pairs();
         report_.loose_fits = loose_fits_.pairs();
+        for (auto* worst : {&report_.weak_tests, &report_.loose_fits})
+            for (FalsePair& pair : *worst)
+                sharpen_margin(pair, query_.hierarchy(query_.a), query_.hierarchy(query_.b),
+                               query_.b_to_a(pair.frame));
         sort_by_waste(report_.frames);
         return std::move(report_);
     }
@@ -116,8 +120,9 @@ bool write_report(PictureRun& pictures, const Options& options, const SceneQuery
         return watch.signal() == 0;
     };
     const bool whole = draw_inspection(pictures, options.picture, query, report, step);
-    const InspectPage page{inspect_summary_name(report) + ".png", options.picture.width(),
-                           options.picture.height(), options.command, options.explain};
+    const InspectPage page{
+        inspect_summary_name(report) + ".png",   options.picture.width(), options.picture.height(),
+        options.picture.theme() == &light_theme, options.command,         options.explain};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
     if (whole) {
@@ -140,7 +145,13 @@ int run(Options& options, const Console& console) {
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     std::optional<PictureRun> pictures;
-    if (options.draws()) pictures.emplace(options.picture);
+    if (options.draws()) {
+        pictures.emplace(options.picture);
+        // As with index.json: no page of other pictures beside these, should this run not finish.
+        std::error_code ignored;
+        std::filesystem::remove(std::filesystem::path(options.picture.output) / "index.html",
+                                ignored);
+    }
 
     const InterruptWatch watch;
     Progress progress(console, source.frames().size());

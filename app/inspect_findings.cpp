@@ -76,6 +76,10 @@ std::string best_other(const InspectReport& report) {
 
 }  // namespace
 
+std::string missed_words(const WrongRejection& rejection) {
+    return counted(rejection.missed, "pair", "pairs") + " of triangles missed";
+}
+
 std::string wrong_rejections_sentence(const PassCounts& counts) {
     return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
            " of volumes that overlap, and so missed " +

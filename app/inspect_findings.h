@@ -14,4 +14,7 @@ std::vector<std::string> inspect_findings(const InspectReport& report);
 /// "the test rejected 4 pairs of volumes that overlap, and so missed 12 pairs of triangles."
 std::string wrong_rejections_sentence(const PassCounts& counts);
 
+/// "12 pairs of triangles missed"
+std::string missed_words(const WrongRejection& rejection);
+
 }  // namespace scb

@@ -45,6 +45,9 @@ data frame_row(const std::string& name, const Inspection& found) {
          {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
         row[std::string(pass_reason_name(reason))] = count_text(counts.passed(reason));
     row["wasted"] = count_text(wasted);
+    const std::uint64_t n_p = counts.wasted.triangle_tests;
+    row["wasted_n_p"] = count_text(n_p);
+    row["share_n_p"] = share(n_p, counts.all.triangle_tests);
     row["wrong"] = count_text(counts.wrongly_rejected);
     row["missed"] = count_text(counts.missed);
     row["share"] = share(wasted, all);
@@ -66,6 +69,28 @@ data frame_rows(const InspectReport& report) {
         row["sum"] = data(data::type::bool_true);
         rows << row;
     }
+    return rows;
+}
+
+data reason_rows(const PassCounts& counts) {
+    data rows(data::type::list);
+    const auto add = [&](const char* because, const char* color, PassReason reason,
+                         const Work* wasted) {
+        const auto r = static_cast<std::size_t>(reason);
+        data row;
+        row["because"] = because;
+        row["color"] = color;
+        row["inner"] = count_text(counts.inner[r]);
+        row["leaves"] = count_text(counts.leaves[r]);
+        row["n_v"] = wasted == nullptr ? "" : count_text(wasted->volume_tests);
+        row["n_p"] = wasted == nullptr ? "" : count_text(wasted->triangle_tests);
+        row["operations"] = wasted == nullptr ? "" : count_text(wasted->operations);
+        rows << row;
+    };
+    const Work by_fit = counts.wasted_by_fit();
+    add("true contact", "neutral", PassReason::triangles_meet, nullptr);
+    add("fit too loose", "fit", PassReason::loose_fit, &by_fit);
+    add("test too weak", "test", PassReason::weak_test, &counts.wasted_by_tests);
     return rows;
 }
 
@@ -139,7 +164,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
     for (const WronglyRejectedPair& w : report.wrong)
         wrong.add(w.frame, w.test,
                   "rejected at " + std::string(stage_name(w.test.stage)) + ", " +
-                      count_text(w.rejection.missed) + " pairs of triangles missed");
+                      missed_words(w.rejection));
     wrong.append_to(groups);
     Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
                 "The volumes overlap, but no triangles below them intersect: no overlap test could "
@@ -151,7 +176,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
                "The volumes are disjoint, and the test did not see it: a stronger one would have.");
     for (const FalsePair& p : report.weak_tests)
         weak.add(p.frame, p.test,
-                 wasted_words(p.pair.below) + ", " + number_text(p.pair.gap) + " apart");
+                 wasted_words(p.pair.below) + ", " + number_text(p.margin) + " apart");
     weak.append_to(groups);
     return groups;
 }
@@ -189,6 +214,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["summary"] = page.summary;
     values["width"] = std::to_string(page.width);
     values["height"] = std::to_string(page.height);
+    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
+    values["reasons"] = reason_rows(report.sum.counts);
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frames)
         values["more_frames"] = "The worst " + std::to_string(most_frames) + " of " +

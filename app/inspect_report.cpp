@@ -94,16 +94,16 @@ std::string depths_text(const Inspection& sum) {
 std::string worst_text(const InspectReport& report, const std::vector<FalsePair>& worst,
                        const char* title) {
     if (worst.empty()) return std::string(title) + ": none\n\n";
-    std::string text = format("%s: the worst, by nodes of %s and %s\n", title,
+    std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
                               printable(report.header.bodies[0].name).c_str(),
                               printable(report.header.bodies[1].name).c_str());
-    text += "frame          nodes     depths  wasted N_v       N_p   operations         gap\n";
+    text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
     for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
         text += format("%5d %8u %8u   %3d %3d %11llu %9llu %12llu", p.frame, p.test.nodes.a,
                        p.test.nodes.b, p.test.depth_a, p.test.depth_b, wide(below.volume_tests),
                        wide(below.triangle_tests), wide(below.operations));
-        if (p.pair.exact == Contact::disjoint) text += format("  %10.3g", p.pair.gap);
+        text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
         text += "\n";
     }
     return text + "\n";
@@ -184,7 +184,7 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
                  {"test", p.pair.test},
                  {"reason", pass_reason_name(p.pair.reason)},
                  {"exact", contact_name(p.pair.exact)},
-                 {"gap", p.pair.gap},
+                 {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
                  {"leaves", p.pair.leaves},
                  {"wasted", work_json(p.pair.below)}};
     if (report.drawn) json["file"] = file_of(report, p.frame, p.test);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/collide.h"
+#include "core/pair_explanation.h"
+
 namespace scb {
 namespace {
 
@@ -31,13 +34,46 @@ void keep_worst(std::vector<P>& sorted, std::size_t most) {
 
 }  // namespace
 
-void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
+void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
+                    const Pose& b_to_a) {
+    pair.margin = std::visit(
+        [&]<class V>(const Hierarchy<V>& of_a) {
+            const auto& of_b = std::get<Hierarchy<V>>(b);
+            return explain(of_a.volumes[pair.test.nodes.a], of_b.volumes[pair.test.nodes.b],
+                           query_placement(of_a, of_b, b_to_a), {})
+                .proof.margin;
+        },
+        a);
+}
+
+void WorstPairs::add(const TraceFrame& frame, const TestTree& tree,
+                     const Attribution& attribution) {
     const bool weak = reason_ == PassReason::weak_test;
-    for (const PassedPair& pair : attribution.passed)
-        if (pair.reason == reason_ && !(weak ? pair.within_weak_test : pair.within_false_pair))
-            pairs_.push_back({frame.frame, pair, frame.events.volume_tests[pair.test]});
-    std::sort(pairs_.begin(), pairs_.end(), is_worse);
-    keep_worst(pairs_, most_);
+    // Per test, the cost of the listed pair that it is a part of; parents come first.
+    std::vector<std::uint64_t> listed(frame.events.volume_tests.size());
+    for (const PassedPair& pair : attribution.passed) {
+        const std::uint32_t parent = tree.parents[pair.test];
+        const std::uint64_t around = parent == TestTree::no_parent ? 0 : listed[parent];
+        listed[pair.test] = around;
+        if (pair.reason != reason_) continue;
+        const FalsePair found{frame.frame, pair, frame.events.volume_tests[pair.test]};
+        const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
+        if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;
+        (outermost ? outermost_ : parts_).push_back(found);
+        listed[pair.test] = tests_below(found);
+    }
+    for (std::vector<FalsePair>* pairs : {&outermost_, &parts_}) {
+        std::sort(pairs->begin(), pairs->end(), is_worse);
+        keep_worst(*pairs, most_);
+    }
+}
+
+std::vector<FalsePair> WorstPairs::pairs() const {
+    std::vector<FalsePair> all = outermost_;
+    all.insert(all.end(), parts_.begin(), parts_.end());
+    keep_worst(all, most_);
+    std::sort(all.begin(), all.end(), is_worse);
+    return all;
 }
 
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {

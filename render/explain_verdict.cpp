@@ -63,7 +63,7 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
     lines.push_back({"exact:  " + exact_words(found.proof), theme.text, FontWeight::bold});
     std::string answer(answer_name(found.answer));
     if (found.answer == Answer::correct)
-        answer = "the test is right";
+        answer = "the test is right" + (figure.but.empty() ? "" : ", but " + figure.but);
     else
         answer = found.answer == Answer::false_positive
                      ? "FALSE POSITIVE: passed, but disjoint"
