@@ -164,14 +164,6 @@ std::string symbols_text(const ExplainedPair& pair) {
     }
 }
 
-std::string asked_text(const ExplainedPair& pair) {
-    if (pair.kind != VolumeKind::scb) return "test";
-    const OverlapOptions& options = pair.options;
-    std::string text(overlap_test_name(options.test));
-    if (has_threshold(options.test)) text += format(", a = %g", options.threshold);
-    return text;
-}
-
 }  // namespace
 
 std::string node_names(const ExplainedPair& pair) {
@@ -188,7 +180,8 @@ std::string explanation_text(const ExplainedPair& pair, bool colored) {
     const auto row = [&text](const std::string& name, const std::string& value) {
         text += "  " + padded(name, 20) + value + "\n";
     };
-    row(asked_text(pair), ending_words(pair.found.steps.stage()));
+    row(pair.kind == VolumeKind::scb ? overlap_title(pair.options) : "test",
+        ending_words(pair.found.steps.stage()));
     row("exact", exact_text(pair));
     row("answer", answer_text(pair.found.answer, colored));
     if (pair.found.tests.empty()) return text;

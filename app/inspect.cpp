@@ -20,6 +20,9 @@ namespace {
 /// With -o: nobody looks at more, and they fill disks.
 constexpr int most_pictured = 200;
 
+/// What is written at the end, beside index.json.
+const std::vector<std::string> tables = {"index.html", "frames.csv", "pairs.csv"};
+
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
@@ -52,7 +55,9 @@ void Options::check() {
     if (top > most_pictured)
         throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
                          std::to_string(most_pictured) + " pairs, each of which is drawn.");
-    for (const char* file : {"index.html", "index.json", "frames.csv", "pairs.csv"})
+    std::vector<std::string> files = tables;
+    files.emplace_back("index.json");
+    for (const std::string& file : files)
         refuse_overwriting(std::filesystem::path(picture.output) / file, "-o", scene);
 }
 
@@ -139,21 +144,38 @@ void print_report(const Options& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
+QuerySource open_source(const Options& options) {
+    try {
+        return {options.scene, options.hierarchy, options.query, options.limits};
+    } catch (const InputError& error) {
+        // --frame is one of --frames, but not what the user typed.
+        const std::string said = error.what(), frames = "--frames ";
+        if (!options.frame || !said.starts_with(frames)) throw;
+        throw InputError("--frame " + said.substr(frames.size()));
+    }
+}
+
 int run(Options& options, const Console& console) {
+    const InterruptWatch watch;
     options.check();
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    QuerySource source = open_source(options);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     std::optional<PictureRun> pictures;
     if (options.draws()) {
-        pictures.emplace(options.picture);
-        // As with index.json: no page of other pictures beside these, should this run not finish.
-        std::error_code ignored;
-        std::filesystem::remove(std::filesystem::path(options.picture.output) / "index.html",
-                                ignored);
+        // Before the old page is removed: it may be a link to one of these.
+        const auto refuse = [&](const std::string& path) {
+            refuse_inputs(path, "-o", options.scene, query.scene);
+            for (const std::string& name : source.header().source)
+                refuse_overwriting(path, "-o",
+                                   SceneOptions{{name}, {}, options.scene.models_dir, {}});
+        };
+        for (const std::string& file : tables)
+            refuse((std::filesystem::path(options.picture.output) / file).string());
+        pictures.emplace(options.picture, tables);
+        pictures->guard(refuse);
     }
 
-    const InterruptWatch watch;
     Progress progress(console, source.frames().size());
     Inspector inspector(source, options.top);
     for (const int number : source.frames()) {
@@ -170,6 +192,8 @@ int run(Options& options, const Console& console) {
         else
             pictures->say(inspect_text(report));
         if (!write_report(*pictures, options, query, report, console, watch)) {
+            report.drawn = false;
+            print_report(options, report);
             console.note("scb: interrupted; not all pictures are drawn, and there is no page.");
             return exit_interrupted(watch.signal());
         }

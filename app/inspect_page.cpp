@@ -11,6 +11,7 @@
 #include "render/figure_layout.h"
 #include "render/inspect_figure.h"
 #include "render/volume_titles.h"
+#include "scenes/utf8.h"
 
 SCB_DECLARE_EMBEDDED(inspect_html)
 
@@ -19,9 +20,6 @@ namespace {
 
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
-
-/// More rows make a page that nobody reads; frames.csv has them.
-constexpr std::size_t most_frames = 20;
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
     return share_text(static_cast<double>(part), static_cast<double>(whole));
@@ -59,7 +57,7 @@ data frame_row(const std::string& name, const Inspection& found) {
 
 data frame_rows(const InspectReport& report) {
     data rows(data::type::list);
-    for (std::size_t i = 0; i < report.frames.size() && i < most_frames; ++i) {
+    for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
         data row = frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
         row["sum"] = data(data::type::bool_false);
         rows << row;
@@ -99,7 +97,7 @@ data other_rows(const InspectReport& report) {
     data rows(data::type::list);
     for (const OtherTest& other : report.others) {
         data row;
-        row["test"] = test_title(other.overlap);
+        row["test"] = overlap_title(other.overlap);
         row["caught"] = count_text(other.caught);
         row["n_v"] = count_text(other.all.volume_tests);
         row["n_v_change"] = change_text(all.volume_tests, other.all.volume_tests);
@@ -192,7 +190,7 @@ std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
     std::string text =
         printable(header.bodies[0].name) + " and " + printable(header.bodies[1].name);
-    if (header.volume == VolumeKind::scb) text += ", test " + test_title(header.options.overlap);
+    if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
     return text + (report.frames.size() == 1
                        ? ", frame " + std::to_string(report.frames[0].frame)
                        : ", " + std::to_string(report.frames.size()) + " frames");
@@ -217,8 +215,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
     values["reasons"] = reason_rows(report.sum.counts);
     values["frames"] = frame_rows(report);
-    if (report.frames.size() > most_frames)
-        values["more_frames"] = "The worst " + std::to_string(most_frames) + " of " +
+    if (report.frames.size() > most_frame_rows)
+        values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
                                 count_text(report.frames.size()) +
                                 " frames; frames.csv has all of them.";
     values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
@@ -232,7 +230,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};
     assert(html.is_valid() && "the template is part of the program");
-    return html.render(values);
+    return as_utf8(html.render(values));
 }
 
 }  // namespace scb

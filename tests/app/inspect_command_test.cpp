@@ -97,7 +97,7 @@ TEST(InspectCommand, PrintedRejectsWronglyAndNoOtherTestDoes) {
             0);
     const json wrong = inspect("spheres-l1 --frame 60 --test printed", 1);
     EXPECT_GT(wrong["sum"]["wrongly_rejected"], 0);
-    EXPECT_EQ(wrong["wrongly_rejected"].size(), 10u);
+    EXPECT_EQ(wrong["worst_rejections"].size(), 10u);
     // What printed lost counts as contact nevertheless.
     EXPECT_EQ(inspect("spheres-l1 --frame 60")["worst"][0]["nodes"], wrong["worst"][0]["nodes"]);
 }
@@ -229,7 +229,7 @@ TEST(InspectCommand, WritesTablesOfFramesAndPairs) {
         EXPECT_EQ(static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1, columns)
             << row;
     for (std::size_t i = 0; i < 9; ++i) {
-        const json& pair = i < 6 ? found["worst"][i] : found["wrongly_rejected"][i - 6];
+        const json& pair = i < 6 ? found["worst"][i] : found["worst_rejections"][i - 6];
         EXPECT_EQ(pairs[i + 1].rfind(pair["frame"].dump() + "," + pair["nodes"][0].dump() + "," +
                                          pair["nodes"][1].dump() + ",",
                                      0),
