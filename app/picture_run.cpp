@@ -17,8 +17,9 @@ PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::str
     stale.emplace_back("index.json");
     for (const std::string& name : stale) {
         std::error_code ignored;
-        if (!std::filesystem::is_directory(folder_ / name, ignored))
-            std::filesystem::remove(folder_ / name, ignored);
+        const std::filesystem::path path = place(name);
+        if (!std::filesystem::is_directory(path, ignored))
+            std::filesystem::remove(path, ignored);
     }
     if (options.video.wanted())
         video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
@@ -51,7 +52,8 @@ std::filesystem::path PictureRun::place(const std::string& name) const {
     if (refuse_) refuse_(path.string());
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+        !std::filesystem::is_directory(status))
         throw OutputError(path.string() +
                           ": there is something of that name that is no file; remove it, or name "
                           "another folder with -o.");

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -259,6 +260,42 @@ TEST(InspectCommand, NamesFromOutsideStayText) {
     EXPECT_NE(html.find("scb explain &apos;"), std::string::npos);
     EXPECT_NE(html.find("it&apos;\\&apos;&apos;s &lt;b&gt;.json&apos; --frame 0"),
               std::string::npos);
+}
+
+TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", scene = R"({"scb_scene": 1,
+        "name": "linked", "frames": 1, "models": [{"name": "m", "file": "m.obj"}],
+        "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})";
+    write_text(folder / "m.obj", mesh);
+    write_text(folder / "linked.json", scene);
+    ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
+    for (const auto& [link, target] : {std::pair<std::string, std::string>{"frames.csv", "m.obj"},
+                                       {"index.html", "linked.json"},
+                                       {"linked_scb_inspect.png", "m.obj"},
+                                       {"index.json", "t.scbtrace"}})
+        for (const char* source : {"linked.json", "t.scbtrace"}) {
+            const fs::path out = folder.path / "out";
+            fs::remove_all(out);
+            fs::create_directory(out);
+            fs::create_symlink("../" + target, out / link);
+            const std::string before = file_text(folder / target);
+            const ProgramRun run =
+                run_scb("inspect " + folder / source + " --size 320x240 -o " + out.string());
+            EXPECT_EQ(file_text(folder / target), before) << link << " " << source;
+            if (target != "t.scbtrace" || source == target) {
+                EXPECT_EQ(run.status, 2) << link << " " << source;
+            }
+        }
+    // What is no file is not written to either.
+    const fs::path out = folder.path / "out";
+    fs::remove_all(out);
+    fs::create_directory(out);
+    ASSERT_EQ(::mkfifo((out / "pairs.csv").c_str(), 0600), 0);
+    const ProgramRun run =
+        run_scb("inspect " + folder / "linked.json --size 320x240 -o " + out.string());
+    EXPECT_EQ(run.status, 3) << run.err;
 }
 
 TEST(InspectCommand, RefusesWhatMakesNoSense) {
