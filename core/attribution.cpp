@@ -78,8 +78,8 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
         const ContactProof proof =
             exact_overlap(a.volumes[nodes.a], placed(b.volumes[nodes.b], frame.b_to_a));
         if (tests[i].stage != Stage::overlapping) {
-            if (proof.contact == Contact::overlapping)
-                result.wrongly_rejected.push_back({i, contacts[i]});
+            if (proof.contact == Contact::overlapping || contacts[i] > 0)
+                result.wrongly_rejected.push_back({i, contacts[i], proof.contact});
             continue;
         }
         PassedPair pair;

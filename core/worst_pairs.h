@@ -16,7 +16,7 @@ struct FalsePair {
 void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
                     const Pose& b_to_a);
 
-/// A pair that was rejected although its volumes overlap.
+/// A pair that was rejected although its volumes overlap or triangles below it intersect.
 struct WronglyRejectedPair {
     int frame = 0;
     WrongRejection rejection;

@@ -203,6 +203,20 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
 }
 
+// The volumes are two discs with one point in common, and so are the triangles.
+TEST(Attribution, ARejectionOfVolumesThatTouchIsWrongWhereItLosesTriangles) {
+    const BuiltMesh a(Mesh{{{-10, -10, 0}, {10, -10, 0}, {0, 17, 0}}, {{0, 1, 2}}}),
+        b(Mesh{{{6, 0, 0}, {6, 0.5, 1}, {6, -0.5, 1}}, {{0, 1, 2}}});
+    const Query query(a, b, Pose{}, VolumeKind::scb, OverlapTest::printed);
+    ASSERT_EQ(query.contacts.size(), 1u);
+    ASSERT_EQ(query.frame.found.pairs.size(), 0u);
+    ASSERT_EQ(query.result.wrongly_rejected.size(), 1u);
+    EXPECT_EQ(query.result.wrongly_rejected[0], (WrongRejection{0, 1, Contact::touching}));
+    EXPECT_EQ(query.result.counts.wrongly_rejected, 1u);
+    EXPECT_EQ(query.result.counts.missed, 1u);
+    check_counts(query);
+}
+
 using Nodes = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Each pair of nodes once, with the most that it has at any frame, the worst first.
