@@ -47,7 +47,8 @@ class WorstPairs {
 };
 
 /// The wrong rejections that miss the most pairs of triangles, of as many frames as are added; of
-/// equal ones the first; each pair of nodes once, at the frame where it is worst.
+/// equal ones that of the first frame, and there of the first test; each pair of nodes once, at the
+/// frame where it is worst.
 class WorstRejections {
   public:
     explicit WorstRejections(std::size_t most) : most_(most) {}

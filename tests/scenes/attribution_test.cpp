@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "core/inspection.h"
 #include "core/operation_cost.h"
+#include "core/other_test.h"
+#include "core/overlap_steps.h"
 #include "core/pair_explanation.h"
 #include "core/worst_pairs.h"
 #include "scenes/builtin.h"
@@ -280,6 +283,86 @@ TEST(Attribution, TrianglesAsFarApartAsRoundingTouch) {
     ASSERT_EQ(query.result.passed.size(), 1u);
     EXPECT_EQ(query.result.passed[0].exact, Contact::touching);
     EXPECT_EQ(query.result.passed[0].reason, PassReason::loose_fit);
+}
+
+TEST(AllContacts, AreThoseOfAFullQueryWhereTheQueryEndedEarly) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    for (const VolumeKind kind : all_volume_kinds()) {
+        const auto i = static_cast<std::size_t>(kind);
+        const std::vector<IndexPair> full =
+            collide(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, pose, {}).pairs;
+        ASSERT_GT(full.size(), 1u);
+        TraceHeader first = asking(kind, OverlapTest::symmetric), coarse = first;
+        first.options.max_pairs = 1;
+        coarse.options.stop_level = 6;
+        for (const TraceHeader& header : {first, coarse}) {
+            const TraceFrame frame = record_frame(a, b, 0, pose, header);
+            ASSERT_NE(frame.found.pairs, full);
+            std::vector<IndexPair> all =
+                all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
+            EXPECT_EQ(all, full) << volume_kind_name(kind);
+        }
+    }
+}
+
+// By the steps of the other test, which are not what it is made of.
+TEST(OtherTest, CatchesTheWeakPairsThatItRejects) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    const Query query(a, b, pose, VolumeKind::scb, OverlapTest::corrected);
+    const auto &of_a = std::get<Hierarchy<Scb>>(a.hierarchies[0]),
+               &of_b = std::get<Hierarchy<Scb>>(b.hierarchies[0]);
+    const Placement placed = query_placement(of_a, of_b, pose);
+    std::set<std::uint64_t> seen;
+    for (const OverlapOptions& other : other_tests(query.header)) {
+        std::uint64_t caught = 0, weak = 0;
+        for (const PassedPair& pair : query.result.passed) {
+            if (pair.reason != PassReason::weak_test) continue;
+            ++weak;
+            const IndexPair nodes = query.frame.events.volume_tests[pair.test].nodes;
+            caught += overlap_steps(of_a.volumes[nodes.a], of_b.volumes[nodes.b], placed, other)
+                          .decisive()
+                          .has_value();
+        }
+        const OtherTest found = try_other_test(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh,
+                                               query.header, query.frame, query.result, other);
+        EXPECT_EQ(found.caught, caught) << overlap_test_name(other.test);
+        EXPECT_LT(found.caught, weak);
+        EXPECT_EQ(found.pairs, query.contacts.size());
+        seen.insert(caught);
+    }
+    EXPECT_GT(seen.size(), 2u) << "tests that differ";
+    EXPECT_GT(*seen.rbegin(), 0u);
+}
+
+TEST(WorstRejections, AreTheSameInWhateverOrderFramesAreAdded) {
+    TraceFrame early, late;
+    early.frame = 1;
+    late.frame = 2;
+    for (TraceFrame* frame : {&early, &late})
+        for (std::uint32_t i = 0; i < 3; ++i)
+            frame->events.volume_tests.push_back({{i, i}, 0, 0, Stage::ball_slab});
+    Attribution found;
+    found.wrongly_rejected = {{0, 5}, {1, 7}, {2, 5}};
+    WorstRejections forward(3), backward(3);
+    forward.add(early, found);
+    forward.add(late, found);
+    backward.add(late, found);
+    backward.add(early, found);
+    for (const WorstRejections* worst : {&forward, &backward}) {
+        ASSERT_EQ(worst->pairs().size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(worst->pairs()[i].frame, 1);
+            EXPECT_EQ(worst->pairs()[i].rejection.test, (std::array{1u, 0u, 2u})[i]);
+        }
+    }
 }
 
 using Nodes = std::pair<std::uint32_t, std::uint32_t>;
