@@ -2,6 +2,7 @@
 
 #include "core/exact_overlap.h"
 #include "core/overlap.h"
+#include "core/support_check.h"
 
 namespace scb {
 namespace {
@@ -14,7 +15,7 @@ PairExplanation explained(const V& a, const V& b, const Placement& placed,
     const ContactProof verdict = exact_verdict(a, b, placed);
     const V in_a = seen_from_a(b, placed);
     result.proof = sharpened(a, in_a, verdict);
-    result.proven = verify(a, in_a, result.proof);
+    result.proven = verify(a, in_a, verdict) && supports_bear_out(a, in_a, result.proof);
     result.answer = judged(result.steps.stage(), verdict.contact);
     return result;
 }

@@ -39,7 +39,9 @@ struct PairExplanation {
     std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
     /// That of exact_verdict, sharpened; in A's frame.
     ContactProof proof;
-    bool proven = false;  ///< what `verify` says of the proof
+    /// What `verify` says of the verdict before it was sharpened, and supports_bear_out of the
+    /// proof.
+    bool proven = false;
 };
 
 /// Explains the test that the options name, for A in its own frame and B in the one that `placed`
