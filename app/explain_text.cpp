@@ -115,8 +115,12 @@ std::string steps_text(const OverlapSteps& steps) {
     }
     const bool has_lines = std::any_of(steps.steps.begin(), steps.steps.end(),
                                        [](const OverlapStep& step) { return step.line > 0; });
+    const bool has_edges = std::any_of(
+        steps.steps.begin(), steps.steps.end(),
+        [](const OverlapStep& step) { return step.formula.find("×") != std::string::npos; });
     return text + (has_lines ? "  Lines are those of the paper's Figure 8. " : "  ") +
-           "Of every slack, " + format("%.2g", steps.margin) + " is left for rounding.\n";
+           "Of every slack, " + format("%.2g", steps.margin) + " is left for rounding" +
+           (has_edges ? "; along products of edges, that over the sine of their angle.\n" : ".\n");
 }
 
 std::string exact_text(const ExplainedPair& pair) {

@@ -60,7 +60,8 @@ std::string pairs_csv(const InspectReport& report) {
                 ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
         }
     for (const WronglyRejectedPair& w : report.wrong)
-        text += pair_row(w.frame, w.test, "wrongly rejected") + ",overlapping,,,,,,," +
+        text += pair_row(w.frame, w.test, "wrongly rejected") + "," +
+                std::string(contact_name(w.rejection.exact)) + ",,,,,,," +
                 std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
                 "," + file_of(report, w.frame, w.test) + "\n";
     return text;

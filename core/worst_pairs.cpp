@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/collide.h"
 #include "core/pair_explanation.h"
@@ -17,6 +18,11 @@ bool is_worse(const FalsePair& x, const FalsePair& y) {
     const std::uint64_t of_x = tests_below(x), of_y = tests_below(y);
     if (of_x != of_y) return of_x > of_y;
     return std::pair(x.frame, x.pair.test) < std::pair(y.frame, y.pair.test);
+}
+
+bool misses_more(const WronglyRejectedPair& x, const WronglyRejectedPair& y) {
+    if (x.rejection.missed != y.rejection.missed) return x.rejection.missed > y.rejection.missed;
+    return std::pair(x.frame, x.rejection.test) < std::pair(y.frame, y.rejection.test);
 }
 
 /// Keeps the first of those with the same nodes, and at most that many.
@@ -79,10 +85,7 @@ std::vector<FalsePair> WorstPairs::pairs() const {
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
     for (const WrongRejection& rejection : attribution.wrongly_rejected)
         pairs_.push_back({frame.frame, rejection, frame.events.volume_tests[rejection.test]});
-    // Frames are added in their order, and tests are in theirs.
-    std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto& x, const auto& y) {
-        return x.rejection.missed > y.rejection.missed;
-    });
+    std::sort(pairs_.begin(), pairs_.end(), misses_more);
     keep_worst(pairs_, most_);
 }
 

@@ -16,7 +16,7 @@ struct FalsePair {
 void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
                     const Pose& b_to_a);
 
-/// A pair that was rejected although its volumes overlap.
+/// A pair that was rejected although its volumes overlap or triangles below it intersect.
 struct WronglyRejectedPair {
     int frame = 0;
     WrongRejection rejection;
@@ -47,7 +47,8 @@ class WorstPairs {
 };
 
 /// The wrong rejections that miss the most pairs of triangles, of as many frames as are added; of
-/// equal ones the first; each pair of nodes once, at the frame where it is worst.
+/// equal ones that of the first frame, and there of the first test; each pair of nodes once, at the
+/// frame where it is worst.
 class WorstRejections {
   public:
     explicit WorstRejections(std::size_t most) : most_(most) {}
