@@ -249,7 +249,7 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         "(test: too weak).\n"
         "What it led to is wasted but in the first case. The volumes are decided exactly, each "
         "verdict with a proof.\n"
-        "Exit status 1 where the test rejected volumes that overlap, as --test printed does.\n\n"
+        "Exit status 1 where the test rejected volumes that meet, as --test printed does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"

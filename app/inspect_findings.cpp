@@ -89,7 +89,7 @@ std::string missed_words(const WrongRejection& rejection) {
 
 std::string wrong_rejections_sentence(const PassCounts& counts) {
     return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
-           " of volumes that overlap, and so missed " +
+           " of volumes that meet, and so missed " +
            (counts.missed == 0 ? "no pairs" : counted(counts.missed, "pair", "pairs")) +
            " of triangles that intersect.";
 }

@@ -157,7 +157,7 @@ std::string wasted_words(const Work& below) {
 data groups_of(const InspectReport& report, const InspectPage& page) {
     data groups(data::type::list);
     Group wrong(report, page, "rejected-wrongly", "alarm", "Rejected wrongly",
-                "The volumes overlap, and the test says that they do not: an error of the test. "
+                "The volumes meet, and the test says that they do not: an error of the test. "
                 "The worst first.");
     for (const WronglyRejectedPair& w : report.wrong)
         wrong.add(w.frame, w.test,

@@ -90,7 +90,7 @@ TEST(InspectCommand, TheWorstPairsAreFalse) {
 TEST(InspectCommand, PrintedRejectsWronglyAndNoOtherTestDoes) {
     const ProgramRun run = run_scb("inspect spheres-l1 --frame 60 --test printed");
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.err.find("pairs of volumes that overlap"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("pairs of volumes that meet"), std::string::npos) << run.err;
     EXPECT_NE(run.out.find("REJECTED WRONGLY"), std::string::npos);
     for (const char* test : {"line8", "corrected", "symmetric", "extents"})
         EXPECT_EQ(
