@@ -18,7 +18,6 @@ std::string given_text(const CLI::App& command, const std::vector<std::string>& 
     std::string text;
     for (const std::string& name : options) {
         const CLI::Option* option = command.get_option(name);
-        // What comes from the environment is no part of the command line, but of what was asked.
         if (option->count() == 0) continue;
         const bool positional = option->get_positional();
         if (!positional) text += " " + name;
@@ -26,7 +25,9 @@ std::string given_text(const CLI::App& command, const std::vector<std::string>& 
         std::string values;
         for (const std::string& value : option->results()) {
             const char* separator = values.empty() ? "" : positional ? " " : ",";
-            values += separator + shell_word(value);
+            // A name that begins like an option.
+            const bool dashed = positional && value.starts_with('-');
+            values += separator + shell_word(dashed ? "./" + value : value);
         }
         text += " " + values;
     }

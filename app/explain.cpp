@@ -28,6 +28,7 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     if (trace && options.scene.frame) query.frames = std::to_string(*options.scene.frame);
     QuerySource source(options.scene, options.hierarchy, query, {});
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
+    if (trace) source.frame(frame);  // refuses bodies that are elsewhere by now
     return {std::move(source), frame};
 }
 
@@ -50,6 +51,8 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
         return status;
     }
     PictureRun pictures(options.picture);
+    pictures.guard(
+        [&](const std::string& path) { refuse_inputs(path, "-o", options.scene, scene); });
     ExplainPicture picture;
     const auto& [a, b] = *pair.nodes;
     picture.name =

@@ -45,6 +45,7 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     ExplainFigure figure;
     figure.title = picture.title;
     figure.subtitle = picture.subtitle;
+    figure.but = picture.but;
     const auto name = [&](std::size_t side) {
         const std::string raw = side == 0 ? "A" : "B";
         if (!pair.nodes) return raw;
@@ -83,10 +84,7 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
 
 std::string asked_words(const ExplainedPair& pair) {
     if (pair.kind != VolumeKind::scb) return "";
-    const OverlapOptions& asked = pair.options;
-    std::string text = "test " + std::string(overlap_test_name(asked.test));
-    if (has_threshold(asked.test)) text += format(", threshold %g", asked.threshold);
-    return text;
+    return "test " + overlap_title(pair.options);
 }
 
 nlohmann::ordered_json explain_index_head(const ExplainOptions& options) {

@@ -12,6 +12,7 @@ namespace scb {
 struct ExplainPicture {
     std::string name;  ///< of the file, without .png
     std::string title, subtitle;
+    std::string but{};                               ///< see ExplainFigure
     std::array<Pose, 2> to_world{};                  ///< from the frames of A and B
     std::optional<std::array<Mesh, 2>> triangles{};  ///< what the volumes bound, in these frames
     std::optional<CameraSpec> camera{};              ///< that the user asked for

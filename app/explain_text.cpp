@@ -115,8 +115,12 @@ std::string steps_text(const OverlapSteps& steps) {
     }
     const bool has_lines = std::any_of(steps.steps.begin(), steps.steps.end(),
                                        [](const OverlapStep& step) { return step.line > 0; });
+    const bool has_edges = std::any_of(
+        steps.steps.begin(), steps.steps.end(),
+        [](const OverlapStep& step) { return step.formula.find("×") != std::string::npos; });
     return text + (has_lines ? "  Lines are those of the paper's Figure 8. " : "  ") +
-           "Of every slack, " + format("%.2g", steps.margin) + " is left for rounding.\n";
+           "Of every slack, " + format("%.2g", steps.margin) + " is left for rounding" +
+           (has_edges ? "; along products of edges, that over the sine of their angle.\n" : ".\n");
 }
 
 std::string exact_text(const ExplainedPair& pair) {
@@ -148,12 +152,20 @@ std::string answer_text(Answer answer, bool colored) {
     return "correct";
 }
 
-std::string asked_text(const ExplainedPair& pair) {
-    if (pair.kind != VolumeKind::scb) return "test";
-    const OverlapOptions& options = pair.options;
-    std::string text(overlap_test_name(options.test));
-    if (has_threshold(options.test)) text += format(", a = %g", options.threshold);
-    return text;
+/// What formulas have beyond the paper's symbols.
+std::string symbols_text(const ExplainedPair& pair) {
+    if (pair.kind == VolumeKind::ball) return "";
+    if (pair.kind == VolumeKind::obb)
+        return "  a, b: the axes of the boxes; ρ: how far a box reaches along the axis.\n";
+    switch (pair.options.test) {
+        case OverlapTest::symmetric:
+            return "  m, h: middle of a slab and half its thickness; r·sα: what the cylinder about "
+                   "a ball adds; sα is rounded up.\n";
+        case OverlapTest::extents:
+            return "  ρ: how far a slab cut ball reaches in that direction.\n";
+        default:
+            return "  r·sα: what the cylinder about a ball adds; sα is rounded up.\n";
+    }
 }
 
 }  // namespace
@@ -167,11 +179,13 @@ std::string node_names(const ExplainedPair& pair) {
 }
 
 std::string explanation_text(const ExplainedPair& pair, bool colored) {
-    std::string text = volumes_text(pair) + "\n" + steps_text(pair.found.steps) + "\n";
+    std::string text =
+        volumes_text(pair) + "\n" + steps_text(pair.found.steps) + symbols_text(pair) + "\n";
     const auto row = [&text](const std::string& name, const std::string& value) {
         text += "  " + padded(name, 20) + value + "\n";
     };
-    row(asked_text(pair), ending_words(pair.found.steps.stage()));
+    row(pair.kind == VolumeKind::scb ? overlap_title(pair.options) : "test",
+        ending_words(pair.found.steps.stage()));
     row("exact", exact_text(pair));
     row("answer", answer_text(pair.found.answer, colored));
     if (pair.found.tests.empty()) return text;

@@ -62,7 +62,12 @@ class VolumesReport {
   public:
     VolumesReport(const ExplainOptions& options, const Console& console, std::size_t pairs)
         : options_(options), console_(console), pairs_(pairs) {
-        if (options.draws()) pictures_.emplace(options.picture);
+        if (options.draws()) {
+            pictures_.emplace(options.picture);
+            pictures_->guard([&](const std::string& path) {
+                refuse_overwriting(path, "-o", SceneOptions{{options.pairs_file}, {}, {}, {}});
+            });
+        }
         if (json()) out("[");
     }
 
@@ -137,6 +142,7 @@ class VolumesReport {
 }  // namespace
 
 int explain_volumes(const ExplainOptions& options, const Console& console) {
+    const InterruptWatch watch;
     const std::vector<AnyRawPair> pairs = read_raw_pairs(options.pairs_file);
     if (options.draws() && pairs.size() > most_pictures)
         throw InputError("-o " + options.picture.output + ": " + options.pairs_file + " has " +
@@ -149,7 +155,6 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
         kinds.push_back(pair.index() == 0 ? VolumeKind::scb : VolumeKind::ball);
     if (!pairs.empty()) note_doubts(options.query, kinds, console);
 
-    const InterruptWatch watch;
     Progress progress(console, pairs.size());
     VolumesReport report(options, console, pairs.size());
     std::size_t done = 0;

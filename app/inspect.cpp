@@ -20,6 +20,9 @@ namespace {
 /// With -o: nobody looks at more, and they fill disks.
 constexpr int most_pictured = 200;
 
+/// What is written at the end, beside index.json.
+const std::vector<std::string> tables = {"index.html", "frames.csv", "pairs.csv"};
+
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
@@ -52,7 +55,9 @@ void Options::check() {
     if (top > most_pictured)
         throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
                          std::to_string(most_pictured) + " pairs, each of which is drawn.");
-    for (const char* file : {"index.html", "index.json", "frames.csv", "pairs.csv"})
+    std::vector<std::string> files = tables;
+    files.emplace_back("index.json");
+    for (const std::string& file : files)
         refuse_overwriting(std::filesystem::path(picture.output) / file, "-o", scene);
 }
 
@@ -81,8 +86,8 @@ class Inspector {
         report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
         report_.sum += report_.frames.back().found;
         wrong_.add(frame, attribution);
-        weak_tests_.add(frame, attribution);
-        loose_fits_.add(frame, attribution);
+        weak_tests_.add(frame, tree, attribution);
+        loose_fits_.add(frame, tree, attribution);
         for (OtherTest& other : report_.others)
             other.add(try_other_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
                                      other.overlap));
@@ -94,6 +99,10 @@ class Inspector {
         report_.wrong = wrong_.pairs();
         report_.weak_tests = weak_tests_.pairs();
         report_.loose_fits = loose_fits_.pairs();
+        for (auto* worst : {&report_.weak_tests, &report_.loose_fits})
+            for (FalsePair& pair : *worst)
+                sharpen_margin(pair, query_.hierarchy(query_.a), query_.hierarchy(query_.b),
+                               query_.b_to_a(pair.frame));
         sort_by_waste(report_.frames);
         return std::move(report_);
     }
@@ -116,8 +125,9 @@ bool write_report(PictureRun& pictures, const Options& options, const SceneQuery
         return watch.signal() == 0;
     };
     const bool whole = draw_inspection(pictures, options.picture, query, report, step);
-    const InspectPage page{inspect_summary_name(report) + ".png", options.picture.width(),
-                           options.picture.height(), options.command, options.explain};
+    const InspectPage page{
+        inspect_summary_name(report) + ".png",   options.picture.width(), options.picture.height(),
+        options.picture.theme() == &light_theme, options.command,         options.explain};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
     if (whole) {
@@ -134,15 +144,38 @@ void print_report(const Options& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
+QuerySource open_source(const Options& options) {
+    try {
+        return {options.scene, options.hierarchy, options.query, options.limits};
+    } catch (const InputError& error) {
+        // --frame is one of --frames, but not what the user typed.
+        const std::string said = error.what(), frames = "--frames ";
+        if (!options.frame || !said.starts_with(frames)) throw;
+        throw InputError("--frame " + said.substr(frames.size()));
+    }
+}
+
 int run(Options& options, const Console& console) {
+    const InterruptWatch watch;
     options.check();
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    QuerySource source = open_source(options);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     std::optional<PictureRun> pictures;
-    if (options.draws()) pictures.emplace(options.picture);
+    if (options.draws()) {
+        // Before the old page is removed: it may be a link to one of these.
+        const auto refuse = [&](const std::string& path) {
+            refuse_inputs(path, "-o", options.scene, query.scene);
+            for (const std::string& name : source.header().source)
+                refuse_overwriting(path, "-o",
+                                   SceneOptions{{name}, {}, options.scene.models_dir, {}});
+        };
+        for (const std::string& file : tables)
+            refuse((std::filesystem::path(options.picture.output) / file).string());
+        pictures.emplace(options.picture, tables);
+        pictures->guard(refuse);
+    }
 
-    const InterruptWatch watch;
     Progress progress(console, source.frames().size());
     Inspector inspector(source, options.top);
     for (const int number : source.frames()) {
@@ -159,6 +192,8 @@ int run(Options& options, const Console& console) {
         else
             pictures->say(inspect_text(report));
         if (!write_report(*pictures, options, query, report, console, watch)) {
+            report.drawn = false;
+            print_report(options, report);
             console.note("scb: interrupted; not all pictures are drawn, and there is no page.");
             return exit_interrupted(watch.signal());
         }
@@ -214,7 +249,7 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         "(test: too weak).\n"
         "What it led to is wasted but in the first case. The volumes are decided exactly, each "
         "verdict with a proof.\n"
-        "Exit status 1 where the test rejected volumes that overlap, as --test printed does.\n\n"
+        "Exit status 1 where the test rejected volumes that meet, as --test printed does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"

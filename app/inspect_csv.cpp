@@ -47,7 +47,7 @@ std::string frames_csv(const InspectReport& report) {
 
 std::string pairs_csv(const InspectReport& report) {
     std::string text =
-        "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,leaves,wasted_n_v,wasted_n_p,"
+        "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,depth,leaves,wasted_n_v,wasted_n_p,"
         "wasted_operations,stage,missed_pairs,file\n";
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) {
@@ -55,12 +55,13 @@ std::string pairs_csv(const InspectReport& report) {
             text +=
                 pair_row(p.frame, p.test, std::string(pass_reason_name(p.pair.reason)).c_str()) +
                 "," + std::string(contact_name(p.pair.exact)) +
-                (p.pair.exact == Contact::disjoint ? format(",%.17g,", p.pair.gap) : ",,") +
+                format(p.pair.exact == Contact::disjoint ? ",%.17g,," : ",,%.17g,", p.margin) +
                 row({p.pair.leaves, below.volume_tests, below.triangle_tests, below.operations}) +
                 ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
         }
     for (const WronglyRejectedPair& w : report.wrong)
-        text += pair_row(w.frame, w.test, "wrongly rejected") + ",overlapping,,,,,," +
+        text += pair_row(w.frame, w.test, "wrongly rejected") + "," +
+                std::string(contact_name(w.rejection.exact)) + ",,,,,,," +
                 std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
                 "," + file_of(report, w.frame, w.test) + "\n";
     return text;

@@ -17,15 +17,22 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
     return count_text(count) + " " + (count == 1 ? one : many);
 }
 
+std::string triangles(const PassCounts& counts) {
+    const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted.triangle_tests;
+    if (wasted == 0) return "";
+    return " Of " + counted(all, "triangle test", "triangle tests") + " " + share(wasted, all) +
+           " were.";
+}
+
 std::string waste(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
     const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
                         by_tests = counts.wasted_by_tests.volume_tests;
     const std::string tests = counted(all, "volume test", "volume tests");
-    if (wasted == 0) return "Of " + tests + " none was wasted.";
+    if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
     return "Of " + tests + ", " + share(wasted, all) +
            " were wasted: " + share(wasted - by_tests, all) + " since volumes are too loose, and " +
-           share(by_tests, all) + " since the overlap test is too weak.";
+           share(by_tests, all) + " since the overlap test is too weak." + triangles(counts);
 }
 
 std::string worst_frame(const InspectReport& report) {
@@ -65,7 +72,7 @@ std::string best_other(const InspectReport& report) {
     if (best.caught == 0)
         return "None of the other tests catches any of the " + weak +
                " pairs whose volumes are disjoint.";
-    return "Of the other tests, " + test_title(best.overlap) + " catches the most, " +
+    return "Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
            count_text(best.caught) + " of the " + weak + " pairs whose volumes are disjoint: it " +
            change(all.volume_tests, best.all.volume_tests, "saves", "makes") +
            (best.all.volume_tests < all.volume_tests ? " of the volume tests"
@@ -76,9 +83,13 @@ std::string best_other(const InspectReport& report) {
 
 }  // namespace
 
+std::string missed_words(const WrongRejection& rejection) {
+    return counted(rejection.missed, "pair", "pairs") + " of triangles missed";
+}
+
 std::string wrong_rejections_sentence(const PassCounts& counts) {
     return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
-           " of volumes that overlap, and so missed " +
+           " of volumes that meet, and so missed " +
            (counts.missed == 0 ? "no pairs" : counted(counts.missed, "pair", "pairs")) +
            " of triangles that intersect.";
 }
@@ -91,9 +102,10 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
         sentences.back().front() = 'T';
     }
     sentences.push_back(waste(report));
-    if (counts.wasted.volume_tests == 0) return sentences;
-    if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
-    sentences.push_back(where(report));
+    if (counts.wasted.volume_tests > 0) {
+        if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
+        sentences.push_back(where(report));
+    }
     // Queries that miss contacts are no measure of others.
     if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
         sentences.push_back(best_other(report));

@@ -11,7 +11,10 @@ namespace scb {
 /// other test would have helped most.
 std::vector<std::string> inspect_findings(const InspectReport& report);
 
-/// "the test rejected 4 pairs of volumes that overlap, and so missed 12 pairs of triangles."
+/// "the test rejected 4 pairs of volumes that meet, and so missed 12 pairs of triangles."
 std::string wrong_rejections_sentence(const PassCounts& counts);
+
+/// "12 pairs of triangles missed"
+std::string missed_words(const WrongRejection& rejection);
 
 }  // namespace scb

@@ -11,6 +11,7 @@
 #include "render/figure_layout.h"
 #include "render/inspect_figure.h"
 #include "render/volume_titles.h"
+#include "scenes/utf8.h"
 
 SCB_DECLARE_EMBEDDED(inspect_html)
 
@@ -19,9 +20,6 @@ namespace {
 
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
-
-/// More rows make a page that nobody reads; frames.csv has them.
-constexpr std::size_t most_frames = 20;
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
     return share_text(static_cast<double>(part), static_cast<double>(whole));
@@ -45,6 +43,9 @@ data frame_row(const std::string& name, const Inspection& found) {
          {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
         row[std::string(pass_reason_name(reason))] = count_text(counts.passed(reason));
     row["wasted"] = count_text(wasted);
+    const std::uint64_t n_p = counts.wasted.triangle_tests;
+    row["wasted_n_p"] = count_text(n_p);
+    row["share_n_p"] = share(n_p, counts.all.triangle_tests);
     row["wrong"] = count_text(counts.wrongly_rejected);
     row["missed"] = count_text(counts.missed);
     row["share"] = share(wasted, all);
@@ -56,7 +57,7 @@ data frame_row(const std::string& name, const Inspection& found) {
 
 data frame_rows(const InspectReport& report) {
     data rows(data::type::list);
-    for (std::size_t i = 0; i < report.frames.size() && i < most_frames; ++i) {
+    for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
         data row = frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
         row["sum"] = data(data::type::bool_false);
         rows << row;
@@ -69,12 +70,34 @@ data frame_rows(const InspectReport& report) {
     return rows;
 }
 
+data reason_rows(const PassCounts& counts) {
+    data rows(data::type::list);
+    const auto add = [&](const char* because, const char* color, PassReason reason,
+                         const Work* wasted) {
+        const auto r = static_cast<std::size_t>(reason);
+        data row;
+        row["because"] = because;
+        row["color"] = color;
+        row["inner"] = count_text(counts.inner[r]);
+        row["leaves"] = count_text(counts.leaves[r]);
+        row["n_v"] = wasted == nullptr ? "" : count_text(wasted->volume_tests);
+        row["n_p"] = wasted == nullptr ? "" : count_text(wasted->triangle_tests);
+        row["operations"] = wasted == nullptr ? "" : count_text(wasted->operations);
+        rows << row;
+    };
+    const Work by_fit = counts.wasted_by_fit();
+    add("true contact", "neutral", PassReason::triangles_meet, nullptr);
+    add("fit too loose", "fit", PassReason::loose_fit, &by_fit);
+    add("test too weak", "test", PassReason::weak_test, &counts.wasted_by_tests);
+    return rows;
+}
+
 data other_rows(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
     data rows(data::type::list);
     for (const OtherTest& other : report.others) {
         data row;
-        row["test"] = test_title(other.overlap);
+        row["test"] = overlap_title(other.overlap);
         row["caught"] = count_text(other.caught);
         row["n_v"] = count_text(other.all.volume_tests);
         row["n_v_change"] = change_text(all.volume_tests, other.all.volume_tests);
@@ -134,12 +157,12 @@ std::string wasted_words(const Work& below) {
 data groups_of(const InspectReport& report, const InspectPage& page) {
     data groups(data::type::list);
     Group wrong(report, page, "rejected-wrongly", "alarm", "Rejected wrongly",
-                "The volumes overlap, and the test says that they do not: an error of the test. "
+                "The volumes meet, and the test says that they do not: an error of the test. "
                 "The worst first.");
     for (const WronglyRejectedPair& w : report.wrong)
         wrong.add(w.frame, w.test,
                   "rejected at " + std::string(stage_name(w.test.stage)) + ", " +
-                      count_text(w.rejection.missed) + " pairs of triangles missed");
+                      missed_words(w.rejection));
     wrong.append_to(groups);
     Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
                 "The volumes overlap, but no triangles below them intersect: no overlap test could "
@@ -151,7 +174,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
                "The volumes are disjoint, and the test did not see it: a stronger one would have.");
     for (const FalsePair& p : report.weak_tests)
         weak.add(p.frame, p.test,
-                 wasted_words(p.pair.below) + ", " + number_text(p.pair.gap) + " apart");
+                 wasted_words(p.pair.below) + ", " + number_text(p.margin) + " apart");
     weak.append_to(groups);
     return groups;
 }
@@ -167,7 +190,7 @@ std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
     std::string text =
         printable(header.bodies[0].name) + " and " + printable(header.bodies[1].name);
-    if (header.volume == VolumeKind::scb) text += ", test " + test_title(header.options.overlap);
+    if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
     return text + (report.frames.size() == 1
                        ? ", frame " + std::to_string(report.frames[0].frame)
                        : ", " + std::to_string(report.frames.size()) + " frames");
@@ -189,9 +212,11 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["summary"] = page.summary;
     values["width"] = std::to_string(page.width);
     values["height"] = std::to_string(page.height);
+    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
+    values["reasons"] = reason_rows(report.sum.counts);
     values["frames"] = frame_rows(report);
-    if (report.frames.size() > most_frames)
-        values["more_frames"] = "The worst " + std::to_string(most_frames) + " of " +
+    if (report.frames.size() > most_frame_rows)
+        values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
                                 count_text(report.frames.size()) +
                                 " frames; frames.csv has all of them.";
     values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
@@ -205,7 +230,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};
     assert(html.is_valid() && "the template is part of the program");
-    return html.render(values);
+    return as_utf8(html.render(values));
 }
 
 }  // namespace scb

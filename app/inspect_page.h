@@ -10,6 +10,7 @@ namespace scb {
 struct InspectPage {
     std::string summary;        ///< file name of the picture of the whole
     int width = 0, height = 0;  ///< of all pictures, in pixels
+    bool light = true;          ///< the background of the pictures, which the page has too
     std::string command;        ///< that made it
     std::string explain;        ///< the command that explains a pair, up to the frame
 };

@@ -2,6 +2,7 @@
 
 #include "app/explain_pictures.h"
 #include "app/explain_report.h"
+#include "app/inspect_findings.h"
 #include "app/inspect_page.h"
 #include "app/text_format.h"
 #include "render/figure_layout.h"
@@ -12,6 +13,8 @@ namespace scb {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+const std::string loose = "fit too loose";
 
 void draw_summary(PictureRun& pictures, const PictureOptions& options,
                   const InspectReport& report) {
@@ -34,10 +37,11 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
     const std::string file = file_of(report, frame, test);
     ExplainPicture picture;
     picture.name = file.substr(0, file.size() - std::string_view(".png").size());
-    picture.title = query.scene.name + " · " + std::string(volume_title(query.kind)) + " · " +
-                    reason + " · " + node_names(pair);
+    picture.title = reason + " · " + node_names(pair);
     const std::string asked = asked_words(pair);
-    picture.subtitle = detail + (asked.empty() ? "" : ", " + asked) + format(", frame %d", frame);
+    picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
+                       " · " + query.scene.name + " · " + std::string(volume_title(query.kind));
+    if (reason == loose) picture.but = "the fit is too loose";
     place_nodes(picture, query, frame, pair);
     draw_explanation(pictures, options, pair, picture,
                      Json{{"frame", frame}, {"nodes", {test.nodes.a, test.nodes.b}}});
@@ -56,15 +60,14 @@ bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const 
     if (!step()) return false;
     for (const WronglyRejectedPair& w : report.wrong) {
         draw_pair(pictures, options, query, report, w.frame, w.test, "REJECTED WRONGLY",
-                  count_text(w.rejection.missed) + (w.rejection.missed == 1 ? " pair" : " pairs") +
-                      " of triangles missed");
+                  missed_words(w.rejection));
         if (!step()) return false;
     }
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) {
             const std::uint64_t wasted = p.pair.below.volume_tests;
             draw_pair(pictures, options, query, report, p.frame, p.test,
-                      worst == &report.loose_fits ? "fit too loose" : "test too weak",
+                      worst == &report.loose_fits ? loose : "test too weak",
                       count_text(wasted) +
                           (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
             if (!step()) return false;

@@ -16,9 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// More rows make a table that nobody reads.
-constexpr std::size_t most_frames = 20;
-
 unsigned long long wide(std::uint64_t value) { return value; }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
@@ -48,7 +45,7 @@ std::string frames_text(const InspectReport& report) {
         "   share\n"
         "                                                                   N_v   of N_v       N_p "
         "  of N_p\n";
-    const std::size_t rows = std::min(report.frames.size(), most_frames);
+    const std::size_t rows = std::min(report.frames.size(), most_frame_rows);
     for (std::size_t i = 0; i < rows; ++i)
         text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
     if (report.frames.size() > rows)
@@ -94,16 +91,16 @@ std::string depths_text(const Inspection& sum) {
 std::string worst_text(const InspectReport& report, const std::vector<FalsePair>& worst,
                        const char* title) {
     if (worst.empty()) return std::string(title) + ": none\n\n";
-    std::string text = format("%s: the worst, by nodes of %s and %s\n", title,
+    std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
                               printable(report.header.bodies[0].name).c_str(),
                               printable(report.header.bodies[1].name).c_str());
-    text += "frame          nodes     depths  wasted N_v       N_p   operations         gap\n";
+    text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
     for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
         text += format("%5d %8u %8u   %3d %3d %11llu %9llu %12llu", p.frame, p.test.nodes.a,
                        p.test.nodes.b, p.test.depth_a, p.test.depth_b, wide(below.volume_tests),
                        wide(below.triangle_tests), wide(below.operations));
-        if (p.pair.exact == Contact::disjoint) text += format("  %10.3g", p.pair.gap);
+        text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
         text += "\n";
     }
     return text + "\n";
@@ -112,7 +109,7 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
 std::string wrong_text(const InspectReport& report) {
     if (report.wrong.empty()) return "";
     std::string text =
-        format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes overlap\n",
+        format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
                report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
     text += "frame          nodes     depths   missed  rejected at\n";
     for (const WronglyRejectedPair& w : report.wrong)
@@ -129,22 +126,16 @@ std::string others_text(const InspectReport& report) {
         "what would have caught it: of the %llu pairs that %s passed though their volumes are "
         "disjoint\n"
         "test                  caught       N_v                N_p           operations\n",
-        wide(weak), test_title(report.header.options.overlap).c_str());
-    const auto change = [](std::uint64_t from, std::uint64_t to) {
-        return from == 0 ? std::string("–")
-                         : format("%+.1f %%",
-                                  100 * (static_cast<double>(to) - static_cast<double>(from)) /
-                                      static_cast<double>(from));
+        wide(weak), overlap_title(report.header.options.overlap).c_str());
+    const Work& base = report.sum.counts.all;
+    const auto changed = [](int width, std::uint64_t from, std::uint64_t to) {
+        return format(" %*llu ", width, wide(to)) + right_aligned(change_text(from, to), 8);
     };
     for (const OtherTest& other : report.others)
-        text += format(
-            "%-19s %8llu %9llu %8s %9llu %8s %12llu %8s\n", test_title(other.overlap).c_str(),
-            wide(other.caught), wide(other.all.volume_tests),
-            change(report.sum.counts.all.volume_tests, other.all.volume_tests).c_str(),
-            wide(other.all.triangle_tests),
-            change(report.sum.counts.all.triangle_tests, other.all.triangle_tests).c_str(),
-            wide(other.all.operations),
-            change(report.sum.counts.all.operations, other.all.operations).c_str());
+        text += format("%-19s %8llu", overlap_title(other.overlap).c_str(), wide(other.caught)) +
+                changed(9, base.volume_tests, other.all.volume_tests) +
+                changed(9, base.triangle_tests, other.all.triangle_tests) +
+                changed(12, base.operations, other.all.operations) + "\n";
     return text;
 }
 
@@ -184,7 +175,7 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
                  {"test", p.pair.test},
                  {"reason", pass_reason_name(p.pair.reason)},
                  {"exact", contact_name(p.pair.exact)},
-                 {"gap", p.pair.gap},
+                 {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
                  {"leaves", p.pair.leaves},
                  {"wasted", work_json(p.pair.below)}};
     if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
@@ -207,7 +198,8 @@ std::string inspect_text(const InspectReport& report) {
     std::string title =
         printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
         ", " + std::string(volume_title(header.volume));
-    if (header.volume == VolumeKind::scb) title += ", test " + test_title(header.options.overlap);
+    if (header.volume == VolumeKind::scb)
+        title += ", test " + overlap_title(header.options.overlap);
     title += "\n\n";
     for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
     return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +
@@ -239,15 +231,15 @@ Json inspect_json(const InspectReport& report) {
     json["worst"] = Json::array();
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
-    json["wrongly_rejected"] = Json::array();
+    json["worst_rejections"] = Json::array();
     for (const WronglyRejectedPair& w : report.wrong) {
         Json entry = {{"frame", w.frame},
                       {"nodes", {w.test.nodes.a, w.test.nodes.b}},
                       {"depths", {w.test.depth_a, w.test.depth_b}},
                       {"stage", stage_name(w.test.stage)},
-                      {"missed", w.rejection.missed}};
+                      {"missed_pairs", w.rejection.missed}};
         if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
-        json["wrongly_rejected"].push_back(std::move(entry));
+        json["worst_rejections"].push_back(std::move(entry));
     }
     json["other_tests"] = Json::array();
     for (const OtherTest& other : report.others) {

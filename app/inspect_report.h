@@ -21,6 +21,9 @@ struct InspectReport {
     bool drawn = false;  ///< there is a picture of each pair
 };
 
+/// Tables of frames end here: more rows make a table that nobody reads.
+inline constexpr std::size_t most_frame_rows = 20;
+
 /// The picture of a pair of nodes; empty where none was drawn.
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
 
@@ -28,7 +31,7 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
 std::string inspect_text(const InspectReport& report);
 
 /// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
-/// `worst`, `other_tests`.
+/// `worst`, `worst_rejections`, `other_tests`.
 nlohmann::ordered_json inspect_json(const InspectReport& report);
 
 }  // namespace scb

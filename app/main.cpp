@@ -63,6 +63,10 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
             known = app->get_option_no_throw(word) != nullptr;
         if (!known) {
             sentence = "'" + word + "' is no option of `" + command + "`";
+            for (const CLI::Option* option : named.command->get_options())
+                for (const std::string& name : option->get_lnames())
+                    if (name.starts_with(word.substr(2)) || word.substr(2).starts_with(name))
+                        sentence += ", but '--" + name + "' is";
             break;
         }
     }

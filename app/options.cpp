@@ -84,6 +84,12 @@ void check_output(const std::string& path, const std::string& option, const Scen
     for (const NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
 }
 
+void refuse_inputs(const std::string& path, const std::string& option, const SceneOptions& options,
+                   const Scene& scene) {
+    refuse_overwriting(path, option, options);
+    check_output(path, option, scene);
+}
+
 void check_output(const std::string& path, const std::string& option, const SceneOptions& scene,
                   const std::string& folder_to_make) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");

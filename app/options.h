@@ -40,6 +40,10 @@ void check_output(const std::string& path, const std::string& option, const Scen
 /// Throws InputError where a mesh of the scene was read from `path`: a scene file may name any.
 void check_output(const std::string& path, const std::string& option, const Scene& scene);
 
+/// Throws InputError where `path` is a file that the scene was read from, whatever names it.
+void refuse_inputs(const std::string& path, const std::string& option, const SceneOptions& options,
+                   const Scene& scene);
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);
 
 /// How hierarchies are fitted.

@@ -28,7 +28,8 @@ void PictureOptions::check() const {
         throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
                          std::to_string(smallest_height) + " to " + std::to_string(most) + "x" +
                          std::to_string(most) + " pixels" +
-                         (samples == 4 && width() <= largest && height() <= largest
+                         (samples == 4 && (width() > most || height() > most) &&
+                                  width() <= largest && height() <= largest
                               ? ", or twice that with --samples 1."
                               : "."));
     if (samples != 1 && samples != 4)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -20,9 +21,10 @@ namespace scb {
 /// in a child process, which must not inherit a context or threads.
 class PictureRun {
   public:
-    /// Makes the folder and removes an index of other pictures from it. Throws InputError,
+    /// Makes the folder and removes from it what would describe other pictures should this run not
+    /// finish: index.json and the `tables` that are written at the end. Throws InputError,
     /// OutputError, GlError.
-    explicit PictureRun(const PictureOptions& options);
+    explicit PictureRun(const PictureOptions& options, const std::vector<std::string>& tables = {});
 
     Renderer& renderer() { return renderer_; }
     const Context& context() const { return context_; }
@@ -42,6 +44,10 @@ class PictureRun {
     void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
               bool of_sequence = true);
 
+    /// Asked before each file is written, with its path: refuses one that must not be replaced, by
+    /// throwing.
+    void guard(std::function<void(const std::string&)> refuse) { refuse_ = std::move(refuse); }
+
     /// Writes a file beside the pictures.
     void write(const std::string& name, const std::string& text);
 
@@ -59,7 +65,10 @@ class PictureRun {
 
   private:
     void draw_sheet();
+    /// Where a file of that name goes; throws where it must not.
+    std::filesystem::path place(const std::string& name) const;
 
+    std::function<void(const std::string&)> refuse_;
     const PictureOptions& options_;
     Context context_;
     Renderer renderer_;

@@ -21,7 +21,7 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.scene.names = header.source;
     recorded.scene.models_dir = given.models_dir;
     recorded.hierarchy.volumes = volume_kind_name(header.volume);
-    recorded.hierarchy.growth = header.growth == BallGrowth::ritter ? "ritter" : "radius";
+    recorded.hierarchy.growth = ball_growth_name(header.growth);
     recorded.hierarchy.margin = header.margin;
     recorded.query.test = overlap_test_name(header.options.overlap.test);
     recorded.query.frames = auto_frames;

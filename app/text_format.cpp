@@ -1,5 +1,7 @@
 #include "app/text_format.h"
 
+#include <algorithm>
+
 #include <cstdarg>
 #include <cstdio>
 
@@ -16,6 +18,14 @@ std::string format(const char* pattern, ...) {
     std::vsnprintf(text.data(), text.size() + 1, pattern, again);
     va_end(again);
     return text;
+}
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+    const auto characters =
+        static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+            return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+        }));
+    return characters < width ? std::string(width - characters, ' ') + text : text;
 }
 
 }  // namespace scb

@@ -7,4 +7,7 @@ namespace scb {
 /// What printf would print, as a string.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
+/// The text behind as many blanks as it takes to that width; a character of UTF-8 counts once.
+std::string right_aligned(const std::string& text, std::size_t width);
+
 }  // namespace scb

@@ -42,7 +42,7 @@ Json trace_header_json(const TraceHeader& header) {
                    {"scene", header.scene},
                    {"bodies", bodies},
                    {"volume", volume_kind_name(header.volume)},
-                   {"growth", header.growth == BallGrowth::ritter ? "ritter" : "radius"},
+                   {"growth", ball_growth_name(header.growth)},
                    {"margin", header.margin}};
     if (header.volume == VolumeKind::scb) {
         result["test"] = overlap_test_name(header.options.overlap.test);

@@ -74,8 +74,10 @@ std::string json_text(const Options& options, const SceneTuning& tuning) {
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_files(const Options& options, const SceneTuning& tuning, Renderer& renderer,
-                 const std::filesystem::path& folder) {
+std::string picture_name(const Scene& scene) { return scene.name + "_tune.png"; }
+
+void write_files(const Options& options, const Scene& scene, const SceneTuning& tuning,
+                 Renderer& renderer, const std::filesystem::path& folder) {
     TuneFigure figure = tune_figure(tuning);
     figure.footnote = conditions(options);
     figure.theme = options.picture.theme();
@@ -83,7 +85,7 @@ void write_files(const Options& options, const SceneTuning& tuning, Renderer& re
     const Picture picture =
         compose(figure, options.picture.width(), options.picture.height(), overlay);
     const std::vector<std::uint8_t> png = encode_png(renderer.draw(picture, &overlay).image);
-    write_file_whole(folder / (tuning.scene + "_tune.png"), png);
+    write_file_whole(folder / picture_name(scene), png);
     write_file_whole(folder / "tune.csv", tune_csv(tuning));
     write_file_whole(folder / "tune.json", json_text(options, tuning));
 }
@@ -92,6 +94,11 @@ int run(const Options& options, const Console& console) {
     const TuneOptions asked = tune_options(options);
     options.picture.check();
     const Scene scene = options.scene.load();
+    if (!options.picture.output.empty())
+        for (const std::string& file :
+             {std::string("tune.csv"), std::string("tune.json"), picture_name(scene)})
+            refuse_inputs((std::filesystem::path(options.picture.output) / file).string(), "-o",
+                          options.scene, scene);
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
     // The threshold counts whatever the base's test is.
@@ -125,7 +132,7 @@ int run(const Options& options, const Console& console) {
         console.note("scb: interrupted before the settings were compared; nothing was written.");
         return exit_interrupted(watch.signal());
     }
-    if (writes) write_files(options, *tuning, *renderer, folder);
+    if (writes) write_files(options, scene, *tuning, *renderer, folder);
     std::string text = options.json ? json_text(options, *tuning) : tune_table(*tuning);
     if (!options.json && !options.no_time) text += "\n" + conditions(options) + "\n";
     print_result(text);

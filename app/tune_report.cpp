@@ -13,14 +13,9 @@ using Json = nlohmann::ordered_json;
 
 double ratio(double value, double by) { return by > 0 ? value / by : 1; }
 
-std::string test_text(const OverlapOptions& overlap) {
-    const std::string name(overlap_test_name(overlap.test));
-    return has_threshold(overlap.test) ? name + format(" a=%g", overlap.threshold) : name;
-}
-
 /// "symmetric, descent radius, growth ritter".
 std::string setting_text(const TuneSetting& setting) {
-    return test_text(setting.overlap) + ", descent " +
+    return overlap_title(setting.overlap) + ", descent " +
            std::string(descent_rule_name(setting.descent)) + ", growth " +
            std::string(ball_growth_name(setting.growth));
 }
@@ -30,7 +25,7 @@ std::string change_text(const TuneTrial& trial) {
     switch (trial.tuned) {
         case Tuned::test:
         case Tuned::threshold:
-            return test_text(trial.setting.overlap);
+            return overlap_title(trial.setting.overlap);
         case Tuned::descent:
             return "descent " + std::string(descent_rule_name(trial.setting.descent));
         case Tuned::growth:
@@ -83,7 +78,7 @@ std::string bar_name(const SceneTuning& tuning, const TuneRow& row) {
     std::string name;
     const auto add = [&](const std::string& part) { name += (name.empty() ? "" : ", ") + part; };
     if (!(TuneSetting{setting.overlap, base.descent, base.growth} == base))
-        add(test_text(setting.overlap));
+        add(overlap_title(setting.overlap));
     if (setting.descent != base.descent) add(std::string(descent_rule_name(setting.descent)));
     if (setting.growth != base.growth) add(std::string(ball_growth_name(setting.growth)));
     return name;
@@ -136,16 +131,18 @@ Json tune_json(const SceneTuning& tuning) {
 }
 
 std::string tune_csv(const SceneTuning& tuning) {
-    std::string text = "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,ms\n";
+    std::string text =
+        "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,misses_pairs,ms\n";
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& setting = row.trial.setting;
         const bool threshold = has_threshold(setting.overlap.test);
         text += std::string(tuned_name(row.trial.tuned)) + "," +
                 std::string(overlap_test_name(setting.overlap.test)) + "," +
-                (threshold ? format("%g", setting.overlap.threshold) : std::string()) + "," +
+                (threshold ? Json(setting.overlap.threshold).dump() : std::string()) + "," +
                 std::string(descent_rule_name(setting.descent)) + "," +
                 std::string(ball_growth_name(setting.growth)) +
-                format(",%.6f,%.6f,%.6f,%.6f,", row.n_v, row.n_p, row.operations, row.pairs) +
+                format(",%.6f,%.6f,%.6f,%.6f,%d,", row.n_v, row.n_p, row.operations, row.pairs,
+                       row.misses_pairs ? 1 : 0) +
                 (tuning.timed ? format("%.6f\n", row.ms) : std::string("\n"));
     }
     return text;

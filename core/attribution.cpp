@@ -1,8 +1,8 @@
 #include "core/attribution.h"
 
-#include "core/exact_overlap.h"
+#include "core/collide.h"
+#include "core/exact_verdict.h"
 #include "core/operation_cost.h"
-#include "core/placed_volume.h"
 
 namespace scb {
 namespace {
@@ -73,13 +73,13 @@ template <class V>
 void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>& b,
                   const TraceFrame& frame, const std::vector<std::uint64_t>& contacts) {
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    const Placement placed = query_placement(a, b, frame.b_to_a);
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const IndexPair nodes = tests[i].nodes;
-        const ContactProof proof =
-            exact_overlap(a.volumes[nodes.a], placed(b.volumes[nodes.b], frame.b_to_a));
+        const ContactProof proof = exact_verdict(a.volumes[nodes.a], b.volumes[nodes.b], placed);
         if (tests[i].stage != Stage::overlapping) {
-            if (proof.contact == Contact::overlapping)
-                result.wrongly_rejected.push_back({i, contacts[i]});
+            if (proof.contact == Contact::overlapping || contacts[i] > 0)
+                result.wrongly_rejected.push_back({i, contacts[i], proof.contact});
             continue;
         }
         PassedPair pair;

@@ -24,10 +24,12 @@ struct PassedPair {
     Work below;                            ///< what came of it: wasted, where the pair is false
 };
 
-/// A volume test that rejected volumes which overlap: an error of the test.
+/// A volume test that rejected volumes which overlap, or which hold triangles that intersect: an
+/// error of the test.
 struct WrongRejection {
-    std::uint32_t test = 0;    ///< index into Events::volume_tests
-    std::uint64_t missed = 0;  ///< pairs of triangles below it that intersect
+    std::uint32_t test = 0;                ///< index into Events::volume_tests
+    std::uint64_t missed = 0;              ///< pairs of triangles below it that intersect
+    Contact exact = Contact::overlapping;  ///< of the volumes; else, `missed` > 0
 
     friend bool operator==(const WrongRejection&, const WrongRejection&) = default;
 };
@@ -40,7 +42,7 @@ struct Attribution {
 };
 
 /// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
-/// overlap of the volumes. `tree` is test_tree's. `contacts` are all pairs of triangles that
+/// verdict on the volumes. `tree` is test_tree's. `contacts` are all pairs of triangles that
 /// intersect, see all_contacts; sorted or not. O(N_v) verdicts.
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, const TestTree& tree,

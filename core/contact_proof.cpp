@@ -33,12 +33,23 @@ double reach(const Surroundings& s, double cosine, double sine) {
     return reach(s.to_sphere, -h, h, std::abs(cosine), sine);
 }
 
+/// `size`: the largest of the lengths that meet.
 template <class V>
-bool verify_within(const V& a, const V& b, const ContactProof& proof, double rounding) {
-    if (proof.contact == Contact::touching || !(proof.margin > rounding)) return false;
-    const double margin = proof.contact == Contact::disjoint ? proven_gap(a, b, proof.direction)
-                                                             : proven_depth(a, b, proof.point);
-    return margin >= proof.margin - rounding;
+bool verify_within(const V& a, const V& b, const ContactProof& proof, double size) {
+    // Squares of shorter lengths lose digits, or vanish, and those of longer ones overflow.
+    if (!(size > 1e-140 && size < 1e140)) return false;
+    const double rounding = 1e-14 * size;
+    if (!(proof.margin > rounding)) return false;
+    switch (proof.contact) {
+        case Contact::disjoint:
+            return std::abs(proof.direction.norm() - 1) <= 1e-9 &&
+                   proven_gap(a, b, proof.direction) >= proof.margin - rounding;
+        case Contact::overlapping:
+            return proven_depth(a, b, proof.point) >= proof.margin - rounding;
+        case Contact::touching:
+            break;
+    }
+    return false;
 }
 
 }  // namespace
@@ -114,18 +125,18 @@ std::string_view contact_name(Contact contact) {
 }
 
 bool verify(const Scb& a, const Scb& b, const ContactProof& proof) {
-    return verify_within(a, b, proof, 1e-14 * std::max({a.r, b.r, (b.c - a.c).norm()}));
+    return verify_within(a, b, proof, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
 }
 
 bool verify(const Ball& a, const Ball& b, const ContactProof& proof) {
     return verify_within(a, b, proof,
-                         1e-14 * std::max({a.radius, b.radius, (b.center - a.center).norm()}));
+                         std::max({a.radius, b.radius, (b.center - a.center).stableNorm()}));
 }
 
 bool verify(const Obb& a, const Obb& b, const ContactProof& proof) {
     return verify_within(
         a, b, proof,
-        1e-14 * std::max({a.half.norm(), b.half.norm(), (b.center - a.center).norm()}));
+        std::max({a.half.stableNorm(), b.half.stableNorm(), (b.center - a.center).stableNorm()}));
 }
 
 }  // namespace scb

@@ -49,8 +49,11 @@ double proven_depth(const Scb& a, const Scb& b, const Vec3& point);
 double proven_depth(const Ball& a, const Ball& b, const Vec3& point);
 double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 
-/// Whether the certificate shows the verdict, by at least the stated margin, recomputed with
-/// nothing of the search. `touching` claims nothing and is never verified.
+/// Whether the certificate shows the verdict, by at least the stated margin: proven_gap or
+/// proven_depth, with nothing of exact_overlap. Of a margin that `sharpened` found by climbing on
+/// these two it says no more than that; see supports_bear_out. `touching` claims nothing and is
+/// never verified, nor are lengths whose squares are no normal numbers, or a direction that is no
+/// unit vector.
 bool verify(const Scb& a, const Scb& b, const ContactProof& proof);
 bool verify(const Ball& a, const Ball& b, const ContactProof& proof);
 bool verify(const Obb& a, const Obb& b, const ContactProof& proof);

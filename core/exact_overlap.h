@@ -28,6 +28,10 @@ inline constexpr double contact_tolerance = 1e-9;
 /// tried, without deciding which boundaries are the right ones: what counts is what the point or
 /// direction proves.
 ///
+/// The condition asks for a point inside of A's ball within B's slab. Where A only touches that
+/// slab there is none, however far from B the point is where it does. Then the directions of wider
+/// slabs are tried, which hold such points: what separates A from a larger B separates it from B.
+///
 /// Other tests are made of candidate axes; these directions follow from closest points.
 ContactProof exact_overlap(const Scb& a, const Scb& b, double tolerance = contact_tolerance);
 

@@ -147,9 +147,9 @@ struct Separation {
 };
 
 // Faces, and all that involves a sphere.
-void try_closed_forms(Separation& separation) {
-    const Scb &a = separation.pair.a, &b = separation.pair.b;
-    const Vec3 to_b = separation.pair.to_b(), to_a = -to_b;
+void try_closed_forms(const Pair& pair, Separation& separation) {
+    const Scb &a = pair.a, &b = pair.b;
+    const Vec3 to_b = pair.to_b(), to_a = -to_b;
     separation.try_both_ways(a.n);
     separation.try_both_ways(b.n);
     separation.try_direction(to_b);
@@ -172,6 +172,20 @@ void try_corners(const Pair& p, const Crossing& crossing, Separation& separation
         separation.try_both_ways(cross(a_tangent, b_tangent));
         return false;
     });
+}
+
+// The directions of the pair with a wider slab of B. Where A only touches B's slab, or misses it by
+// as little as `missed`, its one point in there has no direction, but the cap that it has in the
+// wider one does.
+void try_wider_slabs(const Pair& p, double missed, Separation& separation) {
+    for (const double share : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        const double by = missed + share * std::max(p.a.r, p.b.r);
+        Pair wider = p;
+        wider.b.e = std::min(p.b.e + by, p.b.r);
+        wider.b.f = std::max(p.b.f - by, -p.b.r);
+        try_closed_forms(wider, separation);
+        try_corners(wider, Crossing(p.a.n, p.b.n), separation);
+    }
 }
 
 // What is left of A and B such that a point common to both cores proves the depth. That does a
@@ -204,7 +218,7 @@ ContactProof exact_overlap(const Scb& a, const Scb& b, double tolerance) {
 
     ContactProof proof;
     Separation separation{pair};
-    try_closed_forms(separation);
+    try_closed_forms(pair, separation);
     const auto conclude_disjoint = [&] {
         proof.contact = Contact::disjoint;
         proof.direction = separation.direction;
@@ -226,6 +240,12 @@ ContactProof exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     const Pair exchanged = pair.exchanged();
     Separation backward{exchanged};
     try_corners(exchanged, Crossing(b.n, a.n), backward);
+    separation.try_direction(-backward.direction);
+    if (separation.gap > least) return conclude_disjoint();
+
+    const double missed = std::max(0.0, separation.gap);
+    try_wider_slabs(pair, missed, separation);
+    try_wider_slabs(exchanged, missed, backward);
     separation.try_direction(-backward.direction);
     if (separation.gap > least) return conclude_disjoint();
     return proof;

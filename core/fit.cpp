@@ -7,6 +7,11 @@
 #include "core/mesh.h"
 
 namespace scb {
+
+std::string_view ball_growth_name(BallGrowth growth) {
+    return growth == BallGrowth::ritter ? "ritter" : "radius";
+}
+
 namespace {
 
 template <class Volume>

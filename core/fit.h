@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "core/ball.h"
 #include "core/dop26.h"
@@ -31,6 +32,9 @@ struct FitCounts {
         0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
 };
+
+/// "ritter", "radius": the names of the command line.
+std::string_view ball_growth_name(BallGrowth growth);
 
 struct FitOptions {
     /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes

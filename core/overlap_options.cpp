@@ -1,5 +1,7 @@
 #include "core/overlap_options.h"
 
+#include <cstdio>
+
 #include <array>
 
 namespace scb {
@@ -46,5 +48,15 @@ std::span<const Stage> stages_of(OverlapTest test) {
 std::span<const Stage> ball_stages() { return std::span(table_1).first(1); }
 
 std::span<const Stage> obb_stages() { return axes; }
+
+std::string overlap_title(const OverlapOptions& options) {
+    std::string title(overlap_test_name(options.test));
+    if (has_threshold(options.test)) {
+        char text[32];
+        std::snprintf(text, sizeof text, " a=%g", options.threshold);
+        title += text;
+    }
+    return title;
+}
 
 }  // namespace scb

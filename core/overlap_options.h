@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/stage.h"
@@ -34,6 +35,9 @@ struct OverlapOptions {
     /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
     double threshold = 0.7;
 };
+
+/// "symmetric", "corrected a=0.7": with the threshold, where the test has one.
+std::string overlap_title(const OverlapOptions& options);
 
 /// The stages at which the test of this volume type can reject, in the order in which it makes
 /// them. Those of slab cut balls depend on their test.

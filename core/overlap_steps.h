@@ -19,8 +19,9 @@ struct OverlapStep {
     std::string formula;         ///< what is compared: "d1 − e1 > r0"
     double left = 0, right = 0;  ///< its two sides
     /// By how much the comparison holds (positive: this step separates A from B, by that much) or
-    /// is missed (negative), once the placement's margin is deducted. Where rounding makes it
-    /// disagree with `separates`, it is 0.
+    /// is missed (negative), once the placement's margin is deducted: of an axis across two edges
+    /// of boxes, the margin over the length of their product, since the test leaves it along that.
+    /// Where rounding makes it disagree with `separates`, it is 0.
     double slack = 0;
     /// Whether the comparison holds, found by the operations of the test itself.
     bool separates = false;
@@ -55,7 +56,7 @@ struct OverlapQuantity {
 struct OverlapSteps {
     std::vector<OverlapQuantity> quantities;
     std::vector<OverlapStep> steps;
-    double margin = 0;  ///< of the placement: what every comparison leaves for rounding
+    double margin = 0;  ///< of the placement: what the test leaves for rounding, see `slack`
 
     /// The step that rejected the pair: the first that is made and separates; none: it passes.
     std::optional<std::size_t> decisive() const;

@@ -250,6 +250,15 @@ OverlapSteps overlap_steps(const Scb& a, const Scb& b, const Placement& placed,
     }
     add_slab_steps(result, x, options.test == OverlapTest::printed);
     if (options.test == OverlapTest::symmetric) {
+        const auto add_slab = [&](const Scb& s, std::string_view middle, std::string_view half,
+                                  std::string_view middle_key, std::string_view half_key) {
+            result.quantities.push_back(
+                {middle, middle_key, "middle of the slab", (s.e + s.f) / 2 + 0.0});
+            result.quantities.push_back(
+                {half, half_key, "half the slab's thickness", (s.e - s.f) / 2});
+        };
+        add_slab(a, "m0", "h0", "middle_a", "half_a");
+        add_slab(b, "m1", "h1", "middle_b", "half_b");
         result.steps.push_back(symmetric_step(x, Owner(x, true)));
         result.steps.push_back(symmetric_step(x, Owner(x, false)));
     } else {

@@ -1,28 +1,22 @@
 #include "core/pair_explanation.h"
 
-#include <cmath>
-
 #include "core/exact_overlap.h"
 #include "core/overlap.h"
-#include "core/placed_volume.h"
+#include "core/support_check.h"
 
 namespace scb {
 namespace {
-
-template <class V>
-void add_verdict(PairExplanation& result, const V& a, const V& b, double margin) {
-    result.proof = sharpened(a, b, exact_overlap(a, b));
-    if (!(result.proof.margin > margin)) result.proof = {};
-    result.proven = verify(a, b, result.proof);
-    result.answer = judged(result.steps.stage(), result.proof.contact);
-}
 
 template <class V>
 PairExplanation explained(const V& a, const V& b, const Placement& placed,
                           const OverlapOptions& options) {
     PairExplanation result;
     result.steps = overlap_steps(a, b, placed, options);
-    add_verdict(result, a, seen_from_a(b, placed), placed.margin);
+    const ContactProof verdict = exact_verdict(a, b, placed);
+    const V in_a = seen_from_a(b, placed);
+    result.proof = sharpened(a, in_a, verdict);
+    result.proven = verify(a, in_a, verdict) && supports_bear_out(a, in_a, result.proof);
+    result.answer = judged(result.steps.stage(), verdict.contact);
     return result;
 }
 
@@ -71,15 +65,5 @@ PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,
                         const OverlapOptions& options) {
     return explained(a, b, placed, options);
 }
-
-Scb seen_from_a(const Scb& b, const Placement& placed) {
-    Scb moved = scb::placed(b, placed.b_to_a);
-    moved.n /= std::sqrt(squared_norm(moved.n));
-    return moved;
-}
-
-Ball seen_from_a(const Ball& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
-
-Obb seen_from_a(const Obb& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
 
 }  // namespace scb

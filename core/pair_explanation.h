@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contact_proof.h"
+#include "core/exact_verdict.h"
 #include "core/overlap_steps.h"
 
 namespace scb {
@@ -37,10 +37,11 @@ struct PairExplanation {
     OverlapSteps steps;             ///< of the test that was asked for
     Answer answer{};                ///< that test's
     std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
-    /// In A's frame. The two touch also where gap or depth is within the placement's margin, where
-    /// the tests themselves cannot tell.
+    /// That of exact_verdict, sharpened; in A's frame.
     ContactProof proof;
-    bool proven = false;  ///< what `verify` says of the proof
+    /// What `verify` says of the verdict before it was sharpened, and supports_bear_out of the
+    /// proof.
+    bool proven = false;
 };
 
 /// Explains the test that the options name, for A in its own frame and B in the one that `placed`
@@ -52,11 +53,5 @@ PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
                         const OverlapOptions& = {});
 PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,
                         const OverlapOptions& = {});
-
-/// B in A's frame, as the exact verdict takes it: a normal is made a unit vector again, where a
-/// pose that is rigid to ten digits has left it short.
-Scb seen_from_a(const Scb& b, const Placement& placed);
-Ball seen_from_a(const Ball& b, const Placement& placed);
-Obb seen_from_a(const Obb& b, const Placement& placed);
 
 }  // namespace scb

@@ -38,9 +38,10 @@ struct Work {
 /// pairs that passed because of a weak test; the rest is due to the fit.
 struct PassCounts {
     std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};  ///< passed pairs by reason
-    std::uint64_t touching = 0;          ///< passed pairs whose volumes only touch
-    std::uint64_t wrongly_rejected = 0;  ///< tests that rejected volumes which overlap
-    std::uint64_t missed = 0;            ///< pairs of triangles below these that intersect
+    std::uint64_t touching = 0;  ///< passed pairs whose volumes only touch
+    /// Tests that rejected volumes which overlap, or which hold triangles that intersect.
+    std::uint64_t wrongly_rejected = 0;
+    std::uint64_t missed = 0;  ///< pairs of triangles below these that intersect
     Work all, wasted;
     Work wasted_by_tests;  ///< of the wasted work, what an exact test would save
 

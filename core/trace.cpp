@@ -67,7 +67,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                                       {"volume", std::string(volume_kind_name(header.volume))}};
     // Only what has an effect on these volumes.
     if (header.volume == VolumeKind::scb || header.volume == VolumeKind::ball)
-        fields.push_back({"growth", header.growth == BallGrowth::ritter ? "ritter" : "radius"});
+        fields.push_back({"growth", std::string(ball_growth_name(header.growth))});
     if (header.volume == VolumeKind::scb) {
         fields.push_back({"margin", number(header.margin)});
         fields.push_back({"test", std::string(overlap_test_name(options.overlap.test))});

@@ -16,6 +16,7 @@ void add_once(std::vector<TuneTrial>& trials, const TuneSetting& setting, Tuned 
 // The best of the trials in which nothing but one of these was changed.
 const TuneSetting& best_of(std::span<const TuneTrial> trials, std::span<const double> costs,
                            double least_gain, std::initializer_list<Tuned> among) {
+    const bool chooses_test = std::find(among.begin(), among.end(), Tuned::test) != among.end();
     std::vector<TuneTrial> chosen;
     std::vector<double> their_costs;
     std::vector<std::size_t> places;
@@ -23,6 +24,8 @@ const TuneSetting& best_of(std::span<const TuneTrial> trials, std::span<const do
         const bool is_among = std::find(among.begin(), among.end(), trials[i].tuned) != among.end();
         if (!is_among && trials[i].tuned != Tuned::nothing) continue;
         chosen.push_back(trials[i]);
+        // Where the test is the same for all, it is no reason to prefer one.
+        if (!chooses_test) chosen.back().setting.overlap.test = OverlapTest::symmetric;
         their_costs.push_back(costs[i]);
         places.push_back(i);
     }
@@ -55,10 +58,6 @@ std::string_view tuned_name(Tuned tuned) {
     return "best";
 }
 
-std::string_view ball_growth_name(BallGrowth growth) {
-    return growth == BallGrowth::ritter ? "ritter" : "radius";
-}
-
 std::vector<TuneTrial> tune_trials(const TuneSetting& base) {
     std::vector<TuneTrial> trials = {{base, Tuned::nothing}};
     TuneSetting setting = base;
@@ -84,17 +83,13 @@ std::vector<TuneTrial> tune_trials(const TuneSetting& base) {
     return trials;
 }
 
-bool finds_all_pairs(const TuneSetting& setting) {
-    return setting.overlap.test != OverlapTest::printed;
-}
-
 std::size_t best_trial(std::span<const TuneTrial> trials, std::span<const double> costs,
                        double least_gain) {
     assert(!trials.empty() && costs.size() == trials.size() && "every trial has a cost");
     std::size_t best = 0;
-    bool found = finds_all_pairs(trials[0].setting);
+    bool found = is_sound(trials[0].setting.overlap.test);
     for (std::size_t i = 1; i < trials.size(); ++i) {
-        if (!finds_all_pairs(trials[i].setting)) continue;
+        if (!is_sound(trials[i].setting.overlap.test)) continue;
         const bool gains = costs[i] < costs[0] * (1 - least_gain);
         if (found && (costs[i] >= costs[best] || (best == 0 && !gains))) continue;
         best = i;

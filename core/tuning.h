@@ -34,9 +34,6 @@ enum class Tuned {
 /// "base", "test", "threshold", "descent", "growth", "best".
 std::string_view tuned_name(Tuned tuned);
 
-/// "ritter", "radius": the names of the command line.
-std::string_view ball_growth_name(BallGrowth growth);
-
 struct TuneTrial {
     TuneSetting setting;
     Tuned tuned = Tuned::nothing;
@@ -47,10 +44,8 @@ struct TuneTrial {
 /// growth rule. Each once.
 std::vector<TuneTrial> tune_trials(const TuneSetting& base);
 
-/// Whether its queries find all pairs: all but those of the printed test.
-bool finds_all_pairs(const TuneSetting& setting);
-
-/// The trial with the least cost of those that find all pairs; of equal ones the first. `costs` are
+/// The trial with the least cost of those with a sound test; of equal ones the first; the first of
+/// all where none is sound. `costs` are
 /// of the trials, in their order. The first trial stays unless another saves more than
 /// `least_gain` of its cost, as a share.
 std::size_t best_trial(std::span<const TuneTrial> trials, std::span<const double> costs,

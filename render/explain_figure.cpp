@@ -12,6 +12,7 @@
 #include "render/fit_camera.h"
 #include "render/section_plot.h"
 #include "render/slack_chart.h"
+#include "render/smooth_line.h"
 
 namespace scb {
 namespace {
@@ -63,10 +64,6 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
         const Vec3 half_gap = proof.margin / 2 * disc.n;
         pane.segments.push_back({disc.c - half_gap, disc.c + half_gap, theme.accent, 3,
                                  std::max(3.0, unit / 6.0), true});
-    } else if (proof.contact == Contact::overlapping) {
-        const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + proof.point));
-        const double size = unit / 3.5 / pixels_per_unit(camera, point, view.height);
-        pane.volumes.push_back({Ball{point, size}, theme.text, 3});
     }
     return pane;
 }
@@ -76,6 +73,22 @@ SectionPlane plane_of(const ExplainFigure& figure) {
     return section_plane(
         figure.a, figure.b, shown_step(figure),
         proof.contact == Contact::overlapping ? std::optional(proof.point) : std::nullopt);
+}
+
+/// The point of both, also where something hides it.
+void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
+                       const PixelRect& view, int unit) {
+    const ContactProof& proof = figure.found->proof;
+    if (proof.contact != Contact::overlapping) return;
+    const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + proof.point)),
+               at = project(camera, point, view.width, view.height);
+    const ScreenPosition position{view.x + at[0], view.y + at[1]};
+    const int reach = unit / 2;
+    if (!(position.x >= view.x + reach && position.x <= view.x + view.width - reach &&
+          position.y >= view.y + reach && position.y <= view.y + view.height - reach))
+        return;
+    draw_smooth_line(overlay, std::array{position}, figure.theme->background, unit * 0.8);
+    draw_smooth_line(overlay, std::array{position}, figure.theme->text, unit * 0.5);
 }
 
 /// Squares about what is too small to be seen.
@@ -176,6 +189,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
                    pixels_per_unit(camera, center(placed(figure.a, figure.to_world)), view.height),
                    {theme, layout.unit});
     mark_small(overlay, figure, camera, view, layout.unit);
+    mark_common_point(overlay, figure, camera, view, layout.unit);
     if (layout.section.width > 0) draw_section(overlay, figure, layout);
     draw_slack_chart(
         overlay, layout.steps,

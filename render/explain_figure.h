@@ -26,6 +26,7 @@ struct ExplainFigure {
     /// What the volumes bound, where that is known: in the world; their colors are set.
     std::optional<std::array<MeshDraw, 2>> triangles;
     OverlapOptions options;
+    std::string but;  ///< said behind "the test is right": what is wrong nevertheless; may be empty
     const PairExplanation* found = nullptr;
     Pose to_world;                 ///< from A's frame, for the camera
     std::optional<Camera> camera;  ///< in the world; else explain_camera's

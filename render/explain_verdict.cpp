@@ -63,16 +63,21 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
     lines.push_back({"exact:  " + exact_words(found.proof), theme.text, FontWeight::bold});
     std::string answer(answer_name(found.answer));
     if (found.answer == Answer::correct)
-        answer = "the test is right";
+        answer = "the test is right" + (figure.but.empty() ? "" : ", but " + figure.but);
     else
         answer = found.answer == Answer::false_positive
                      ? "FALSE POSITIVE: passed, but disjoint"
                      : "FALSE NEGATIVE: rejected, but overlapping";
     lines.push_back({answer, answer_color(found.answer, theme), FontWeight::bold});
-    // Of the paper's errors, the one that matters here.
+    // Of the paper's errors, the one to blame: where `corrected` answers alike, none is.
     const Stage erring = found.answer == Answer::false_positive ? Stage::cylinder_slab : stage;
+    const bool is_to_blame =
+        found.answer != Answer::correct &&
+        std::any_of(found.tests.begin(), found.tests.end(), [](const TestAnswer& t) {
+            return t.test == OverlapTest::corrected && t.answer == Answer::correct;
+        });
     for (const OverlapStep& step : found.steps.steps)
-        if (found.answer != Answer::correct && step.stage == erring && !step.error.empty())
+        if (is_to_blame && step.stage == erring && step.skipped.empty() && !step.error.empty())
             lines.push_back({"line " + std::to_string(step.line) + " " + step.error, theme.text});
     lines.push_back(
         {figure.names[0] + ":  " + shape(figure.a), theme.text, FontWeight::regular, body_a_color});

@@ -63,13 +63,6 @@ StackedBarsPlot depths_plot(const InspectFigure& figure) {
     return plot;
 }
 
-/// "corrected 0.7"
-std::string short_title(const OverlapOptions& overlap) {
-    std::string title(overlap_test_name(overlap.test));
-    if (has_threshold(overlap.test)) title += " " + number_text(overlap.threshold, 2);
-    return title;
-}
-
 void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>& words,
                 const Split& split, const Theme& theme) {
     const std::uint64_t all = split[0] + split[1] + split[2];
@@ -99,7 +92,7 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     items.emplace_back(PanelHeading{"with another test"});
     items.emplace_back(PanelRow{"", {"tests", "operations"}});
     for (const OtherTest& other : figure.others)
-        items.emplace_back(PanelRow{short_title(other.overlap),
+        items.emplace_back(PanelRow{overlap_title(other.overlap),
                                     {change_text(counts.all.volume_tests, other.all.volume_tests),
                                      change_text(counts.all.operations, other.all.operations)}});
     return items;
@@ -117,16 +110,6 @@ Rgba8 pass_reason_color(PassReason reason, const Theme& theme) {
             break;
     }
     return theme.accent;
-}
-
-std::string test_title(const OverlapOptions& overlap) {
-    std::string title(overlap_test_name(overlap.test));
-    if (has_threshold(overlap.test)) {
-        char text[32];
-        std::snprintf(text, sizeof text, ", a = %g", overlap.threshold);
-        title += text;
-    }
-    return title;
 }
 
 std::string change_text(std::uint64_t from, std::uint64_t to) {

@@ -27,9 +27,6 @@ struct InspectFigure {
 /// positives of the test.
 Rgba8 pass_reason_color(PassReason reason, const Theme& theme);
 
-/// "corrected, a = 0.7"
-std::string test_title(const OverlapOptions& overlap);
-
 /// How much more or less that is: "+9.6 %", "−3.9 %"; a dash where there was nothing.
 std::string change_text(std::uint64_t from, std::uint64_t to);
 

@@ -233,6 +233,10 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
         drawing.dot(px, py, theme.background, 6 * drawing.width());
         drawing.dot(px, py, theme.text, 4 * drawing.width());
     }
+    // Of the whole, the scale is that of the view beside it.
+    if (shown.detail && box.width > 10 * unit && box.height > 6 * unit)
+        draw_scale_bar(overlay, box.x + unit / 2, box.y + box.height, box.width / 4, scale.pixels,
+                       {theme, unit});
     draw_dimensions(overlay, scale, {static_cast<int>(columns_x), rect.y, beside, rect.height},
                     dimensions, theme, unit, drawing.width());
     return shown.detail;

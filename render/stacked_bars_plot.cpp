@@ -24,8 +24,14 @@ std::vector<std::vector<double>> means(const StackedBarsPlot& plot, std::size_t 
     return bars;
 }
 
-/// One place for each number, whatever they are; round ones are marked where there are some, else
-/// those at even steps.
+bool are_evenly_spaced(const std::vector<int>& numbers) {
+    for (std::size_t i = 2; i < numbers.size(); ++i)
+        if (numbers[i] - numbers[i - 1] != numbers[1] - numbers[0]) return false;
+    return true;
+}
+
+/// One place for each number, whatever they are. Round ones are marked where there are some and the
+/// numbers follow at even steps, as a reader then expects; else every so many.
 PlotAxis numbers_axis(const std::vector<int>& numbers, int most_ticks) {
     PlotAxis axis;
     axis.low = 0;
@@ -33,11 +39,12 @@ PlotAxis numbers_axis(const std::vector<int>& numbers, int most_ticks) {
     const auto mark = [&](std::size_t i) {
         axis.ticks.push_back({static_cast<double>(i) + 0.5, std::to_string(numbers[i])});
     };
-    for (const AxisTick& tick :
-         linear_axis(numbers.front(), numbers.back(), most_ticks, AxisEnds::data, true).ticks) {
-        const auto at = std::find(numbers.begin(), numbers.end(), static_cast<int>(tick.value));
-        if (at != numbers.end()) mark(static_cast<std::size_t>(at - numbers.begin()));
-    }
+    if (are_evenly_spaced(numbers))
+        for (const AxisTick& tick :
+             linear_axis(numbers.front(), numbers.back(), most_ticks, AxisEnds::data, true).ticks) {
+            const auto at = std::find(numbers.begin(), numbers.end(), static_cast<int>(tick.value));
+            if (at != numbers.end()) mark(static_cast<std::size_t>(at - numbers.begin()));
+        }
     if (axis.ticks.size() >= 2) return axis;
     axis.ticks.clear();
     const std::size_t step = (numbers.size() + static_cast<std::size_t>(most_ticks) - 1) /
@@ -80,7 +87,11 @@ PixelRect draw_stacked_bars_plot(Overlay& overlay, const PixelRect& rect,
         std::vector<BarPart> parts;
         for (std::size_t part = 0; part < plot.colors.size(); ++part)
             parts.push_back({plot.colors[part], bars[i][part]});
-        draw_stacked_bar(overlay, {left, area.y, edge(i + 1) - left - gap, area.height}, parts,
+        // Few bars do not become walls; and draw_stacked_bar takes what is wider than tall for one
+        // that lies.
+        const int slot = edge(i + 1) - left - gap,
+                  width = std::min({slot, 8 * style.unit, std::max(1, area.height - 1)});
+        draw_stacked_bar(overlay, {left + (slot - width) / 2, area.y, width, area.height}, parts,
                          frame.y.high);
     }
     return area;

@@ -67,6 +67,10 @@ json parse_json(std::string_view text, const std::string& file) {
                              " stands twice in one object; keep one of them.");
         return true;
     };
+    // The parser takes one for the end.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        throw InputError(file + ": " + line_and_column(text, zero + 1) +
+                         ": not valid JSON: a zero byte; correct it there.");
     try {
         return json::parse(text.begin(), text.end(), check_event);
     } catch (const json::parse_error& error) {

@@ -82,10 +82,19 @@ Pose read_pair_pose(const JsonPlace& place, Notes& notes) {
     return pose;
 }
 
+/// A length whose square does not vanish, or none.
+double read_length(const JsonPlace& place) {
+    const double length = read_number(place, 0);
+    if (length > 0 && length < min_size)
+        refuse(place, number_text(length) + " is too small; at least " + number_text(min_size) +
+                          ", or 0.");
+    return length;
+}
+
 void read(const JsonPlace& place, Scb& s, Notes& notes) {
     check_fields(place, {"center", "radius", "normal", "e", "f"});
     s.c = read_vec3(field(place, "center"));
-    s.r = read_number(field(place, "radius"), 0);
+    s.r = read_length(field(place, "radius"));
     s.n = read_normal(field(place, "normal"), notes);
     s.e = read_number(field(place, "e"));
     s.f = read_number(field(place, "f"));
@@ -116,7 +125,7 @@ void read(const JsonPlace& place, Scb& s, Notes& notes) {
 void read(const JsonPlace& place, Ball& ball, Notes&) {
     check_fields(place, {"center", "radius"});
     ball.center = read_vec3(field(place, "center"));
-    ball.radius = read_number(field(place, "radius"), 0);
+    ball.radius = read_length(field(place, "radius"));
 }
 
 void read(const JsonPlace& place, Obb& box, Notes& notes) {
@@ -130,7 +139,7 @@ void read(const JsonPlace& place, Obb& box, Notes& notes) {
     const JsonPlace half = field(place, "half");
     if (array_size(half, "three half lengths") != 3) refuse_value(half, "three half lengths");
     for (std::size_t i = 0; i < 3; ++i)
-        box.half[static_cast<Eigen::Index>(i)] = read_number(element(half, i), 0);
+        box.half[static_cast<Eigen::Index>(i)] = read_length(element(half, i));
 }
 
 enum class Kind { scb, ball, box };
@@ -147,12 +156,29 @@ const char* words_of(Kind kind) {
     return kind == Kind::scb ? "a slab cut ball" : kind == Kind::ball ? "a ball" : "a box";
 }
 
+Vec3 center_of(const Scb& s) { return s.c; }
+Vec3 center_of(const Ball& ball) { return ball.center; }
+Vec3 center_of(const Obb& box) { return box.center; }
+
+/// Of two points the distance is all that there is.
+template <class V>
+void check_distance(const JsonPlace& place, const RawPair<V>& pair) {
+    if (diameter(pair.a) > 0 || diameter(pair.b) > 0) return;
+    const Vec3 apart = transform_point(pair.b_to_a, center_of(pair.b)) - center_of(pair.a);
+    const double distance = apart.stableNorm();
+    if (distance > 0 && distance < (1 - 1e-9) * min_size)
+        refuse(field(field(place, "b"), "center"), "the two points are " + short_number(distance) +
+                                                       " apart; at least " + number_text(min_size) +
+                                                       ", or 0.");
+}
+
 template <class V>
 RawPair<V> read_pair_of(const JsonPlace& place) {
     RawPair<V> pair;
     read(field(place, "a"), pair.a, pair.notes);
     read(field(place, "b"), pair.b, pair.notes);
     if (has(place, "pose")) pair.b_to_a = read_pair_pose(field(place, "pose"), pair.notes);
+    check_distance(place, pair);
     return pair;
 }
 

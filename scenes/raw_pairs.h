@@ -33,8 +33,8 @@ using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>>;
 /// they must be are made unit vectors and rotations, planes beyond the ball are moved to its poles,
 /// and a note says so. Throws InputError, naming file, pair and field, for everything else: not
 /// JSON, unknown, missing or wrong fields, a normal without length, e < f, a slab that misses its
-/// ball, a negative radius or half length, axes or a pose that is no rotation. `file` is named in
-/// errors.
+/// ball, a negative radius or half length, one below min_size that is not 0 (or the distance of two
+/// points that is), axes or a pose that is no rotation. `file` is named in errors.
 std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::string& file);
 
 /// The same of a file of at most 512 MiB.

@@ -1,5 +1,6 @@
 #include "core/mesh.h"
 #include "scenes/byte_stream.h"
+#include "scenes/scene.h"
 #include "scenes/trace_block.h"
 
 namespace scb {
@@ -35,7 +36,8 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
     for (std::uint64_t words = in.varint(); words > 0 && in.ok; --words)
         header.source.push_back(in.text());
     header.scene = in.text();
-    bool legal = true;
+    // It becomes a part of file names.
+    bool legal = header.scene == file_name_of(header.scene);
     for (TraceBody& body : header.bodies) {
         body.name = in.text();
         const std::uint64_t triangles = in.varint(), vertices = in.varint();

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -75,7 +76,7 @@ TEST(InspectCommand, TheWorstPairsAreFalse) {
         EXPECT_EQ(pair["frame"], 60);
         EXPECT_GT(pair["wasted"]["n_v"].get<int>() + pair["wasted"]["n_p"].get<int>(), 0);
         EXPECT_EQ(pair["exact"] == "disjoint", pair["reason"] == "test");
-        EXPECT_EQ(pair["gap"].get<double>() > 0, pair["reason"] == "test");
+        EXPECT_GT(pair[pair["reason"] == "test" ? "gap" : "depth"].get<double>(), 0);
     }
     for (const std::size_t i : {0u, 1u, 3u, 4u})
         EXPECT_GE(found["worst"][i]["wasted"]["n_v"].get<int>() +
@@ -89,7 +90,7 @@ TEST(InspectCommand, TheWorstPairsAreFalse) {
 TEST(InspectCommand, PrintedRejectsWronglyAndNoOtherTestDoes) {
     const ProgramRun run = run_scb("inspect spheres-l1 --frame 60 --test printed");
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.err.find("pairs of volumes that overlap"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("pairs of volumes that meet"), std::string::npos) << run.err;
     EXPECT_NE(run.out.find("REJECTED WRONGLY"), std::string::npos);
     for (const char* test : {"line8", "corrected", "symmetric", "extents"})
         EXPECT_EQ(
@@ -97,7 +98,7 @@ TEST(InspectCommand, PrintedRejectsWronglyAndNoOtherTestDoes) {
             0);
     const json wrong = inspect("spheres-l1 --frame 60 --test printed", 1);
     EXPECT_GT(wrong["sum"]["wrongly_rejected"], 0);
-    EXPECT_EQ(wrong["wrongly_rejected"].size(), 10u);
+    EXPECT_EQ(wrong["worst_rejections"].size(), 10u);
     // What printed lost counts as contact nevertheless.
     EXPECT_EQ(inspect("spheres-l1 --frame 60")["worst"][0]["nodes"], wrong["worst"][0]["nodes"]);
 }
@@ -229,7 +230,7 @@ TEST(InspectCommand, WritesTablesOfFramesAndPairs) {
         EXPECT_EQ(static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1, columns)
             << row;
     for (std::size_t i = 0; i < 9; ++i) {
-        const json& pair = i < 6 ? found["worst"][i] : found["wrongly_rejected"][i - 6];
+        const json& pair = i < 6 ? found["worst"][i] : found["worst_rejections"][i - 6];
         EXPECT_EQ(pairs[i + 1].rfind(pair["frame"].dump() + "," + pair["nodes"][0].dump() + "," +
                                          pair["nodes"][1].dump() + ",",
                                      0),
@@ -259,6 +260,42 @@ TEST(InspectCommand, NamesFromOutsideStayText) {
     EXPECT_NE(html.find("scb explain &apos;"), std::string::npos);
     EXPECT_NE(html.find("it&apos;\\&apos;&apos;s &lt;b&gt;.json&apos; --frame 0"),
               std::string::npos);
+}
+
+TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", scene = R"({"scb_scene": 1,
+        "name": "linked", "frames": 1, "models": [{"name": "m", "file": "m.obj"}],
+        "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})";
+    write_text(folder / "m.obj", mesh);
+    write_text(folder / "linked.json", scene);
+    ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
+    for (const auto& [link, target] : {std::pair<std::string, std::string>{"frames.csv", "m.obj"},
+                                       {"index.html", "linked.json"},
+                                       {"linked_scb_inspect.png", "m.obj"},
+                                       {"index.json", "t.scbtrace"}})
+        for (const char* source : {"linked.json", "t.scbtrace"}) {
+            const fs::path out = folder.path / "out";
+            fs::remove_all(out);
+            fs::create_directory(out);
+            fs::create_symlink("../" + target, out / link);
+            const std::string before = file_text(folder / target);
+            const ProgramRun run =
+                run_scb("inspect " + folder / source + " --size 320x240 -o " + out.string());
+            EXPECT_EQ(file_text(folder / target), before) << link << " " << source;
+            if (target != "t.scbtrace" || source == target) {
+                EXPECT_EQ(run.status, 2) << link << " " << source;
+            }
+        }
+    // What is no file is not written to either.
+    const fs::path out = folder.path / "out";
+    fs::remove_all(out);
+    fs::create_directory(out);
+    ASSERT_EQ(::mkfifo((out / "pairs.csv").c_str(), 0600), 0);
+    const ProgramRun run =
+        run_scb("inspect " + folder / "linked.json --size 320x240 -o " + out.string());
+    EXPECT_EQ(run.status, 3) << run.err;
 }
 
 TEST(InspectCommand, RefusesWhatMakesNoSense) {

@@ -239,6 +239,9 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, "the bodies are elsewhere");
+    const ProgramRun explained = run_scb("explain " + of_scene + " --frame 0 --pair 0,0");
+    EXPECT_EQ(explained.status, 2);
+    EXPECT_NE(explained.err.find("the bodies are elsewhere"), std::string::npos) << explained.err;
     write_text(scene, other);
     refused("rejections " + of_scene, "was recorded when the mesh of left had 1280 triangles");
     std::filesystem::remove(scene);

@@ -121,6 +121,16 @@ TEST(TuneCommand, EndsWhenInterrupted) {
     EXPECT_FALSE(fs::exists(folder / "out/tune.json"));
 }
 
+TEST(TuneCommand, ReplacesNothingThatTheSceneWasReadFrom) {
+    const TemporaryFolder folder;
+    const std::string scene = folder / "tune.json", text = run_scb("scenes cone").out;
+    write_text(scene, text);
+    const ProgramRun run =
+        run_scb("tune " + scene + " --frames 1 --no-time -o " + folder.path.string());
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_EQ(file_text(scene), text);
+}
+
 TEST(TuneCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     const std::string mesh = folder / "level.ply";

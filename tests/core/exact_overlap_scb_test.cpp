@@ -269,6 +269,25 @@ TEST(ScbContactProof, IsRefusedWhereItDoesNotHold) {
     EXPECT_FALSE(verify(a, apart, {Contact::disjoint, Vec3::Zero(), Vec3::Zero(), 0.5}));
 }
 
+// Whose squares vanish: no distance can be told from them.
+TEST(ScbContactProof, IsRefusedOfLengthsThatAreTooSmall) {
+    constexpr double tiny = 1e-170;
+    const Scb a = ball(Vec3::Zero(), tiny), apart = ball(Vec3(0, 0, 5 * tiny), tiny);
+    const Ball round{Vec3::Zero(), tiny}, round_apart{Vec3(0, 0, 5 * tiny), tiny};
+    const Obb box{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(tiny)},
+        box_apart{Vec3(0, 0, 5 * tiny), Mat3::Identity(), Vec3::Constant(tiny)};
+    const ContactProof claim{Contact::overlapping, Vec3::Zero(), Vec3::Zero(), tiny};
+    EXPECT_FALSE(verify(a, apart, claim));
+    EXPECT_FALSE(verify(round, round_apart, claim));
+    EXPECT_FALSE(verify(box, box_apart, claim));
+    // Next to lengths that are not, it is.
+    const Scb far = ball(Vec3(0, 0, 2), tiny);
+    EXPECT_TRUE(verify(a, far, exact_overlap(a, far)));
+    // Nor of a direction that is next to nothing.
+    const Scb unit = ball(Vec3::Zero(), 1), beyond = ball(Vec3(0, 0, 2.5), 1);
+    EXPECT_FALSE(verify(unit, beyond, {Contact::disjoint, Vec3(0, 0, 3e-162), Vec3::Zero(), 0.5}));
+}
+
 TEST(RandomScbPairs, AreWellFormedAndCloseToContact) {
     Random random(12);
     for (const ScbPairFamily& family : scb_pair_families)

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "core/exact_overlap.h"
 #include "tests/core/random_scb_pairs.h"
@@ -15,9 +17,9 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr int drawn_per_family = 400, moved_per_gap = 40;
+constexpr int drawn_per_family = 400, moved_per_gap = 40, drawn_in_lattice = 2000;
 #else
-constexpr int drawn_per_family = 80'000, moved_per_gap = 7'800;
+constexpr int drawn_per_family = 80'000, moved_per_gap = 7'800, drawn_in_lattice = 400'000;
 #endif
 
 constexpr double gaps[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
@@ -31,7 +33,8 @@ constexpr double least_gap = 1e-13, least_depth = 1e-10;
 
 struct Agreement {
     long pairs = 0, apart = 0, meeting = 0, open = 0;
-    long touching = 0;  // verdicts, although the search shows a clear gap or depth
+    // Verdicts of "touching", although the search shows a clear gap or depth; those with a gap.
+    long touching = 0, touching_apart = 0;
     long unproven = 0, contrary = 0;
     std::string first;  // of the last two
 
@@ -41,6 +44,7 @@ struct Agreement {
         meeting += other.meeting;
         open += other.open;
         touching += other.touching;
+        touching_apart += other.touching_apart;
         unproven += other.unproven;
         contrary += other.contrary;
         if (first.empty()) first = other.first;
@@ -62,8 +66,7 @@ std::string to_text(const Scb& a, const Scb& b) {
     return out.str();
 }
 
-Agreement compare(const ScbPair& pair) {
-    const Scb &a = pair.a, b = placed(pair.b, pair.b_to_a);
+Agreement compare(const Scb& a, const Scb& b) {
     const double larger = std::max(a.r, b.r);
     const ContactProof proof = exact_overlap(a, b);
     const SupportBounds shown = search_supports(a, b, clearly_apart * larger,
@@ -74,7 +77,7 @@ Agreement compare(const ScbPair& pair) {
     if (shown.lower > least_gap * larger) {
         result.apart = 1;
         result.contrary = proof.contact == Contact::overlapping;
-        result.touching =
+        result.touching = result.touching_apart =
             proof.contact == Contact::touching && shown.lower > clearly_apart * larger;
     } else if (shown.depth > 0) {
         result.meeting = 1;
@@ -88,6 +91,66 @@ Agreement compare(const ScbPair& pair) {
     result.contrary |= proof.contact == Contact::disjoint && proof.margin > shown.upper + 1e-13;
     if (result.unproven + result.contrary > 0) result.first = to_text(a, b);
     return result;
+}
+
+Agreement compare(const ScbPair& pair) { return compare(pair.a, placed(pair.b, pair.b_to_a)); }
+
+// A slab cut ball of few numbers, which those of another one meet: planes through each other's
+// centers and tangent to each other's balls, rims that touch planes, slabs that are a disc or a
+// point. The normal is one of the axes, the sides of right triangles of 3, 4 and 5 abound.
+Scb lattice_scb(Random& random) {
+    constexpr std::array radii = {0.5, 1.0, 2.0};
+    constexpr std::array heights = {-1.0, -0.8, -0.6, 0.0, 0.6, 0.8, 1.0};
+    const auto one_of = [&](const auto& list) {
+        return list[random.below(static_cast<std::uint32_t>(list.size()))];
+    };
+    Scb s;
+    for (int i = 0; i < 3; ++i) s.c[i] = 0.25 * random.below(9) - 1;
+    s.r = one_of(radii);
+    s.n = (random.below(2) == 0 ? 1 : -1) * Vec3::Unit(random.below(3));
+    const double one = s.r * one_of(heights),
+                 other = random.below(2) == 0 ? one : s.r * one_of(heights);
+    s.e = std::max(one, other);
+    s.f = std::min(one, other);
+    return s;
+}
+
+// Where a slab only just touches the other volume, the two have one point in common with it, far
+// from the other's rim perhaps.
+TEST(ExactScbOverlap, AgreesWithTheSearchOnExactTangencies) {
+    Random random(15);
+    Agreement sum;
+    std::string first;
+    for (int i = 0; i < drawn_in_lattice; ++i) {
+        const Scb a = lattice_scb(random);
+        Scb b = lattice_scb(random);
+        // Half of them miss by less than what is told apart, or are in each other by as little.
+        if (i % 2 == 1) b.c[random.below(3)] += contact_tolerance * a.r * random.uniform(-1, 1);
+        const Agreement one = compare(a, b);
+        if (one.touching_apart > 0 && first.empty()) first = to_text(a, b);
+        sum += one;
+    }
+    sum.print("lattice");
+    EXPECT_EQ(sum.unproven + sum.contrary, 0) << sum.first;
+    // A single point of a sphere touches, however deep it is in the other.
+    EXPECT_EQ(sum.touching_apart, 0) << first;
+    EXPECT_GT(sum.apart, drawn_in_lattice / 10);
+    EXPECT_GT(sum.meeting, drawn_in_lattice / 10);
+}
+
+TEST(ExactScbOverlap, KnowsDiscsWhosePlanesTouchTheOther) {
+    const Scb a{Vec3(1, 0.25, 0), 2, Vec3::UnitY(), -1.2, -1.2},
+        b{Vec3(0.5, 0.25, 0), 2, Vec3::UnitZ(), 1.6, 1.6};
+    const SupportBounds shown = search_supports(a, b, 1, {1e-10});
+    EXPECT_NEAR(shown.lower, 0.0316745, 1e-7);
+    EXPECT_NEAR(shown.upper, 0.0316745, 1e-7);
+    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
+        const ContactProof proof = exact_overlap(first, second);
+        EXPECT_EQ(proof.contact, Contact::disjoint);
+        EXPECT_TRUE(verify(first, second, proof));
+        EXPECT_GT(proof.margin, 0.01);
+        EXPECT_NEAR(sharpened(first, second, proof).margin, 0.0316745, 1e-6);
+    }
 }
 
 TEST(ExactScbOverlap, AgreesWithASearchOnFarthestPoints) {

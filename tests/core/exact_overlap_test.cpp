@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/overlap.h"
+#include "core/support_check.h"
 #include "tests/core/random_scb_pairs.h"
 
 namespace scb {
@@ -109,6 +110,86 @@ TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
     EXPECT_TRUE(verify(flat, upright, proof));
 }
 
+/// How far B has to go along the best direction of a random search to be rid of A: no depth is
+/// more.
+template <class V>
+double way_out(Random& random, const V& a, const V& b, const Vec3& to_b) {
+    const auto along = [&](const Vec3& d) { return extent(a, d) + extent(b, -d) - dot(d, to_b); };
+    Vec3 best = random_unit_vector(random);
+    double least = along(best);
+    const auto take = [&](const Vec3& d) {
+        if (along(d) >= least) return;
+        least = along(d);
+        best = d;
+    };
+    for (int i = 0; i < 200; ++i) take(random_unit_vector(random));
+    for (double step = 0.3; step > 1e-8; step /= 1.5)
+        for (int i = 0; i < 12; ++i)
+            take(Vec3(best + step * random_unit_vector(random)).normalized());
+    return least;
+}
+
+TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
+    Random random(5);
+    int scbs = 0, boxes = 0;
+    for (const ScbPairFamily& family : scb_pair_families)
+        for (int i = 0; i < many / 500; ++i) {
+            const ScbPair pair = random_scb_pair(random, family);
+            const Scb b = placed(pair.b, pair.b_to_a);
+            const ContactProof proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
+            if (proof.contact != Contact::overlapping) continue;
+            EXPECT_LE(proof.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
+            EXPECT_TRUE(supports_bear_out(pair.a, b, proof)) << family.name << " " << i;
+            ++scbs;
+        }
+    for (int i = 0; i < many / 100; ++i) {
+        const Obb a = random_box(random);
+        Obb b = random_box(random);
+        b.center = a.center + random.uniform() * (b.center - a.center);
+        const ContactProof proof = sharpened(a, b, exact_overlap(a, b));
+        if (proof.contact != Contact::overlapping) continue;
+        EXPECT_LE(proof.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
+        EXPECT_TRUE(supports_bear_out(a, b, proof)) << i;
+        ++boxes;
+    }
+    EXPECT_GT(scbs, many / 1000);
+    EXPECT_GT(boxes, many / 1000);
+}
+
+// Whole balls, of which gap and depth are known.
+template <class V>
+void expect_borne_out_up_to(double margin, const V& a, const V& apart, const V& close) {
+    const Vec3 up = Vec3::UnitZ();
+    for (const double factor : {0.5, 1.0}) {
+        const double claimed = factor * margin;
+        EXPECT_TRUE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), claimed}));
+        EXPECT_TRUE(
+            supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, claimed}));
+    }
+    const double more = margin + 1e-9;
+    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), more}));
+    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, -up, Vec3::Zero(), margin}));
+    EXPECT_FALSE(
+        supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, more}));
+    // Not a point of both.
+    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 1.1 * up, margin}));
+    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 0.4 * up, margin}));
+    EXPECT_FALSE(supports_bear_out(a, a, ContactProof{}));
+}
+
+TEST(SupportCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
+    const auto ball = [](double z) { return Ball{Vec3(0, 0, z), 1}; };
+    expect_borne_out_up_to(0.5, ball(0), ball(2.5), ball(1.5));
+    const auto whole = [](double z) { return Scb{Vec3(0, 0, z), 1, Vec3::UnitX(), 1, -1}; };
+    expect_borne_out_up_to(0.5, whole(0), whole(2.5), whole(1.5));
+    const auto cut = [](double z) { return Scb{Vec3(0, 0, z), 3, Vec3::UnitZ(), 1, -1}; };
+    expect_borne_out_up_to(0.5, cut(0), cut(2.5), cut(1.5));
+    const auto cube = [](double z) {
+        return Obb{Vec3(0, 0, z), Mat3::Identity(), Vec3::Constant(1)};
+    };
+    expect_borne_out_up_to(0.5, cube(0), cube(2.5), cube(1.5));
+}
+
 TEST(SharpenedProof, IsTheDistanceOrTheDepthOfBalls) {
     const Ball a{Vec3(1, 2, 3), 1}, apart{Vec3(1, 2, 6), 1.5}, close{Vec3(1, 2, 5), 1.5};
     const ContactProof gap =
@@ -133,6 +214,7 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
             if (proof.contact == Contact::touching) continue;
             EXPECT_GE(better.margin, proof.margin);
             EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
+            EXPECT_TRUE(supports_bear_out(pair.a, b, better)) << family.name << " " << i;
             if (proof.contact == Contact::overlapping) {
                 // Still a point of both.
                 const Vec3 in_b = better.point - (b.c - pair.a.c);

@@ -29,11 +29,20 @@ OverlapSteps checked_steps(const V& a, const V& b, const Pose& b_to_a,
     const OverlapSteps steps = overlap_steps(a, b, placed, options);
     const Stage stage = overlap(a, b, b_to_a, options);
     EXPECT_EQ(stage_name(steps.stage()), stage_name(stage)) << overlap_test_name(options.test);
-    for (const OverlapStep& step : steps.steps) {
-        EXPECT_TRUE(step.separates ? step.slack >= 0 : step.slack <= 0) << step.formula;
+    for (const OverlapStep& step : steps.steps)
         EXPECT_TRUE(std::isfinite(step.left) && std::isfinite(step.right)) << step.formula;
-    }
     return steps;
+}
+
+/// A step separates where its reaches leave more than `margin`, as far as rounding lets one tell;
+/// its slack is the rest, and so is the difference of its sides.
+void expect_consistent(const OverlapStep& step, const Vec3& c, double margin, double rounding) {
+    EXPECT_NEAR(squared_norm(step.direction), 1, 1e-12) << step.formula;
+    const double left_over = dot(step.direction, c) - step.reach_a - step.reach_b,
+                 rest = left_over - margin;
+    EXPECT_NEAR(rest, step.slack, rounding) << step.formula;
+    EXPECT_NEAR(std::abs(step.left - step.right), std::abs(left_over), rounding) << step.formula;
+    EXPECT_TRUE(std::abs(rest) <= rounding || step.separates == (rest > 0)) << step.formula;
 }
 
 Obb random_box(Random& random) {
@@ -71,18 +80,29 @@ TEST_P(StepsOfTest, EndAtTheStageThatTheTestReturns) {
 // A picture draws the reaches: they must be those of the comparison.
 TEST_P(StepsOfTest, HaveTheSlackThatTheirReachesLeave) {
     Random random(18);
+    int cylinders = 0;
     for (int i = 0; i < many / 10; ++i) {
         const ScbPair pair = random_scb_pair(
             random, scb_pair_families[static_cast<std::size_t>(i) % scb_pair_families.size()]);
         const OverlapSteps steps = checked_steps(pair.a, pair.b, pair.b_to_a, {GetParam(), 0.7});
         const Vec3 c = transform_point(pair.b_to_a, pair.b.c) - pair.a.c;
+        const double sine = cross(pair.a.n, transform_direction(pair.b_to_a, pair.b.n)).norm();
         for (const OverlapStep& step : steps.steps) {
-            EXPECT_NEAR(squared_norm(step.direction), 1, 1e-12) << step.formula;
-            EXPECT_NEAR(dot(step.direction, c) - step.reach_a - step.reach_b, step.slack, 1e-11)
+            // A step of `extents` that is not made says nothing.
+            const bool made = step.skipped.empty() || step.line > 0;
+            if (made) expect_consistent(step, c, steps.margin, 1e-11);
+            // The cylinder's is the radius of its ball, times the sine of the angle to the axis.
+            const bool of_a = step.name_a == "r_e", of_b = step.name_b == "r_e";
+            cylinders += of_a || of_b;
+            EXPECT_NEAR(step.effective_radius,
+                        of_a   ? pair.a.r * sine
+                        : of_b ? pair.b.r * sine
+                               : 0,
+                        2e-7)
                 << step.formula;
-            EXPECT_LE(step.effective_radius, std::max(step.reach_a, step.reach_b) + 2);
         }
     }
+    EXPECT_EQ(cylinders > 0, GetParam() != OverlapTest::extents);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StepsOfTest,
@@ -104,6 +124,8 @@ TEST(Steps, OfBallsEndAtTheStageThatTheTestReturns) {
                 inverse(pose), Vec3(a.center + (a.radius + b.radius) * random_unit_vector(random)));
         const OverlapSteps steps = checked_steps(a, b, pose, {});
         ASSERT_EQ(steps.steps.size(), 1u);
+        const Vec3 c = transform_point(pose, b.center) - a.center;
+        expect_consistent(steps.steps[0], c, steps.margin, 1e-14);
         rejected_pairs += steps.stage() != Stage::overlapping;
     }
     EXPECT_GT(rejected_pairs, many / 20);
@@ -120,10 +142,17 @@ TEST(Steps, OfBoxesEndAtTheStageThatTheTestReturns) {
         ASSERT_EQ(steps.steps.size(), 15u);
         ++ended[static_cast<std::size_t>(steps.stage())];
         const Vec3 c = transform_point(pose, b.center) - a.center;
-        for (const OverlapStep& step : steps.steps) {
-            EXPECT_NEAR(squared_norm(step.direction), 1, 1e-12);
-            const double left = dot(step.direction, c) - step.reach_a - step.reach_b;
-            EXPECT_NEAR(step.skipped.empty() ? left : step.slack, step.slack, 1e-6);
+        for (std::size_t k = 0; k < 15; ++k) {
+            // The test leaves the margin along the product of two edges, which is no unit vector.
+            const auto edge_a = static_cast<Eigen::Index>(k < 6 ? 0 : (k - 6) / 3),
+                       edge_b = static_cast<Eigen::Index>(k < 6 ? 0 : (k - 6) % 3);
+            const double length = k < 6 ? 1
+                                        : cross(Vec3(a.axes.col(edge_a)),
+                                                transform_direction(pose, Vec3(b.axes.col(edge_b))))
+                                              .norm();
+            const OverlapStep& step = steps.steps[k];
+            EXPECT_EQ(step.skipped.empty(), length > 1e-9 || step.separates) << step.formula;
+            if (length > 1e-9) expect_consistent(step, c, steps.margin / length, 1e-14 / length);
         }
     }
     for (const Stage stage : obb_stages())

@@ -11,7 +11,9 @@ namespace {
 // leaves of it.
 Vec3 farthest_point(const Scb& s, const Vec3& direction) {
     const double top = s.r * s.n.dot(direction);
-    if (s.f <= top && top <= s.e) return s.r * direction;
+    // Not of a disc: that which is a pole of the ball has no other point, although the height of
+    // those around it is the same, as far as numbers can tell.
+    if (s.f < s.e && s.f <= top && top <= s.e) return s.r * direction;
     const double height = top > s.e ? s.e : s.f;
     Vec3 level = direction - s.n.dot(direction) * s.n;
     level -= s.n.dot(level) * s.n;

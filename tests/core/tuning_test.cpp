@@ -89,6 +89,19 @@ TEST(BestTrial, IsNeverTheTestThatMissesPairs) {
     EXPECT_EQ(best_trial(of_printed, costs_of(of_printed, {{0, 1}, {3, 9}}), 0.02), 3u);
 }
 
+TEST(BestTogether, TakesTheBestOfEachAlsoWhereTheBaseMissesPairs) {
+    TuneSetting printed, descent = printed, extents;
+    printed.overlap.test = descent.overlap.test = OverlapTest::printed;
+    descent.descent = DescentRule::area;
+    extents.overlap.test = OverlapTest::extents;
+    const std::vector<TuneTrial> trials = tune_trials(printed);
+    const auto best = best_together(
+        trials, costs_of(trials, {{find(trials, descent), 8}, {find(trials, extents), 9}}), 0.02);
+    ASSERT_TRUE(best);
+    EXPECT_EQ(best->setting.overlap.test, OverlapTest::extents);
+    EXPECT_EQ(best->setting.descent, DescentRule::area);
+}
+
 TEST(BestTogether, TakesTheBestOfEach) {
     const std::vector<TuneTrial> trials = tune_trials({});
     EXPECT_FALSE(best_together(trials, costs_of(trials, {}), 0));

@@ -92,6 +92,26 @@ TEST(InspectFigure, BarsHaveTheSharesOfTheWork) {
     EXPECT_EQ(fit + test, 0);
 }
 
+TEST(InspectFigure, BarsStandHoweverFewTheyAre) {
+    Drawing drawing;
+    const PixelRect view = figure_layout(1280, 720).view;
+    for (const std::size_t frames : {2u, 3u, 4u, 20u}) {
+        InspectFigure figure = figure_of(frames, 100, 50);
+        figure.frames.front().found = example(400, 200, 0);
+        const Image image = drawn(drawing, figure, 1280, 720);
+        // Where bars begin, from the top, in the left and the right quarter.
+        std::array<int, 2> top = {720, 720};
+        for (int y = view.y; y < view.y + view.height / 2; ++y)
+            for (int x = view.x; x < view.x + view.width; ++x)
+                if (pixel(image, x, y) == pass_reason_color(PassReason::weak_test, *figure.theme)) {
+                    if (x < view.x + view.width / 4) top[0] = std::min(top[0], y);
+                    if (x > view.x + view.width * 3 / 4) top[1] = std::min(top[1], y);
+                }
+        EXPECT_LT(top[0] + 50, top[1]) << frames;
+        EXPECT_LT(top[1], 720) << frames;
+    }
+}
+
 TEST(InspectFigure, WrongRejectionsAreInTheAlarmColor) {
     Drawing drawing;
     for (const std::uint64_t wrong : {0, 4}) {

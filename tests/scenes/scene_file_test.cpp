@@ -49,6 +49,12 @@ TEST(SceneFile, IsReadInFull) {
     EXPECT_EQ(transform_direction(pose, Vec3::UnitX()), Vec3(0, 1, 0));
 }
 
+TEST(SceneFile, AZeroByteIsNoEnd) {
+    const std::string text = small_scene;
+    expect_in("a zero byte", refusal([&] { parse(text + std::string(1, '\0')); }));
+    expect_in("a zero byte", refusal([&] { parse(text + std::string("\0 {", 3)); }));
+}
+
 TEST(SceneFile, NamesFileAndPlaceOfAWrongValue) {
     EXPECT_EQ(refused("/bodies/1/rotation/0/axis", "x"),
               "my.json: bodies[1].rotation[0].axis: expected three numbers, found \"x\".");

@@ -94,6 +94,14 @@ TEST(TraceFile, GivesBackWhatItWasGiven) {
     }
 }
 
+TEST(TraceFile, ASceneNameThatIsNoFileNameIsRefused) {
+    for (const char* name : {"../up", "a/b", "", ".hidden"}) {
+        Trace trace = small_trace();
+        trace.header.scene = name;
+        EXPECT_THROW(decode_trace(encode_trace(trace), "t"), InputError) << name;
+    }
+}
+
 TEST(TraceFile, EmptyTracesAndSingleTriangles) {
     Trace trace = small_trace();
     trace.frames.clear();
