@@ -23,6 +23,12 @@ void add_trace(CLI::App& program, const Console& console, Action& action);
 void add_tune(CLI::App& program, const Console& console, Action& action);
 void add_diff(CLI::App& program, Action& action);
 void add_explain(CLI::App& program, const Console& console, Action& action);
+void add_golden(CLI::App& program, const Console& console, Action& action);
+/// The commands of `scb golden`.
+void add_golden_check(CLI::App& golden, const Console& console, Action& action);
+void add_golden_update(CLI::App& golden, const Console& console, Action& action);
+void add_golden_list(CLI::App& golden, Action& action);
+void add_golden_report(CLI::App& golden, const Console& console, Action& action);
 void add_stats(CLI::App& program, const Console& console, Action& action);
 void add_export(CLI::App& program, const Console& console, Action& action);
 void add_scenes(CLI::App& program, Action& action);

@@ -122,11 +122,12 @@ std::string results_text(const SuiteResult& result) {
         constexpr std::size_t most_counts = 12;
         for (std::size_t i = 0; i < c.counts.size() && i < most_counts; ++i) {
             const CountChange& change = c.counts[i];
-            const auto value = [](const std::optional<std::int64_t>& count) {
-                return count ? std::to_string(*count) : std::string("-");
+            const auto value = [](const std::optional<std::int64_t>& count,
+                                  const std::string& other) {
+                return count ? std::to_string(*count) : other.empty() ? "nothing" : other;
             };
-            text += "    " + change.place + ": " + value(change.before) + " before, " +
-                    value(change.after) + " now";
+            text += "    " + change.place + ": " + value(change.before, change.before_text) +
+                    " before, " + value(change.after, change.after_text) + " now";
             if (change.before && change.after)
                 text += format(" (%+lld)", static_cast<long long>(*change.after - *change.before));
             text += "\n";

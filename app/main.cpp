@@ -118,6 +118,7 @@ int run(int argc, char** argv) {
     add_trace(program, console, action);
     add_diff(program, action);
     add_explain(program, console, action);
+    add_golden(program, console, action);
     add_stats(program, console, action);
     add_export(program, console, action);
     add_scenes(program, action);

@@ -131,8 +131,9 @@ std::vector<std::string> stray_files(const fs::path& baselines, const Suite& sui
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored)) {
         const std::string file = entry.path().filename().string();
-        if (file.starts_with(".")) continue;
-        if (!names.contains(case_of(file))) strays.push_back(file);
+        const std::string name = case_of(file);
+        if (!file.starts_with(".") && !name.empty() && !names.contains(name))
+            strays.push_back(file);
     }
     std::sort(strays.begin(), strays.end());
     return strays;

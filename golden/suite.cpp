@@ -1,6 +1,7 @@
 #include "golden/suite.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -59,7 +60,7 @@ std::string read_size(const JsonPlace& place) {
 std::string read_scene(const JsonPlace& place, const std::filesystem::path& folder) {
     const std::string text = read_plain_text(place);
     if (find_builtin(text) != nullptr) return text;
-    return (std::filesystem::absolute(folder) / text).lexically_normal().string();
+    return (folder / text).lexically_normal().string();
 }
 
 std::vector<std::string> read_scenes(const JsonPlace& place, const std::filesystem::path& folder) {
@@ -244,7 +245,9 @@ std::vector<std::string> command_of(const GoldenCase& golden, const std::filesys
 
 std::vector<std::string> trace_command_of(const GoldenCase& golden,
                                           const std::filesystem::path& file) {
-    if (golden.run == GoldenRun::levels) return {};
+    const bool one_frame = !golden.frames.empty() &&
+                           golden.frames.find_first_not_of("0123456789") == std::string::npos;
+    if (golden.run == GoldenRun::levels || !one_frame) return {};
     std::vector<std::string> command = {"trace"};
     command.insert(command.end(), golden.scene.begin(), golden.scene.end());
     add_option(command, "--frames", golden.frames);

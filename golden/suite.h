@@ -23,12 +23,11 @@ bool has_ids(GoldenRun run);
 struct GoldenCase {
     std::string name;  ///< as Scene::name; baselines are named after it
     GoldenRun run = GoldenRun::levels;
-    std::vector<std::string> scene;  ///< a built-in scene, a scene file, or two mesh files; files
-                                     ///< as absolute paths
-    std::string frames;              ///< --frame of levels, --frames of the others; empty: none
-    std::string volume, test;        ///< --volume, --test; empty: none
-    std::string size;                ///< of pictures, WIDTHxHEIGHT
-    std::vector<std::string> arguments;             ///< more of the command line
+    std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
+    std::string frames;                  ///< --frame of levels, --frames of the others; empty: none
+    std::string volume, test;            ///< --volume, --test; empty: none
+    std::string size;                    ///< of pictures, WIDTHxHEIGHT
+    std::vector<std::string> arguments;  ///< more of the command line
     bool counts = true, ids = true, colors = true;  ///< what is compared
     ColorTolerance tolerance;
 };
@@ -39,16 +38,18 @@ struct Suite {
     std::vector<GoldenCase> cases;
 };
 
-/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for whatever is
-/// unknown, missing or out of range, for a name or a preset that is there twice, and for arguments
-/// that a case must not have (where it writes, what it prints).
+/// Reads a suite, see golden/README.md. Files that it names are beside it. Throws InputError,
+/// naming file and place, for whatever is unknown, missing or out of range, for a name or a preset
+/// that is there twice, and for arguments that a case must not have (where it writes, what it
+/// prints).
 Suite load_suite(const std::filesystem::path& file);
 
 /// The command line of a case after `scb`: writes into `folder`, or prints JSON where it makes no
 /// picture.
 std::vector<std::string> command_of(const GoldenCase& golden, const std::filesystem::path& folder);
 
-/// The command line that records the trace of the case's queries; empty where it makes none.
+/// The command line that records the trace of the case's query; empty where it makes none, or of
+/// more frames than one, whose traces are too large to be kept.
 std::vector<std::string> trace_command_of(const GoldenCase& golden,
                                           const std::filesystem::path& file);
 

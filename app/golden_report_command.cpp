@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/golden_results.h"
+#include "app/options.h"
+#include "core/error.h"
+#include "render/output_file.h"
+#include "scenes/file_bytes.h"
+#include "scenes/json_reader.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::vector<std::string> from;
+    std::string report, junit, json;
+};
+
+/// Copies what a result names into the work folder, so that results of several folders can be one
+/// report. Two results of one case: the names would clash.
+void gather(const CaseResult& result, const fs::path& folder, const fs::path& work) {
+    std::set<std::string> names(result.traces.begin(), result.traces.end());
+    for (const ResultPictures* pictures : {&result.picture, &result.id_picture})
+        for (const std::string* name :
+             {&pictures->baseline, &pictures->candidate, &pictures->difference})
+            if (!name->empty()) names.insert(*name);
+    for (const std::string& name : names) {
+        // A name, not a path: results may come from elsewhere.
+        if (fs::path(name).filename() != name)
+            throw InputError((folder / "results.json").string() + ": '" + name +
+                             "' is no name of a file beside it.");
+        std::error_code ignored;
+        if (fs::exists(folder / name, ignored))
+            write_file_whole(work / name, file_bytes((folder / name).string()));
+    }
+}
+
+int run(const Options& options, const Console& console) {
+    const GoldenWork work;
+    SuiteResult merged;
+    std::set<std::string> names;
+    for (const std::string& file : options.from) {
+        const SuiteResult result =
+            result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file), file);
+        if (merged.suite.empty()) {
+            merged.suite = result.suite;
+            merged.environment = result.environment;
+        } else if (merged.suite != result.suite) {
+            throw InputError(file + ": these are results of " + result.suite + ", and others of " +
+                             merged.suite + "; report them apart.");
+        }
+        merged.shard += (merged.shard.empty() || result.shard.empty() ? "" : ", ") + result.shard;
+        for (const CaseResult& c : result.cases) {
+            if (!names.insert(c.name).second)
+                throw InputError(file + ": the case " + c.name +
+                                 " is in other results too; give the results of one run.");
+            gather(c, fs::path(file).parent_path(), work.report());
+            merged.cases.push_back(c);
+        }
+    }
+    write_results(merged, {options.report, options.junit, options.json}, work.report());
+    print_result(results_text(merged));
+    if (!options.report.empty())
+        console.note("scb: the report is " + (fs::path(options.report) / "report.html").string() +
+                     ".");
+    return has_failed(merged) ? exit_different : exit_done;
+}
+
+}  // namespace
+
+void add_golden_report(CLI::App& golden, const Console& console, Action& action) {
+    CLI::App* command = golden.add_subcommand(
+        "report", "Make one report of the results of one run or of several shards");
+    const auto options = std::make_shared<Options>();
+    command
+        ->add_option("--from", options->from,
+                     "results.json of each shard, with the pictures beside it")
+        ->required()
+        ->expected(1, 1000)
+        ->type_name("FILE.json...");
+    command->add_option("--report", options->report, "Folder for report.html and results.json")
+        ->check(has_name())
+        ->type_name("DIR");
+    command->add_option("--junit", options->junit, "Also write the results as JUnit XML")
+        ->check(has_name())
+        ->type_name("FILE.xml");
+    command->add_option("--json", options->json, "Also write the results as JSON")
+        ->check(has_name())
+        ->type_name("FILE.json");
+    command->footer(
+        "Exit status as of `scb golden check`.\n\n"
+        "Example:\n"
+        "  scb golden report --from shard-1/results.json shard-2/results.json --report out/");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb
