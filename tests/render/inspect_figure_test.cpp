@@ -114,7 +114,7 @@ TEST(InspectFigure, BarsStandHoweverFewTheyAre) {
 
 TEST(InspectFigure, WrongRejectionsAreInTheAlarmColor) {
     Drawing drawing;
-    for (const std::uint64_t wrong : {0, 4}) {
+    for (const std::uint64_t wrong : {0u, 4u}) {
         const Image image = drawn(drawing, figure_of(2, 10, 10, wrong), 1280, 720);
         int alarms = 0;
         for (int y = 0; y < 720; ++y)

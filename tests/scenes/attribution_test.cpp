@@ -413,7 +413,7 @@ TEST(Attribution, WorstPairsAreEachListedOnceAtTheirWorstFrame) {
     ASSERT_EQ(weak.pairs().size(), 6u);
     seen.clear();
     for (std::size_t i = 0; i < 6; ++i) {
-        const FalsePair& pair = weak.pairs()[i];
+        const FalsePair pair = weak.pairs()[i];
         EXPECT_EQ(pair.pair.below.volume_tests + pair.pair.below.triangle_tests, ranked(wasted)[i]);
         EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
     }
