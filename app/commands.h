@@ -29,6 +29,7 @@ void add_golden_check(CLI::App& golden, const Console& console, Action& action);
 void add_golden_update(CLI::App& golden, const Console& console, Action& action);
 void add_golden_list(CLI::App& golden, Action& action);
 void add_golden_report(CLI::App& golden, const Console& console, Action& action);
+void add_golden_selftest(CLI::App& golden, const Console& console, Action& action);
 void add_stats(CLI::App& program, const Console& console, Action& action);
 void add_export(CLI::App& program, const Console& console, Action& action);
 void add_scenes(CLI::App& program, Action& action);

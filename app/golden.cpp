@@ -17,6 +17,7 @@ void add_golden(CLI::App& program, const Console& console, Action& action) {
     add_golden_update(*golden, console, action);
     add_golden_list(*golden, action);
     add_golden_report(*golden, console, action);
+    add_golden_selftest(*golden, console, action);
 }
 
 }  // namespace scb

@@ -27,6 +27,7 @@ struct ChildEnd {
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = {settings.program, "--quiet"};
+    if (!settings.mutation.empty()) words.insert(words.end(), {"--mutation", settings.mutation});
     words.insert(words.end(), command.begin(), command.end());
     const UnnamedFile unused;
     ChildProcess child(words, unused, std::chrono::seconds(1));

@@ -11,9 +11,10 @@ namespace scb {
 
 /// How cases are run.
 struct GoldenRunSettings {
-    std::string program;  ///< this one
-    std::string models;   ///< --models; empty: none
-    std::string gl;       ///< --gl
+    std::string program;     ///< this one
+    std::string models;      ///< --models; empty: none
+    std::string gl;          ///< --gl
+    std::string mutation{};  ///< of the runs, see Mutation; empty: none
     std::chrono::seconds patience{300};
 };
 

@@ -108,9 +108,8 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
 
 std::string wrong_text(const InspectReport& report) {
     if (report.wrong.empty()) return "";
-    std::string text =
-        format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
-               report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
+    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
+                              report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
     text += "frame          nodes     depths   missed  rejected at\n";
     for (const WronglyRejectedPair& w : report.wrong)
         text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/mutation.h"
 #include "app/version.h"
 #include "core/error.h"
 #include "render/context.h"
@@ -102,6 +103,16 @@ int run(int argc, char** argv) {
             throw CLI::Success();
         },
         "Versions of scb and of what it draws with");
+    program
+        .add_option_function<std::string>(
+            "--mutation",
+            [](const std::string& name) {
+                const std::optional<Mutation> mutation = mutation_of(name);
+                if (!mutation) throw CLI::ValidationError("--mutation", "there is no " + name);
+                set_mutation(*mutation);
+            },
+            "An error on purpose, for `scb golden selftest`")
+        ->group("");
     program.fallthrough();
 
     CLI::App* render = program.add_subcommand("render", "Draw pictures");

@@ -1,5 +1,6 @@
 #include "app/picture_run.h"
 
+#include "app/mutation.h"
 #include "app/version.h"
 #include "render/output_file.h"
 
@@ -18,8 +19,7 @@ PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::str
     for (const std::string& name : stale) {
         std::error_code ignored;
         const std::filesystem::path path = place(name);
-        if (!std::filesystem::is_directory(path, ignored))
-            std::filesystem::remove(path, ignored);
+        if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
     }
     if (options.video.wanted())
         video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
@@ -28,8 +28,9 @@ PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::str
 
 void PictureRun::draw(const std::string& name, const Picture& picture, Json entry,
                       bool of_sequence) {
-    Rendering rendering =
-        renderer_.draw(picture, &overlay_, (options_.ids || options_.pick) && of_sequence);
+    const bool with_ids = (options_.ids || options_.pick) && of_sequence;
+    Rendering rendering = mutates_pictures() ? renderer_.draw(mutated(picture), &overlay_, with_ids)
+                                             : renderer_.draw(picture, &overlay_, with_ids);
     Json files = {{"file", name + ".png"}};
     if (video_ && of_sequence) video_->push(rendering.image);
     if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/mutation.h"
 #include "app/text_format.h"
 #include "core/error.h"
 
@@ -42,7 +43,9 @@ OverlapOptions QueryOptions::overlap() const {
         throw InputError("--test " + test + ": this command takes one overlap test at a time.");
     if (!(threshold >= 0 && threshold <= 1))
         throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
-    return {all[0], threshold + 0.0};  // -0 is 0
+    OverlapOptions options{all[0], threshold + 0.0};  // -0 is 0
+    mutate(options);
+    return options;
 }
 
 CollideOptions QueryOptions::collide() const {

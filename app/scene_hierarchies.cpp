@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/mutation.h"
 #include "core/level_cover.h"
 
 namespace scb {
@@ -27,8 +28,10 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const FitOptions& options) {
     std::vector<AnyHierarchy> result;
-    for (const MeshTopology& mesh : topologies)
+    for (const MeshTopology& mesh : topologies) {
         result.push_back(fit_any(kind, mesh.topology, mesh.points, options));
+        mutate(result.back());
+    }
     return result;
 }
 

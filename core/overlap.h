@@ -42,6 +42,16 @@ struct ScbTest {
     }
 };
 
+/// The test `symmetric` with an error.
+template <TestMutant mutant>
+struct MutantTest {
+    Stage operator()(const Scb& a, const Scb& b, const Placement& placed) const {
+        return overlap_symmetric<SlabErrata{.flipped = mutant == TestMutant::flipped_comparison,
+                                            .swapped = mutant == TestMutant::swapped_stages}>(
+            a, b, placed);
+    }
+};
+
 /// Calls `use` with the test of the options, as one of the types above, and returns what it
 /// returns.
 template <Volume V, class Use>
@@ -58,6 +68,10 @@ decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
             case OverlapTest::line8:
                 return use(ScbTest<OverlapTest::line8>{options.threshold});
             case OverlapTest::symmetric:
+                if (options.mutant == TestMutant::flipped_comparison)
+                    return use(MutantTest<TestMutant::flipped_comparison>{});
+                if (options.mutant == TestMutant::swapped_stages)
+                    return use(MutantTest<TestMutant::swapped_stages>{});
                 return use(ScbTest<OverlapTest::symmetric>{options.threshold});
             case OverlapTest::extents:
                 return use(ScbTest<OverlapTest::extents>{options.threshold});
