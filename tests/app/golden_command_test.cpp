@@ -138,8 +138,10 @@ TEST_F(GoldenCommand, SaysWhichNodeAndWhichTestChanged) {
                 (report / found["traces"][1].get<std::string>()).string());
     EXPECT_EQ(diff.status, 1);
     // The commands that it names do what they say.
-    EXPECT_EQ(
-        run_scb(found["reproduce"].get<std::string>().substr(4) + folder.path.string()).status, 0);
+    std::string reproduce = found["reproduce"].get<std::string>().substr(4);
+    ASSERT_TRUE(reproduce.ends_with(" -o out"));
+    reproduce.replace(reproduce.size() - 3, 3, folder / "made");
+    EXPECT_EQ(run_scb(reproduce).status, 0);
     EXPECT_EQ(run_scb(found["update"].get<std::string>().substr(4), "env -u CI").status, 0);
     check();
     EXPECT_EQ(result("rejections")["verdict"], "same");
