@@ -56,6 +56,7 @@ int run(const Options& options, const Console& console) {
         return watch.signal() == 0;
     });
 
+    remove_unfinished(check.folders.baselines);
     std::string text;
     std::size_t updated = 0, failed = 0;
     for (const CaseResult& result : results) {

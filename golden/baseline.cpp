@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string staging_start = ".update-";
+
 std::string variant_name(const std::string& name, int variant) {
     return variant == 1 ? name + ".png" : name + "." + std::to_string(variant) + ".png";
 }
@@ -48,7 +50,7 @@ std::string case_of(std::string file) {
 class StagingFolder {
   public:
     explicit StagingFolder(const fs::path& beside) {
-        std::string name = (beside / ".update-XXXXXX").string();
+        std::string name = (beside / (staging_start + "XXXXXX")).string();
         if (::mkdtemp(name.data()) == nullptr)
             throw OutputError("Cannot write into \"" + beside.string() +
                               "\": " + std::strerror(errno) +
@@ -122,6 +124,14 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
         names.push_back(path.filename().string() + " (removed)");
     }
     return names;
+}
+
+void remove_unfinished(const fs::path& baselines) {
+    std::error_code ignored;
+    std::vector<fs::path> left;
+    for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored))
+        if (entry.path().filename().string().starts_with(staging_start)) left.push_back(entry);
+    for (const fs::path& path : left) fs::remove_all(path, ignored);
 }
 
 std::vector<std::string> stray_files(const fs::path& baselines, const Suite& suite) {

@@ -28,6 +28,9 @@ std::vector<std::string> replace_baseline(const std::filesystem::path& baselines
                                           const std::filesystem::path& candidates,
                                           const std::string& name);
 
+/// Removes what an update that was killed has left: files that never came to their places.
+void remove_unfinished(const std::filesystem::path& baselines);
+
 /// Files in the folder of baselines that belong to no case of the suite.
 std::vector<std::string> stray_files(const std::filesystem::path& baselines, const Suite& suite);
 

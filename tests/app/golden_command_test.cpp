@@ -237,6 +237,34 @@ TEST_F(GoldenCommand, UpdatesOnlyWhereAPersonAsks) {
     EXPECT_EQ(baselines(), before);
 }
 
+TEST_F(GoldenCommand, AKilledUpdateLeavesEveryFileOldOrNew) {
+    const auto before = baselines();
+    json other = json::parse(suite_text);
+    other["presets"]["small"]["scene"] = "soup";
+    write_text(suite, other.dump());
+    ASSERT_EQ(golden("update --all --baselines " + (folder / "after")).status, 0);
+    std::map<std::string, std::string> after;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "after"))
+        after[entry.path().filename().string()] = file_text(entry.path());
+    std::size_t old = 0, fresh = 0;
+    for (int i = 1; i <= 20; ++i) {
+        const std::string seconds = std::to_string(0.05 * i);
+        golden("update --all", "env -u CI timeout -s KILL " + seconds);
+        ASSERT_TRUE(fs::is_regular_file(baseline("levels.png")));
+        for (const auto& [name, text] : before) {
+            const std::string now = file_text(baseline(name));
+            EXPECT_TRUE(now == text || now == after.at(name)) << name << " after " << seconds;
+            old += now == text;
+            fresh += now == after.at(name);
+        }
+    }
+    EXPECT_GT(old, 0u);
+    EXPECT_GT(fresh, 0u);
+    // The next one cleans up, and finishes.
+    ASSERT_EQ(golden("update --all").status, 0);
+    EXPECT_EQ(baselines(), after);
+}
+
 TEST_F(GoldenCommand, TellsGithubWhereThatListens) {
     write_text(baseline("collide.counts.json"), "{}");
     const std::string summary = folder / "summary.md";
