@@ -42,8 +42,6 @@ CaseResult check_case(const GoldenCase& golden, const GoldenCheck& check) {
     if (result.verdict == Verdict::different) {
         const bool before = fs::exists(case_files(check.folders.baselines, golden.name).trace);
         if (before || check.traces) record_trace(golden, check.settings, check.folders.candidates);
-        add_lines(result, golden, check.settings, check.folders);
-        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
     }
     return result;
 }
@@ -89,9 +87,15 @@ std::vector<CaseResult> check_cases(const GoldenCheck& check, const std::functio
     for_each_in_threads(
         check.cases.size(), check.jobs,
         [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
+    // Not in the threads: meshes may be read for it, which is tried in a forked process first.
     std::vector<CaseResult> results;
-    for (std::optional<CaseResult>& result : done)
-        if (result) results.push_back(std::move(*result));
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        if (!done[i]) continue;
+        CaseResult& result = results.emplace_back(std::move(*done[i]));
+        if (result.verdict != Verdict::different) continue;
+        add_lines(result, check.cases[i], check.settings, check.folders);
+        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
+    }
     return results;
 }
 

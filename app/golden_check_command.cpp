@@ -42,13 +42,13 @@ int run(const Options& options, const Console& console) {
     SuiteResult result;
     result.suite = options.suite;
     result.shard = options.shard;
-    result.environment = golden_environment(check.settings);
     const InterruptWatch watch;
     Progress progress(console, check.cases.size());
     result.cases = check_cases(check, [&] {
         progress.step("cases");
         return watch.signal() == 0;
     });
+    result.environment = golden_environment(check.settings);
     add_commands(result, check.cases, options);
     write_results(result, {options.report, options.junit, options.json}, work.report());
     print_result(results_text(result));
