@@ -26,7 +26,8 @@ struct ChildEnd {
 };
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
-    std::vector<std::string> words = {settings.program, "--quiet"};
+    std::vector<std::string> words = settings.runner;
+    words.insert(words.end(), {settings.program, "--quiet"});
     if (!settings.mutation.empty()) words.insert(words.end(), {"--mutation", settings.mutation});
     words.insert(words.end(), command.begin(), command.end());
     const UnnamedFile unused;

@@ -11,10 +11,11 @@ namespace scb {
 
 /// How cases are run.
 struct GoldenRunSettings {
-    std::string program;     ///< this one
-    std::string models;      ///< --models; empty: none
-    std::string gl;          ///< --gl
-    std::string mutation{};  ///< of the runs, see Mutation; empty: none
+    std::string program;                ///< this one
+    std::vector<std::string> runner{};  ///< what the program is run with: an emulator, say
+    std::string models;                 ///< --models; empty: none
+    std::string gl;                     ///< --gl
+    std::string mutation{};             ///< of the runs, see Mutation; empty: none
     std::chrono::seconds patience{300};
 };
 

@@ -43,6 +43,8 @@ GoldenRunSettings GoldenOptions::settings() const {
                          "), by which cases are run; mount /proc.");
     settings.models = models;
     settings.gl = gl;
+    for (const std::string& word : split_list(runner, ' '))
+        if (!word.empty()) settings.runner.push_back(word);
     return settings;
 }
 
@@ -84,6 +86,11 @@ void add_golden_options(CLI::App& command, GoldenOptions& options) {
         ->check(decimal_number())
         ->type_name("J")
         ->capture_default_str();
+    command
+        .add_option("--runner", options.runner,
+                    "Run each case with this program in front: \"qemu-x86_64 -cpu Nehalem\"")
+        ->check(has_name())
+        ->type_name("WORDS");
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
         ->type_name("NAME")
         ->capture_default_str();

@@ -13,7 +13,7 @@ namespace scb {
 struct GoldenOptions {
     std::string suite = "golden/cases.json", baselines;
     std::vector<std::string> names;
-    std::string models, gl;
+    std::string models, gl, runner;
     int jobs = 0;
 
     /// Refuses what makes no sense; throws InputError.
