@@ -32,7 +32,8 @@ TEST(Result, SurvivesTheRoundTripWithoutText) {
 
 TEST(Result, KeepsEveryThreshold) {
     SuiteResult result = sample_result();
-    EXPECT_EQ(result_json(result)["cases"][0]["colors"]["beyond"], json({21, 17, 1}));
+    EXPECT_EQ(result_json(result)["cases"][0]["colors"]["beyond"],
+              (nlohmann::ordered_json{21, 17, 1}));
     for (std::size_t d = 0; d < 256; ++d) result.cases[0].colors->beyond[d] = 1000 - d;
     EXPECT_EQ(result_of(json::parse(result_json(result).dump()), "results.json"), result);
     result.cases[0].colors->beyond = {};
