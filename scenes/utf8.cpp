@@ -1,13 +1,9 @@
 #include "scenes/utf8.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace scb {
-namespace {
 
-/// How many bytes of the text's start are one character of UTF-8; 0 where they are none (Unicode
-/// 15, table 3-7).
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
@@ -24,8 +20,6 @@ std::size_t utf8_length(std::string_view text) {
         if ((byte(i) & 0xc0) != 0x80) return 0;
     return length;
 }
-
-}  // namespace
 
 std::string as_utf8(std::string text) {
     for (std::size_t at = 0; at < text.size();) {
