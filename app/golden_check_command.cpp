@@ -14,7 +14,8 @@ namespace scb {
 namespace {
 
 struct Options : GoldenOptions {
-    std::string shard, report, junit, json;
+    std::string shard;
+    ResultFiles files;
     bool trace = false;
 };
 
@@ -50,13 +51,13 @@ int run(const Options& options, const Console& console) {
     });
     result.environment = golden_environment(check.settings);
     add_commands(result, check.cases, options);
-    write_results(result, {options.report, options.junit, options.json}, work.report());
+    write_results(result, options.files, work.report());
     print_result(results_text(result));
-    if (has_failed(result) && options.report.empty())
+    if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
-    if (!options.report.empty())
+    if (!options.files.report.empty())
         console.note("scb: the report is " +
-                     (std::filesystem::path(options.report) / "report.html").string() + ".");
+                     (std::filesystem::path(options.files.report) / "report.html").string() + ".");
     if (watch.signal() != 0) {
         console.note("scb: interrupted; " + std::to_string(result.cases.size()) + " of " +
                      std::to_string(check.cases.size()) + " cases were checked.");
@@ -76,17 +77,7 @@ void add_golden_check(CLI::App& golden, const Console& console, Action& action) 
         ->add_option("--shard", options->shard,
                      "Only every N-th case, beginning with the K-th: of N machines, this is K")
         ->type_name("K/N");
-    command
-        ->add_option("--report", options->report,
-                     "Folder for report.html, results.json and the pictures of failing cases")
-        ->check(has_name())
-        ->type_name("DIR");
-    command->add_option("--junit", options->junit, "Also write the results as JUnit XML")
-        ->check(has_name())
-        ->type_name("FILE.xml");
-    command->add_option("--json", options->json, "Also write the results as JSON")
-        ->check(has_name())
-        ->type_name("FILE.json");
+    add_result_files(*command, options->files);
     command->add_flag("--trace", options->trace,
                       "Keep the traces of failing cases in the folder of the report");
     command->footer(

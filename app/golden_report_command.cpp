@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::vector<std::string> from;
-    std::string report, junit, json;
+    ResultFiles files;
 };
 
 /// Copies what a result names into the work folder, so that results of several folders can be one
@@ -63,11 +63,11 @@ int run(const Options& options, const Console& console) {
             merged.cases.push_back(c);
         }
     }
-    write_results(merged, {options.report, options.junit, options.json}, work.report());
+    write_results(merged, options.files, work.report());
     print_result(results_text(merged));
-    if (!options.report.empty())
-        console.note("scb: the report is " + (fs::path(options.report) / "report.html").string() +
-                     ".");
+    if (!options.files.report.empty())
+        console.note("scb: the report is " +
+                     (fs::path(options.files.report) / "report.html").string() + ".");
     return has_failed(merged) ? exit_different : exit_done;
 }
 
@@ -83,15 +83,7 @@ void add_golden_report(CLI::App& golden, const Console& console, Action& action)
         ->required()
         ->expected(1, 1000)
         ->type_name("FILE.json...");
-    command->add_option("--report", options->report, "Folder for report.html and results.json")
-        ->check(has_name())
-        ->type_name("DIR");
-    command->add_option("--junit", options->junit, "Also write the results as JUnit XML")
-        ->check(has_name())
-        ->type_name("FILE.xml");
-    command->add_option("--json", options->json, "Also write the results as JSON")
-        ->check(has_name())
-        ->type_name("FILE.json");
+    add_result_files(*command, options->files);
     command->footer(
         "Exit status as of `scb golden check`.\n\n"
         "Example:\n"

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/command_text.h"
+#include "app/options.h"
 #include "app/text_format.h"
 #include "app/version.h"
 #include "golden/github.h"
@@ -110,6 +111,20 @@ void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
         if (golden != of_name.end()) c.reproduce = typed(command_of(*golden->second, "out"));
         c.update = "scb golden update " + c.name + options.suite_words();
     }
+}
+
+void add_result_files(CLI::App& command, ResultFiles& files) {
+    command
+        .add_option("--report", files.report,
+                    "Folder for report.html, results.json and the pictures of failing cases")
+        ->check(has_name())
+        ->type_name("DIR");
+    command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
+        ->check(has_name())
+        ->type_name("FILE.xml");
+    command.add_option("--json", files.json, "Also write the results as JSON")
+        ->check(has_name())
+        ->type_name("FILE.json");
 }
 
 void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {

@@ -38,6 +38,8 @@ struct ResultFiles {
     std::string report, junit, json;
 };
 
+void add_result_files(CLI::App& command, ResultFiles& files);
+
 /// Writes report.html and results.json, with the pictures of `work`, into the folder of the report;
 /// JUnit and JSON into their files; and, where the environment has them, annotations and a summary
 /// for GitHub Actions. Throws OutputError.
