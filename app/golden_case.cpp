@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/command_text.h"
 #include "app/exit_status.h"
 #include "core/error.h"
 #include "golden/baseline.h"
 #include "golden/case_counts.h"
+#include "golden/shell_word.h"
 #include "render/child_process.h"
 #include "render/output_file.h"
 #include "scenes/builtin.h"
@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 struct ChildEnd {
     std::optional<ProcessEnd> end;  ///< nothing where it took too long
-    std::string said, last_line;
+    std::string printed, last_line;
 };
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
@@ -34,7 +34,7 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     ChildProcess child(words, unused, std::chrono::seconds(1));
     ChildEnd result;
     result.end = child.wait(settings.patience);
-    result.said = child.said();
+    result.printed = child.printed();
     result.last_line = child.last_line();
     return result;
 }
@@ -89,7 +89,7 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
         if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
         move_file(index, folder / (golden.name + ".index.json"));
     } else {
-        document = parse_json(child.said, "the output of the case");
+        document = parse_json(child.printed, "the output of the case");
     }
     write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
     write_file_whole(files.meta, meta_text(golden, document));
@@ -147,7 +147,7 @@ ProgramAnswer ask_program(const GoldenRunSettings& settings,
                           const std::vector<std::string>& command) {
     const ChildEnd child = run_child(settings, command);
     if (!trouble(child, settings).empty()) return {};
-    return {child.end->code, child.said};
+    return {child.end->code, child.printed};
 }
 
 std::string typed(const std::vector<std::string>& command) {

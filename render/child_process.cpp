@@ -62,6 +62,21 @@ struct SpawnSettings {
     }
 };
 
+std::string text_of(const UnnamedFile& file) {
+    const std::vector<std::uint8_t> bytes = file.bytes();
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string last_line_of(const std::string& text) {
+    std::istringstream lines(text);
+    std::string last;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+    // It becomes a part of a message, which ends at a zero.
+    std::replace(last.begin(), last.end(), '\0', '?');
+    return last;
+}
+
 }  // namespace
 
 bool is_on_path(const std::string& program) {
@@ -87,8 +102,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     ::setsockopt(input_, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most);
     SpawnSettings settings;
     settings.give(sockets[1], STDIN_FILENO);
-    settings.give(said_.descriptor(), STDOUT_FILENO);
-    settings.give(said_.descriptor(), STDERR_FILENO);
+    settings.give(output_.descriptor(), STDOUT_FILENO);
+    settings.give(errors_.descriptor(), STDERR_FILENO);
     settings.give(output.descriptor(), output_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given);
     ::close(sockets[1]);
@@ -158,19 +173,11 @@ std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most) {
     return ProcessEnd{false, WEXITSTATUS(status)};
 }
 
-std::string ChildProcess::said() const {
-    const std::vector<std::uint8_t> said = said_.bytes();
-    return {said.begin(), said.end()};
-}
+std::string ChildProcess::printed() const { return text_of(output_); }
 
 std::string ChildProcess::last_line() const {
-    std::istringstream lines(said());
-    std::string last;
-    for (std::string line; std::getline(lines, line);)
-        if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-    // It becomes a part of a message, which ends at a zero.
-    std::replace(last.begin(), last.end(), '\0', '?');
-    return last;
+    const std::string last = last_line_of(text_of(errors_));
+    return last.empty() ? last_line_of(text_of(output_)) : last;
 }
 
 }  // namespace scb

@@ -56,14 +56,15 @@ class ChildProcess {
     /// learns how it ended.
     std::optional<ProcessEnd> wait(std::chrono::milliseconds most);
 
-    /// All that it has said on standard output and standard error.
-    std::string said() const;
+    /// All of its standard output so far.
+    std::string printed() const;
 
-    /// The last line that is not empty of what it has said on standard output and standard error.
+    /// The last line that is not empty of its standard error; where there is none, of its standard
+    /// output.
     std::string last_line() const;
 
   private:
-    UnnamedFile said_;
+    UnnamedFile output_, errors_;
     int input_ = -1;  ///< one of two sockets: unlike a pipe, these need raise no SIGPIPE
     pid_t id_ = -1;   ///< -1 once it was waited for
 };

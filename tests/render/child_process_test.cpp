@@ -58,6 +58,14 @@ TEST_F(ChildProcessTest, IsWaitedForWhereHowItEndedIsForgotten) {
     EXPECT_TRUE(no_child_is_left());
 }
 
+TEST_F(ChildProcessTest, ItsWordsAreKeptApart) {
+    ChildProcess process({"sh", "-c", "echo one; echo odd >&2; echo two; echo"}, output,
+                         seconds(60));
+    EXPECT_EQ(process.wait(seconds(60)), (ProcessEnd{false, 0}));
+    EXPECT_EQ(process.printed(), "one\ntwo\n\n");
+    EXPECT_EQ(process.last_line(), "odd");
+}
+
 // By then its group's id may be that of others. Here they are its own child, which can tell.
 TEST_F(ChildProcessTest, IsNotKilledOnceItIsForgotten) {
     const IgnoredSigchld ignored;
