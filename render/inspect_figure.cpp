@@ -75,19 +75,21 @@ void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>&
 
 std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     const PassCounts& counts = figure.sum.counts;
-    std::vector<PanelItem> items = {PanelHeading{"volume tests"}};
-    add_legend(items, {"not wasted", "fit too loose", "test too weak"}, split_of(counts),
-               *figure.theme);
-    items.emplace_back(PanelHeading{"pairs that passed"});
-    add_legend(items, {"true contact", "fit too loose", "test too weak"},
-               {counts.passed(reasons[0]), counts.passed(reasons[1]), counts.passed(reasons[2])},
-               *figure.theme);
+    std::vector<PanelItem> items;
+    // First, for a small picture's panel ends early.
     if (counts.wrongly_rejected > 0) {
         const Rgba8 alarm = figure.theme->warning;
         items.emplace_back(PanelHeading{"REJECTED WRONGLY"});
         items.emplace_back(PanelLegendRow{alarm, "pairs", count_text(counts.wrongly_rejected), ""});
         items.emplace_back(PanelLegendRow{alarm, "contacts missed", count_text(counts.missed), ""});
     }
+    items.emplace_back(PanelHeading{"volume tests"});
+    add_legend(items, {"not wasted", "fit too loose", "test too weak"}, split_of(counts),
+               *figure.theme);
+    items.emplace_back(PanelHeading{"pairs that passed"});
+    add_legend(items, {"true contact", "fit too loose", "test too weak"},
+               {counts.passed(reasons[0]), counts.passed(reasons[1]), counts.passed(reasons[2])},
+               *figure.theme);
     if (figure.others.empty()) return items;
     items.emplace_back(PanelHeading{"with another test"});
     items.emplace_back(PanelRow{"", {"tests", "operations"}});
