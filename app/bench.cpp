@@ -211,20 +211,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->capture_default_str();
     command->add_flag("--warm", options->warm,
                       "Each hierarchy runs through all frames, instead of taking turns");
-    command
-        ->add_option("-o,--output", options->picture.output,
-                     "Folder for bench.csv, bench.json and a picture per scene")
-        ->check(has_name())
-        ->type_name("DIR");
-    command->add_option("--size", options->picture.size, "Size of a picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command->add_option("--background", options->picture.background, "light or dark")
-        ->type_name("COLOR")
-        ->capture_default_str();
-    command->add_option("--gl", options->picture.gl, "Where OpenGL comes from: osmesa or egl")
-        ->type_name("BACKEND")
-        ->capture_default_str();
+    add_figure_options(*command, options->picture,
+                       "Folder for bench.csv, bench.json and a picture per scene");
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "

@@ -70,11 +70,11 @@ std::filesystem::path PictureOptions::output_folder() const {
 
 namespace {
 
-void add_output_size(CLI::App& command, PictureOptions& options) {
-    command.add_option("-o,--output", options.output, "Folder for the pictures")
-        ->check(has_name())
-        ->type_name("DIR")
-        ->capture_default_str();
+void add_output_size(CLI::App& command, PictureOptions& options, const char* files) {
+    CLI::Option* output = command.add_option("-o,--output", options.output, files)
+                              ->check(has_name())
+                              ->type_name("DIR");
+    if (!options.output.empty()) output->capture_default_str();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         ->type_name("WxH")
         ->capture_default_str();
@@ -100,6 +100,9 @@ void add_drawing(CLI::App& command, PictureOptions& options) {
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
         ->type_name("NAME")
         ->capture_default_str();
+}
+
+void add_jobs(CLI::App& command, PictureOptions& options) {
     command
         .add_option("--jobs", options.job_count,
                     "Threads that compress pictures; 0 is one per core")
@@ -114,9 +117,10 @@ void add_json(CLI::App& command, PictureOptions& options) {
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
-    add_output_size(command, options);
+    add_output_size(command, options, "Folder for the pictures");
     add_view(command, options, camera);
     add_drawing(command, options);
+    add_jobs(command, options);
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
     add_json(command, options);
@@ -125,9 +129,15 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
 void add_picture_options(CLI::App& command, PictureOptions& options) {
     // Nothing but the overlay, which is not sampled.
     options.samples = 1;
-    add_output_size(command, options);
+    add_output_size(command, options, "Folder for the pictures");
     add_drawing(command, options);
+    add_jobs(command, options);
     add_json(command, options);
+}
+
+void add_figure_options(CLI::App& command, PictureOptions& options, const char* files) {
+    add_output_size(command, options, files);
+    add_drawing(command, options);
 }
 
 }  // namespace scb

@@ -44,5 +44,8 @@ struct PictureOptions {
 void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera);
 /// Of pictures without a view of the scene: neither camera nor samples nor ids.
 void add_picture_options(CLI::App& command, PictureOptions& options);
+/// Of the pictures that go with tables into a folder: `files` says which, and without -o there are
+/// none.
+void add_figure_options(CLI::App& command, PictureOptions& options, const char* files);
 
 }  // namespace scb

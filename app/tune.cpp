@@ -160,20 +160,7 @@ void add_tune(CLI::App& program, const Console& console, Action& action) {
         ->capture_default_str();
     command->add_flag("--no-time", options->no_time,
                       "Counts only, which are the same on every machine");
-    command
-        ->add_option("-o,--output", options->picture.output,
-                     "Folder for tune.csv, tune.json and a picture")
-        ->check(has_name())
-        ->type_name("DIR");
-    command->add_option("--size", options->picture.size, "Size of the picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command->add_option("--background", options->picture.background, "light or dark")
-        ->type_name("COLOR")
-        ->capture_default_str();
-    command->add_option("--gl", options->picture.gl, "Where OpenGL comes from: osmesa or egl")
-        ->type_name("BACKEND")
-        ->capture_default_str();
+    add_figure_options(*command, options->picture, "Folder for tune.csv, tune.json and a picture");
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "The base is what --test, --threshold, --descent and --growth say. One of them is changed "
