@@ -1,18 +1,8 @@
 #include "app/command_text.h"
 
-#include <algorithm>
+#include "golden/shell_word.h"
 
 namespace scb {
-
-std::string shell_word(const std::string& text) {
-    constexpr std::string_view plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789%+,-./:=@_";
-    const auto is_plain = [&](char c) { return plain.find(c) != std::string_view::npos; };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-    return word + "'";
-}
 
 std::string given_text(const CLI::App& command, const std::vector<std::string>& options) {
     std::string text;

@@ -6,9 +6,6 @@
 
 namespace scb {
 
-/// The text as one word of a POSIX shell: in single quotes where it needs them.
-std::string shell_word(const std::string& text);
-
 /// Those of the named options (and positional ones) that were given, on the command line or by the
 /// environment, as they would be given again: " --test extents --frames 0,250"; empty, or with a
 /// space in front.

@@ -4,10 +4,10 @@
 #include <set>
 #include <thread>
 
-#include "app/command_text.h"
 #include "app/options.h"
 #include "app/picture_options.h"
 #include "core/error.h"
+#include "golden/shell_word.h"
 
 namespace scb {
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace scb {
+
+/// The text as one word of a POSIX shell: in single quotes where it needs them.
+std::string shell_word(const std::string& text);
+
+}  // namespace scb
