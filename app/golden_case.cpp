@@ -117,6 +117,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
         const ChildEnd child = run_child(settings, command);
         result.message = trouble(child, settings);
+        result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
         if (result.message.empty()) take_over(golden, child, made, folder);
         result.ran = result.message.empty();
     } catch (const InputError& error) {

@@ -22,8 +22,9 @@ struct GoldenRunSettings {
 /// How a run of a case ended.
 struct GoldenRunEnd {
     bool ran = false;
-    bool skipped = false;  ///< a mesh file that the scene needs is not here
-    std::string message;   ///< why it did not run: a sentence
+    bool skipped = false;    ///< a mesh file that the scene needs is not here
+    bool lacked_gl = false;  ///< there is no OpenGL context
+    std::string message;     ///< why it did not run: a sentence
     double seconds = 0;
 };
 

@@ -28,9 +28,15 @@ void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
     keep(folders.candidates, "new");
 }
 
-CaseResult check_case(const GoldenCase& golden, const GoldenCheck& check) {
-    const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
+struct CheckedCase {
     CaseResult result;
+    bool lacked_gl = false;
+};
+
+CheckedCase check_case(const GoldenCase& golden, const GoldenCheck& check) {
+    const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
+    CheckedCase checked{{}, run.lacked_gl};
+    CaseResult& result = checked.result;
     if (run.ran) {
         result = compare_case(golden, check.folders);
     } else {
@@ -43,7 +49,7 @@ CaseResult check_case(const GoldenCase& golden, const GoldenCheck& check) {
         const bool before = fs::exists(case_files(check.folders.baselines, golden.name).trace);
         if (before || check.traces) record_trace(golden, check.settings, check.folders.candidates);
     }
-    return result;
+    return checked;
 }
 
 }  // namespace
@@ -82,21 +88,22 @@ bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
            (!golden.colors || fs::exists(made.image)) && (!golden.ids || fs::exists(made.ids));
 }
 
-std::vector<CaseResult> check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
-    std::vector<std::optional<CaseResult>> done(check.cases.size());
+CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
+    std::vector<std::optional<CheckedCase>> done(check.cases.size());
     for_each_in_threads(
         check.cases.size(), check.jobs,
         [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
     // Not in the threads: meshes may be read for it, which is tried in a forked process first.
-    std::vector<CaseResult> results;
+    CheckedCases all;
     for (std::size_t i = 0; i < done.size(); ++i) {
         if (!done[i]) continue;
-        CaseResult& result = results.emplace_back(std::move(*done[i]));
+        all.lacked_gl += done[i]->lacked_gl;
+        CaseResult& result = all.results.emplace_back(std::move(done[i]->result));
         if (result.verdict != Verdict::different) continue;
         add_lines(result, check.cases[i], check.settings, check.folders);
         if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
     }
-    return results;
+    return all;
 }
 
 }  // namespace scb

@@ -17,10 +17,16 @@ struct GoldenCheck {
     bool traces = false;        ///< keep those of failing cases in the folder of the report
 };
 
-/// Runs all cases and compares each with its baseline; the results are in the order of the cases,
-/// whatever the number of jobs. `step` is called after each, by one thread at a time, and ends the
-/// run by returning false; then the cases that were not run are left out.
-std::vector<CaseResult> check_cases(const GoldenCheck& check, const std::function<bool()>& step);
+/// The results of a run, in the order of its cases.
+struct CheckedCases {
+    std::vector<CaseResult> results;
+    std::size_t lacked_gl = 0;  ///< that many could not run for want of an OpenGL context
+};
+
+/// Runs all cases and compares each with its baseline, whatever the number of jobs. `step` is
+/// called after each, by one thread at a time, and ends the run by returning false; then the cases
+/// that were not run are left out.
+CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step);
 
 /// Whether the run of the case has left everything that is compared.
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders);

@@ -45,10 +45,11 @@ int run(const Options& options, const Console& console) {
     result.shard = options.shard;
     const InterruptWatch watch;
     Progress progress(console, check.cases.size());
-    result.cases = check_cases(check, [&] {
+    const CheckedCases checked = check_cases(check, [&] {
         progress.step("cases");
         return watch.signal() == 0;
     });
+    result.cases = checked.results;
     result.environment = golden_environment(check.settings);
     add_commands(result, check.cases, options);
     write_results(result, options.files, work.report());
@@ -63,7 +64,10 @@ int run(const Options& options, const Console& console) {
                      std::to_string(check.cases.size()) + " cases were checked.");
         return exit_interrupted(watch.signal());
     }
-    return has_failed(result) ? exit_different : exit_done;
+    const auto failures = std::count_if(result.cases.begin(), result.cases.end(),
+                                        [](const CaseResult& c) { return is_failure(c.verdict); });
+    if (failures == 0) return exit_done;
+    return static_cast<std::size_t>(failures) == checked.lacked_gl ? exit_no_gl : exit_different;
 }
 
 }  // namespace
@@ -83,7 +87,9 @@ void add_golden_check(CLI::App& golden, const Console& console, Action& action) 
     command->footer(
         "Compared are counts, then the ids of what owns each pixel, then colors: exactly, unless a "
         "case declares how far\ncolors may differ. Exit status 1 where a case differs, has no "
-        "baseline or could not run. See golden/README.md.\n\n"
+        "baseline or could not run; 77 where\nnothing is wrong but that there is no OpenGL "
+        "context. "
+        "See golden/README.md.\n\n"
         "Examples:\n"
         "  scb golden check\n"
         "  scb golden check --report out/ --junit out/junit.xml\n"

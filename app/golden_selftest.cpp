@@ -76,10 +76,12 @@ int run(const GoldenOptions& options, const Console& console) {
         const GoldenWork work;
         check.folders = {options.baselines_folder(), work.candidates(), ""};
         check.settings.mutation = mutation;
-        return check_cases(check, [&] {
-            progress.step("cases");
-            return watch.signal() == 0;
-        });
+        return check_cases(check,
+                           [&] {
+                               progress.step("cases");
+                               return watch.signal() == 0;
+                           })
+            .results;
     };
     for (const CaseResult& result : results(""))
         if (is_failure(result.verdict))

@@ -51,11 +51,12 @@ int run(const Options& options, const Console& console) {
     check.jobs = options.job_count();
     const InterruptWatch watch;
     Progress progress(console, check.cases.size());
-    const std::vector<CaseResult> results = check_cases(check, [&] {
+    const CheckedCases checked = check_cases(check, [&] {
         progress.step("cases");
         return watch.signal() == 0;
     });
 
+    const std::vector<CaseResult>& results = checked.results;
     remove_unfinished(check.folders.baselines);
     std::string text;
     std::size_t updated = 0, failed = 0;

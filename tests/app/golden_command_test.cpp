@@ -197,6 +197,30 @@ TEST_F(GoldenCommand, GivesTheSameResultsHoweverItIsRun) {
     EXPECT_EQ(once["cases"].size(), 5u);
 }
 
+// What a run is given to, as an emulator would be, and stands for a machine that is not this one.
+TEST_F(GoldenCommand, RunsWithWhatIsPutInFront) {
+    const std::string runner = (folder.path / "runner").string();
+    const auto run = [&](const std::string& script) {
+        write_text(runner, "#!/bin/sh\n" + script);
+        fs::permissions(runner, fs::perms::owner_all);
+        return check("--runner " + runner);
+    };
+    EXPECT_EQ(run("echo lacks a feature >&2\nexec \"$@\"\n").status, 0);
+    EXPECT_EQ(result("collide")["verdict"], "same");
+
+    const std::string no_gl = "echo scb: error: No context. >&2; exit 77";
+    const std::string pictures = "case \"$*\" in *--gl*) " + no_gl + ";; esac\n";
+    EXPECT_EQ(run(pictures + "exec \"$@\"\n").status, 77);
+    EXPECT_EQ(result("levels")["verdict"], "could not run");
+    EXPECT_EQ(result("levels")["message"], "No context.");
+    EXPECT_EQ(result("collide")["verdict"], "same");
+    EXPECT_EQ(run(pictures + "exit 2\n").status, 1);
+    EXPECT_EQ(
+        run("case \"$*\" in *collide*) exec \"$@\" --test printed;; esac\nexec \"$@\"\n").status,
+        1);
+    EXPECT_EQ(result("collide")["verdict"], "different");
+}
+
 TEST_F(GoldenCommand, ShardsMakeOneReport) {
     write_text(baseline("collide.counts.json"), "{}");
     std::string from;
