@@ -1,0 +1,184 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_LANES_INL_H_
+#undef SCB_CORE_LANES_INL_H_
+#else
+#define SCB_CORE_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// How many of `count` lanes are computed at a time.
+constexpr int part_lanes(int count) {
+    return count < int{HWY_LANES(float)} ? count : int{HWY_LANES(float)};
+}
+
+/// n floats in one vector. Every operation is one rounding in each lane, so that results are the
+/// same bits on every target.
+template <int n>
+struct Lanes {
+    using D = hn::FixedTag<float, n>;
+    hn::Vec<D> v;
+
+    static HWY_INLINE Lanes all(float x) { return {hn::Set(D(), x)}; }
+    /// From any address.
+    static HWY_INLINE Lanes load(const float* from) { return {hn::LoadU(D(), from)}; }
+    /// Whole numbers from any address.
+    static HWY_INLINE Lanes load(const std::int16_t* from) { return load_integers(from); }
+    static HWY_INLINE Lanes load(const std::uint16_t* from) { return load_integers(from); }
+    HWY_INLINE void store(float* to) const { hn::StoreU(v, D(), to); }
+
+    friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return {hn::Add(a.v, b.v)}; }
+    friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return {hn::Sub(a.v, b.v)}; }
+    friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return {hn::Mul(a.v, b.v)}; }
+    friend HWY_INLINE Lanes operator-(Lanes a) { return {hn::Neg(a.v)}; }
+    friend HWY_INLINE Lanes abs(Lanes a) { return {hn::Abs(a.v)}; }
+    friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return {hn::Max(a.v, b.v)}; }
+    friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return {hn::Min(a.v, b.v)}; }
+
+  private:
+    template <class Integer>
+    static HWY_INLINE Lanes load_integers(const Integer* from) {
+        const hn::FixedTag<Integer, n> narrow;
+        const hn::FixedTag<std::int32_t, n> wide;
+        return {hn::ConvertTo(D(), hn::PromoteTo(wide, hn::LoadU(narrow, from)))};
+    }
+};
+
+/// A truth value for each of n lanes.
+template <int n>
+struct LaneMask {
+    using D = typename Lanes<n>::D;
+    hn::Mask<D> v;
+
+    friend HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.v, b.v)}; }
+
+    /// Lane i as bit i.
+    HWY_INLINE std::uint32_t bits() const {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(D(), v, bytes);
+        std::uint32_t some;
+        std::memcpy(&some, bytes, sizeof some);
+        return some;
+    }
+};
+
+template <int n>
+HWY_INLINE LaneMask<n> operator<=(Lanes<n> a, Lanes<n> b) {
+    return {hn::Le(a.v, b.v)};
+}
+template <int n>
+HWY_INLINE LaneMask<n> operator<(Lanes<n> a, Lanes<n> b) {
+    return {hn::Lt(a.v, b.v)};
+}
+
+#if HWY_TARGET > HWY_AVX3
+/// For the bits of chosen lanes, where each of n lanes comes from when they move to the front.
+template <int n>
+struct ChosenFrom {
+    alignas(32) std::int32_t lane[1 << n][n] = {};
+    constexpr ChosenFrom() {
+        for (int bits = 0; bits < 1 << n; ++bits)
+            for (int k = 0, to = 0; k < n; ++k)
+                if ((bits >> k & 1) != 0) lane[bits][to++] = k;
+    }
+};
+template <int n>
+inline constexpr ChosenFrom<n> chosen_from{};
+#endif
+
+/// Moves the lanes whose bits are set to the front, whatever is behind them. Not by Highway's
+/// CompressBits, which in version 1.0.3 copies its table to the stack for each call, nor by its
+/// CompressBitsStore, which takes Zen 4 and 5 a hundred cycles.
+template <int n>
+class ChosenLanes {
+  public:
+    explicit HWY_INLINE ChosenLanes(std::uint32_t bits)
+#if HWY_TARGET > HWY_AVX3
+        : from_(hn::SetTableIndices(hn::FixedTag<float, n>(), chosen_from<n>.lane[bits])) {
+    }
+#else
+        : mask_(hn::LoadMaskBits(hn::FixedTag<float, n>(), bytes_of(bits).b)) {
+    }
+#endif
+
+    template <class V>
+    HWY_INLINE V operator()(V lanes) const {
+#if HWY_TARGET > HWY_AVX3
+        return hn::TableLookupLanes(lanes, from_);
+#else
+        return hn::Compress(lanes, hn::RebindMask(hn::DFromV<V>(), mask_));
+#endif
+    }
+
+  private:
+#if HWY_TARGET > HWY_AVX3
+    decltype(hn::SetTableIndices(hn::FixedTag<float, n>(), chosen_from<n>.lane[0])) from_;
+#else
+    struct Bytes {
+        std::uint8_t b[8];
+    };
+    static HWY_INLINE Bytes bytes_of(std::uint32_t bits) {
+        Bytes bytes = {};
+        std::memcpy(bytes.b, &bits, sizeof bits);
+        return bytes;
+    }
+    hn::Mask<hn::FixedTag<float, n>> mask_;
+#endif
+};
+
+/// Of `count` numbers, those whose bits are set; up to `count` are written to.
+template <int count>
+HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, std::uint32_t* to) {
+    constexpr int n = part_lanes(count);
+    const hn::FixedTag<float, n> d;
+    for (int p = 0; p < count; p += n) {
+        const std::uint32_t some = (bits >> p) & ((std::uint32_t{1} << n) - 1);
+        // As floats, which are only moved.
+        const auto lanes = hn::LoadU(d, reinterpret_cast<const float*>(numbers + p));
+        hn::StoreU(ChosenLanes<n>(some)(lanes), d, reinterpret_cast<float*>(to));
+        to += std::popcount(some);
+    }
+}
+
+/// Three coordinates of n things.
+template <int n>
+struct Lanes3 {
+    Lanes<n> x, y, z;
+
+    static HWY_INLINE Lanes3 all(const float* from) {
+        return {Lanes<n>::all(from[0]), Lanes<n>::all(from[1]), Lanes<n>::all(from[2])};
+    }
+    friend HWY_INLINE Lanes3 operator+(Lanes3 a, Lanes3 b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend HWY_INLINE Lanes3 operator-(Lanes3 a, Lanes3 b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    friend HWY_INLINE Lanes3 operator-(Lanes3 a) { return {-a.x, -a.y, -a.z}; }
+    friend HWY_INLINE Lanes<n> dot(Lanes3 a, Lanes3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    /// The largest magnitude of a coordinate.
+    friend HWY_INLINE Lanes<n> largest(Lanes3 a) { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,199 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_LEAF_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_LEAF_PAIRS_INL_H_
+#undef SCB_CORE_LEAF_PAIRS_INL_H_
+#else
+#define SCB_CORE_LEAF_PAIRS_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+
+#include <bit>
+
+#include "core/float_placement-inl.h"
+#include "core/packed_query.h"
+#include "core/triangle_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// Where lanes come from that have the first of four numbers four times, then the second and so on:
+/// which lane of their own four, in vectors of n lanes.
+template <int n>
+struct SpreadFrom {
+    static constexpr int four = most_leaf_triangles;
+    alignas(64) std::int32_t lane[four * four] = {};
+    constexpr SpreadFrom() {
+        for (int k = 0; k < four * four; ++k) lane[k] = k / four + k % n / four * four;
+    }
+};
+template <int n>
+inline constexpr SpreadFrom<n> spread_from{};
+
+/// Tests pairs of leaves for triangles that intersect.
+class LeafPairs {
+  public:
+    LeafPairs(const LeafQuery& query, OpenPairs& open, PackedFindings& found)
+        : a_(query.a), b_(query.b), placed_(*query.placed), open_(open), found_(found) {}
+
+    /// Tests all pairs of the list, and empties it.
+    void run(RefPairs& list) {
+        const std::size_t count = list.size();
+        const std::uint32_t *a = list.a_begin(), *b = list.b_begin();
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch(a[i], b[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + ahead < count) prefetch(a[i + ahead], b[i + ahead]);
+            leaf_leaf({a[i]}, {b[i]});
+        }
+        list.clear();
+    }
+
+    /// Decides on all pairs that are open.
+    void finish() { decide(); }
+
+  private:
+    static constexpr std::size_t ahead = 4;  // so many pairs
+    // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
+    // first triangle in the first four, its second in the next.
+    static constexpr int side = most_leaf_triangles, n = part_lanes(side * side);
+
+    static HWY_INLINE std::uint32_t all_bits(std::uint32_t count) {
+        return (std::uint32_t{1} << count) - 1;
+    }
+    static HWY_INLINE std::uint32_t all_bits_of(int count) {
+        return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
+    }
+    HWY_INLINE void prefetch(std::uint32_t i, std::uint32_t j) const {
+        constexpr std::size_t line = 16, lines = 3;  // in words
+        const std::uint32_t *a = a_ + PackedRef{i}.index(), *b = b_ + PackedRef{j}.index();
+        for (std::size_t k = 0; k < lines; ++k) {
+            hwy::Prefetch(a + k * line);
+            hwy::Prefetch(b + k * line);
+        }
+    }
+
+    /// Lanes `first` and on of four numbers, tiled.
+    static HWY_INLINE Lanes<n> tiled(const float* four, int first) {
+        if constexpr (n < side)
+            return {hn::LoadU(typename Lanes<n>::D(), four + first % side)};
+        else
+            return {hn::LoadDup128(typename Lanes<n>::D(), four)};
+    }
+    /// The same, spread.
+    static HWY_INLINE Lanes<n> spread(const float* four, int first) {
+        const typename Lanes<n>::D d;
+        if constexpr (n <= side) {
+            return {hn::Set(d, four[first / side])};
+        } else {
+            return {hn::TableLookupLanes(hn::LoadDup128(d, four),
+                                         hn::SetTableIndices(d, spread_from<n>.lane + first))};
+        }
+    }
+
+    HWY_INLINE void leaf_leaf(PackedRef i, PackedRef j) {
+        const PackedLeaf a{a_ + i.index()}, b{b_ + j.index()};
+        const PackedScb own_a = a.own(), own_b = b.own();
+        const Offset o = offset(placed_, own_a.c, own_a.r, own_b.c, own_b.r);
+        const std::uint32_t count_a = a.count(), count_b = b.count();
+        // The corners of B's triangles in A's frame.
+        float q[9][side];
+        constexpr int m = part_lanes(side);
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            for (int first = 0; first < side; first += m) {
+                const float* at = b.corners() + 3 * corner * count_b + first;
+                const Lanes3<m> some = {Lanes<m>::load(at), Lanes<m>::load(at + count_b),
+                                        Lanes<m>::load(at + 2 * count_b)};
+                const Lanes3<m> moved = rotate(placed_, some) + Lanes3<m>::all(o.t);
+                moved.x.store(q[3 * corner] + first);
+                moved.y.store(q[3 * corner + 1] + first);
+                moved.z.store(q[3 * corner + 2] + first);
+            }
+        found_.n_p += count_a * count_b;
+        const std::uint32_t valid = all_bits(count_a) * 0x1111u;  // each four lanes have A's
+        const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
+        const int lanes = static_cast<int>(count_b) * side;
+        for (int first = 0; first < lanes; first += n) {
+            const float* at = a.corners();
+            const auto of_a = [at, count_a, first](std::uint32_t corner) HWY_ATTR {
+                const float* x = at + 3 * corner * count_a;
+                return Lanes3<n>{tiled(x, first), tiled(x + count_a, first),
+                                 tiled(x + 2 * count_a, first)};
+            };
+            const auto of_b = [&q, first](std::uint32_t corner) HWY_ATTR {
+                return Lanes3<n>{spread(q[3 * corner], first), spread(q[3 * corner + 1], first),
+                                 spread(q[3 * corner + 2], first)};
+            };
+            const Lanes3<n> p0 = of_a(0);
+            const TrianglePairs<n> pairs = {of_a(1) - p0, of_a(2) - p0, of_b(0) - p0,
+                                            of_b(1) - p0, of_b(2) - p0, error};
+            const std::uint32_t chosen = (valid & all_bits_of(lanes)) >> first;
+            const std::uint32_t bits = planes_meet(pairs).bits() & chosen;
+            if (bits != 0) put(pairs, bits, a, b, first);
+        }
+    }
+
+    /// Puts pairs of a batch aside, until there are enough to decide on.
+    HWY_INLINE void put(const TrianglePairs<n>& pairs, std::uint32_t bits, const PackedLeaf& a,
+                        const PackedLeaf& b, int first) {
+        std::uint32_t ids_a[n], ids_b[n];
+        for (int k = 0; k < n; ++k) {
+            ids_a[k] = a.triangles()[(first + k) % side];
+            ids_b[k] = b.triangles()[(first + k) / side];
+        }
+        const std::size_t at = open_.count;
+        store_chosen<n>(ids_a, bits, open_.a + at);
+        store_chosen<n>(ids_b, bits, open_.b + at);
+        const ChosenLanes<n> chosen(bits);
+        const auto store = [this, at, &chosen](int row, Lanes<n> lanes) HWY_ATTR {
+            Lanes<n>{chosen(lanes.v)}.store(open_.points[row] + at);
+        };
+        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0, &pairs.q1, &pairs.q2};
+        for (int k = 0; k < 5; ++k) {
+            store(3 * k, points[k]->x);
+            store(3 * k + 1, points[k]->y);
+            store(3 * k + 2, points[k]->z);
+        }
+        store(15, pairs.error);
+        open_.count += static_cast<std::size_t>(std::popcount(bits));
+        if (open_.count >= OpenPairs::enough) decide();
+    }
+
+    /// Decides on the last pairs that are open, n at most.
+    HWY_INLINE void decide_some() {
+        const std::size_t count = open_.count < std::size_t{n} ? open_.count : std::size_t{n};
+        open_.count -= count;
+        const std::size_t at = open_.count;
+        const auto lanes = [this, at](int row)
+                               HWY_ATTR { return Lanes<n>::load(open_.points[row] + at); };
+        const auto point = [&lanes](int k) HWY_ATTR {
+            return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
+        };
+        const Certainty<n> result = intersection(
+            TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4), lanes(15)});
+        std::uint32_t yes = result.intersect.bits() & all_bits_of(static_cast<int>(count));
+        std::uint32_t unsure = result.open.bits() & all_bits_of(static_cast<int>(count)) & ~yes;
+        for (; yes != 0; yes &= yes - 1) {
+            const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(yes));
+            found_.pairs.push_back({open_.a[k], open_.b[k]});
+        }
+        for (; unsure != 0; unsure &= unsure - 1) {
+            const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(unsure));
+            found_.undecided.push_back({open_.a[k], open_.b[k]});
+        }
+    }
+    void decide() {
+        while (open_.count > 0) decide_some();
+    }
+
+    const std::uint32_t *a_, *b_;
+    const FloatPlacement placed_;
+    OpenPairs& open_;
+    PackedFindings& found_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

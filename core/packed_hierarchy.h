@@ -1,0 +1,88 @@
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "core/hierarchy.h"
+#include "core/node_codec.h"
+
+namespace scb {
+
+/// The most triangles of a packed leaf.
+inline constexpr int most_leaf_triangles = 4;
+
+/// Which wide node or leaf a child is.
+struct PackedRef {
+    static constexpr std::uint32_t leaf_bit = std::uint32_t{1} << 31;
+    std::uint32_t bits = 0;
+
+    bool is_leaf() const { return (bits & leaf_bit) != 0; }
+    /// Of a node: its index; of a leaf: where its words begin.
+    std::uint32_t index() const { return bits & ~leaf_bit; }
+};
+
+/// A node with up to `width` children, and its own volume, whose center is the origin of theirs.
+template <class Codec>
+struct PackedNode {
+    PackedScb own;
+    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    std::uint16_t count = 0;
+    std::uint16_t leaf_bits = 0;             ///< bit i: child i is a leaf
+    std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
+    Codec volumes;
+};
+
+/// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and the
+/// coordinates of their corners relative to the volume's center: x of all first corners, y, z, then
+/// those of the second and third corners.
+struct PackedLeaf {
+    static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
+    const std::uint32_t* words = nullptr;
+
+    PackedScb own() const {
+        PackedScb scb;
+        std::memcpy(static_cast<void*>(&scb), words, sizeof scb);
+        return scb;
+    }
+    std::uint32_t count() const { return words[header - 1]; }
+    const std::uint32_t* triangles() const { return words + header; }
+    const float* corners() const {
+        return reinterpret_cast<const float*>(words + header + count());
+    }
+    /// Words of a leaf of so many triangles.
+    static constexpr std::size_t size(std::size_t count) { return header + 10 * count; }
+};
+
+/// A hierarchy of slab cut balls made for queries: wide nodes whose volumes and triangles are
+/// rounded to less memory, outward, so that a query finds the same pairs as with the hierarchy that
+/// it was made of, see collide_packed. Immutable once built.
+template <class Codec>
+struct PackedHierarchy {
+    std::vector<PackedNode<Codec>> nodes;  ///< parents first
+    std::vector<std::uint32_t> leaves;     ///< words, and a few that kernels may read behind them
+    PackedRef root;
+    double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
+
+    PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
+    std::size_t bytes() const {
+        return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(std::uint32_t);
+    }
+};
+
+/// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf. Throws
+/// InputError, naming the mesh, where its coordinates are beyond what floats hold with room for
+/// their products: 1e8 in magnitude, or a size below 1e-8. O(n).
+template <class Codec>
+PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+                            int leaf_triangles = most_leaf_triangles,
+                            std::string_view name = "mesh");
+
+/// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
+/// its own volume and in the one that its parent has of it, as decoded, and that corners are the
+/// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log n).
+template <class Codec>
+std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh);
+
+}  // namespace scb

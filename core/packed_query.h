@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "core/collision.h"
+#include "core/packed_hierarchy.h"
+#include "core/placement.h"
+#include "core/simd_level.h"
+
+namespace scb {
+
+// What a traversal of packed hierarchies is given, and what it leaves: shared by all SIMD targets.
+
+/// A query on two packed hierarchies of one layout.
+template <class Codec>
+struct PackedQuery {
+    const PackedHierarchy<Codec>*a, *b;
+    const Placement* placed;
+};
+using AnyPackedQuery = std::variant<PackedQuery<FloatCodec<2>>, PackedQuery<FloatCodec<4>>,
+                                    PackedQuery<FloatCodec<8>>, PackedQuery<QuantizedCodec<2>>,
+                                    PackedQuery<QuantizedCodec<4>>, PackedQuery<QuantizedCodec<8>>>;
+
+/// Pairs of nodes that are to be divided: a list of A's and one of B's, in step.
+class RefPairs {
+  public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    void clear() { size_ = 0; }
+    const std::uint32_t* a_begin() const { return a_.data(); }
+    const std::uint32_t* b_begin() const { return b_.data(); }
+
+    /// Makes room for so many more pairs, which are then written at the two ends; grow() says how
+    /// many they are.
+    void reserve(std::size_t more) {
+        if (size_ + more <= a_.size()) return;
+        const std::size_t room = std::max(2 * a_.size(), size_ + more);
+        a_.resize(room);
+        b_.resize(room);
+    }
+    std::uint32_t* a_end() { return a_.data() + size_; }
+    std::uint32_t* b_end() { return b_.data() + size_; }
+    void grow(std::size_t more) { size_ += more; }
+
+    void add(std::uint32_t a, std::uint32_t b) {
+        reserve(1);
+        *a_end() = a;
+        *b_end() = b;
+        ++size_;
+    }
+
+    /// Moves the last pairs, at most `most`, into the arrays.
+    std::size_t take(std::uint32_t* a, std::uint32_t* b, std::size_t most) {
+        const std::size_t count = std::min(most, size_);
+        size_ -= count;
+        std::copy_n(a_.data() + size_, count, a);
+        std::copy_n(b_.data() + size_, count, b);
+        return count;
+    }
+
+  private:
+    std::vector<std::uint32_t> a_, b_;
+    std::size_t size_ = 0;
+};
+
+/// The pairs that wait, by whether A's and B's are inner nodes or leaves.
+struct PackedLists {
+    RefPairs inner_inner, inner_leaf, leaf_inner, leaf_leaf;
+
+    void reserve(std::size_t more) {
+        inner_inner.reserve(more);
+        inner_leaf.reserve(more);
+        leaf_inner.reserve(more);
+        leaf_leaf.reserve(more);
+    }
+    bool empty() const {
+        return inner_inner.empty() && inner_leaf.empty() && leaf_inner.empty() && leaf_leaf.empty();
+    }
+    void add(PackedRef a, PackedRef b) {
+        RefPairs& list = a.is_leaf() ? (b.is_leaf() ? leaf_leaf : leaf_inner)
+                                     : (b.is_leaf() ? inner_leaf : inner_inner);
+        list.add(a.bits, b.bits);
+    }
+};
+
+/// What a traversal finds, in no order.
+struct PackedFindings {
+    std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
+    std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
+    std::uint64_t n_v = 0, n_p = 0;
+};
+
+/// The leaves of two packed hierarchies: words, see PackedLeaf.
+struct LeafQuery {
+    const std::uint32_t *a, *b;
+    const Placement* placed;
+};
+
+/// Pairs of triangles whose planes meet, until there are enough for all lanes of the next test:
+/// their indices, and row by row what TrianglePairs has.
+struct OpenPairs {
+    static constexpr std::size_t enough = 64;
+    std::size_t count = 0;
+    std::uint32_t a[enough + 32] = {}, b[enough + 32] = {};
+    float points[16][enough + 32] = {};
+};
+
+/// Divides pairs until none are left but of leaves, or a good many of leaves wait.
+void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                  PackedFindings& found);
+
+/// Tests pairs of leaves for triangles that intersect; the list is empty then. Fewer than
+/// OpenPairs::enough may stay open, until decide_open.
+void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
+                 PackedFindings& found);
+void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
+
+}  // namespace scb

@@ -1,0 +1,177 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_PACKED_TRAVERSAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#undef SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#else
+#define SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+
+#include <bit>
+
+#include "core/packed_query.h"
+#include "core/volume_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// The traversal of two packed hierarchies, compiled for one layout. Pairs of nodes wait in lists
+/// by what they are; a batch of one list at a time is divided, and its lines are fetched ahead.
+template <class Codec>
+class PackedTraversal {
+  public:
+    PackedTraversal(const PackedQuery<Codec>& query, PackedLists& lists, PackedFindings& found)
+        : a_(*query.a), b_(*query.b), placed_(*query.placed), lists_(lists), found_(found) {}
+
+    /// Until nothing is left to divide, or a good many pairs of leaves wait.
+    void run() {
+        while (lists_.leaf_leaf.size() < enough) {
+            if (!lists_.inner_leaf.empty())
+                divide(lists_.inner_leaf, [&](PackedRef i, PackedRef j) { inner_leaf(i, j); });
+            else if (!lists_.leaf_inner.empty())
+                divide(lists_.leaf_inner, [&](PackedRef i, PackedRef j) { leaf_inner(i, j); });
+            else if (!lists_.inner_inner.empty())
+                divide(lists_.inner_inner, [&](PackedRef i, PackedRef j) { inner_inner(i, j); });
+            else
+                return;
+        }
+    }
+
+  private:
+    using Node = PackedNode<Codec>;
+    static constexpr int W = child_lanes<Codec::width>;
+    using Part = ChildLanes<Codec::width>;
+    static constexpr int n = Part::n;
+    static constexpr std::size_t enough = 256;  // leaves are tested in long runs of the same code
+    static constexpr std::size_t batch = 32, ahead = 4;
+    /// More than what is computed of the distances of volumes may be off: a center of B by some 18
+    /// units of the length, its normal by 12, distances along both normals and their cosine by 60
+    /// in all, and radii times the sine by 20.
+    HWY_INLINE float margin(const Offset& o) const {
+        return 96 * float_unit * o.length + placed_.double_error;
+    }
+
+    template <class Divide>
+    HWY_INLINE void divide(RefPairs& list, Divide each) {
+        std::uint32_t a[batch], b[batch];
+        const std::size_t count = list.take(a, b, batch);
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch({a[i]}, {b[i]});
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + ahead < count) prefetch({a[i + ahead]}, {b[i + ahead]});
+            lists_.reserve(std::size_t{W} * W + 16);
+            each({a[i]}, {b[i]});
+        }
+    }
+    HWY_INLINE void prefetch(PackedRef i, PackedRef j) const {
+        fetch(a_, i);
+        fetch(b_, j);
+    }
+    static HWY_INLINE void fetch(const PackedHierarchy<Codec>& side, PackedRef ref) {
+        constexpr std::size_t line = 64, leaf_lines = 3;
+        const auto* at = ref.is_leaf()
+                             ? reinterpret_cast<const char*>(side.leaves.data() + ref.index())
+                             : reinterpret_cast<const char*>(&side.nodes[ref.index()]);
+        const std::size_t lines = ref.is_leaf() ? leaf_lines : (sizeof(Node) + line - 1) / line;
+        for (std::size_t k = 0; k < lines; ++k) hwy::Prefetch(at + k * line);
+    }
+
+    /// Puts aside child lanes of A with one of B.
+    HWY_INLINE void put_a(const Node& a, std::uint32_t bits, PackedRef b) {
+        RefPairs& inner = b.is_leaf() ? lists_.inner_leaf : lists_.inner_inner;
+        RefPairs& leaf = b.is_leaf() ? lists_.leaf_leaf : lists_.leaf_inner;
+        put(inner.a_end(), inner.b_end(), a.child, bits & ~a.leaf_bits, b.bits, inner);
+        put(leaf.a_end(), leaf.b_end(), a.child, bits & a.leaf_bits, b.bits, leaf);
+    }
+    HWY_INLINE void put_b(PackedRef a, const Node& b, std::uint32_t bits) {
+        RefPairs& inner = a.is_leaf() ? lists_.leaf_inner : lists_.inner_inner;
+        RefPairs& leaf = a.is_leaf() ? lists_.leaf_leaf : lists_.inner_leaf;
+        put(inner.b_end(), inner.a_end(), b.child, bits & ~b.leaf_bits, a.bits, inner);
+        put(leaf.b_end(), leaf.a_end(), b.child, bits & b.leaf_bits, a.bits, leaf);
+    }
+    static HWY_INLINE void put(std::uint32_t* ones, std::uint32_t* others,
+                               const std::uint32_t* children, std::uint32_t bits,
+                               std::uint32_t other, RefPairs& list) {
+        store_chosen<W>(children, bits, ones);
+        for (int k = 0; k < W; ++k) others[k] = other;
+        list.grow(static_cast<std::size_t>(std::popcount(bits)));
+    }
+
+    static HWY_INLINE std::uint32_t all_bits(std::uint32_t count) {
+        return (std::uint32_t{1} << count) - 1;
+    }
+    static HWY_INLINE PackedScb centered(PackedScb scb) {
+        scb.c[0] = scb.c[1] = scb.c[2] = 0;
+        return scb;
+    }
+    HWY_INLINE Part children_of_b(const Node& b, int first, const Offset& o) const {
+        return placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t));
+    }
+
+    /// Which children of A overlap a volume that all lanes have, in A's frame.
+    HWY_INLINE std::uint32_t overlapping_a(const Node& a, const Part& b, Lanes<n> wide) {
+        found_.n_v += a.count;
+        std::uint32_t bits = 0;
+        for (int first = 0; first < W; first += n)
+            bits |= overlap(load_children(a.volumes, first), b, wide).bits() << first;
+        return bits & all_bits(a.count);
+    }
+
+    HWY_INLINE void inner_inner(PackedRef i, PackedRef j) {
+        const Node &a = a_.nodes[i.index()], &b = b_.nodes[j.index()];
+        const Offset o = offset(placed_, a.own.c, a.reach, b.own.c, b.reach);
+        const Lanes<n> wide = Lanes<n>::all(margin(o));
+        const Part own = Part::all(centered(a.own));
+        found_.n_v += b.count;
+        std::uint32_t left = 0;
+        float rows[9][W];  // the children of B in A's frame
+        for (int first = 0; first < W; first += n) {
+            const Part of_b = children_of_b(b, first, o);
+            left |= overlap(own, of_b, wide).bits() << first;
+            const Lanes<n>* const lanes[] = {&of_b.c.x,      &of_b.c.y,      &of_b.c.z,
+                                             &of_b.normal.x, &of_b.normal.y, &of_b.normal.z,
+                                             &of_b.r,        &of_b.m,        &of_b.h};
+            for (int row = 0; row < 9; ++row) lanes[row]->store(rows[row] + first);
+        }
+        for (left &= all_bits(b.count); left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            const auto row = [&rows, k](int r) HWY_ATTR { return Lanes<n>::all(rows[r][k]); };
+            const Part one = {
+                {row(0), row(1), row(2)}, {row(3), row(4), row(5)}, row(6), row(7), row(8)};
+            put_a(a, overlapping_a(a, one, wide), {b.child[k]});
+        }
+    }
+
+    HWY_INLINE void inner_leaf(PackedRef i, PackedRef j) {
+        const Node& a = a_.nodes[i.index()];
+        const PackedScb b = b_.leaf(j).own();
+        const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
+        const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
+        put_a(a, overlapping_a(a, of_b, Lanes<n>::all(margin(o))), j);
+    }
+
+    HWY_INLINE void leaf_inner(PackedRef i, PackedRef j) {
+        const Node& b = b_.nodes[j.index()];
+        const PackedScb a = a_.leaf(i).own();
+        const Offset o = offset(placed_, a.c, a.r, b.own.c, b.reach);
+        const Lanes<n> wide = Lanes<n>::all(margin(o));
+        const Part own = Part::all(centered(a));
+        found_.n_v += b.count;
+        std::uint32_t bits = 0;
+        for (int first = 0; first < W; first += n)
+            bits |= overlap(own, children_of_b(b, first, o), wide).bits() << first;
+        put_b(i, b, bits & all_bits(b.count));
+    }
+
+    const PackedHierarchy<Codec>&a_, &b_;
+    const FloatPlacement placed_;
+    PackedLists& lists_;
+    PackedFindings& found_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

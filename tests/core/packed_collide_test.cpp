@@ -1,0 +1,118 @@
+#include "core/packed_collide.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "tests/core/brute_force.h"
+#include "tests/core/packed_variants.h"
+#include "tests/core/small_scenes.h"
+
+namespace scb {
+namespace {
+
+/// What must be the same at every SIMD level.
+void expect_same(const PackedCollision& a, const PackedCollision& b) {
+    EXPECT_EQ(a.pairs, b.pairs);
+    EXPECT_EQ(a.n_v, b.n_v);
+    EXPECT_EQ(a.n_p, b.n_p);
+    EXPECT_EQ(a.n_exact, b.n_exact);
+}
+
+/// Every layout, leaf size and level finds the pairs of brute force. Returns how many pairs of
+/// triangles floats were asked about, and how many they left open, both in all.
+struct Asked {
+    std::uint64_t triangles = 0, open = 0;
+};
+Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
+    const std::vector<IndexPair> expected = brute_force(a.mesh, b.mesh, pose);
+    Asked asked;
+    for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+        SCOPED_TRACE(name);
+        for (const int leaf : {1, most_leaf_triangles}) {
+            const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf),
+                       packed_b = pack<Codec>(scb_of(b), b.mesh, leaf);
+            const auto found = [&](SimdLevel level) {
+                return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level});
+            };
+            const PackedCollision best = found(SimdLevel::best);
+            EXPECT_EQ(best.pairs, expected);
+            asked.triangles += best.n_p;
+            asked.open += best.n_exact;
+            for (const SimdLevel level : available_simd_levels()) {
+                SCOPED_TRACE(simd_level_name(level));
+                expect_same(found(level), best);
+            }
+        }
+    });
+    return asked;
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFinds) {
+    Asked all;
+    for (int i = 0; i < scenes_tried / 4; ++i) {
+        SCOPED_TRACE(i);
+        const SmallScene scene = small_scene(3000 + static_cast<std::uint64_t>(i));
+        const Asked asked = expect_packed(scene.a, scene.b, scene.pose);
+        all.triangles += asked.triangles;
+        all.open += asked.open;
+        if (HasFailure()) return;
+    }
+    // Triangles on a grid touch, and degenerate ones have no plane.
+    EXPECT_GT(all.triangles, all.open);
+    EXPECT_GT(all.open, 0u);
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFindsFarFromTheOrigin) {
+    Random random(71);
+    for (int i = 0; i < scenes_tried / 50; ++i) {
+        SCOPED_TRACE(i);
+        const Vec3 away = 1e6 * random_point(random);
+        const Mesh a = random_soup(random.next(), 30, 0.5);
+        Mesh b = random_soup(random.next(), 30, 0.5);
+        Pose pose = random_pose(random, 0.3);
+        for (Vec3& v : b.vertices) v += away;
+        pose.translation -= rotate(pose.rotation, away);
+        expect_packed(BuiltMesh(a), BuiltMesh(b), pose);
+        expect_packed(BuiltMesh(b), BuiltMesh(a), inverse(pose));
+        if (HasFailure()) return;
+    }
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFindsInSurfacesThatCross) {
+    Random random(72);
+    Asked asked;
+    for (int i = 0; i < 4; ++i) {
+        const Asked some = expect_packed(BuiltMesh(height_field(24)), BuiltMesh(height_field(24)),
+                                         {random_rotation(random), {0.1, 0, 0.05}});
+        asked.triangles += some.triangles;
+        asked.open += some.open;
+    }
+    EXPECT_GT(asked.triangles, 20 * asked.open) << "floats decide nearly all";
+}
+
+TEST(CollidePacked, OfOneTriangleEach) {
+    const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    expect_packed(BuiltMesh(one), BuiltMesh(one), {});
+    expect_packed(BuiltMesh(one), BuiltMesh(one), {Mat3::Identity(), {0, 0, 1}});
+    expect_packed(BuiltMesh(one), BuiltMesh(height_field(8)), {Mat3::Identity(), {0.2, 0.2, 0}});
+}
+
+TEST(CollidePacked, RefusesWhatFloatsDoNotHold) {
+    Mesh mesh{{{0, 0, 0}, {1e9, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    const auto message = [&] {
+        try {
+            pack<FloatCodec<8>>(build_hierarchy<Scb>(mesh), mesh, 4, "plate");
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message().find("plate: packed layouts hold"), 0u);
+    mesh.vertices = {{0, 0, 0}, {1e-9, 0, 0}, {0, 1e-9, 0}};
+    EXPECT_EQ(message().find("plate: packed layouts hold"), 0u);
+    mesh.vertices = {{3, 0, 0}, {3, 0, 0}, {3, 0, 0}};
+    EXPECT_EQ(message(), "");
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,80 @@
+#include "core/packed_hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/packed_variants.h"
+#include "tests/core/point_sets.h"
+
+namespace scb {
+namespace {
+
+std::vector<Mesh> all_kinds() {
+    std::vector<Mesh> meshes;
+    for (const int count : {1, 2, 3, 4, 5, 7, 8, 9, 26, 27, 300})
+        meshes.push_back(random_soup(61, count, 0.3));
+    meshes.push_back(height_field(20));
+    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    same.triangles.assign(50, {0, 1, 2});
+    meshes.push_back(same);
+    Mesh point{{{1, 2, 3}}, {}};
+    point.triangles.assign(33, {0, 0, 0});
+    meshes.push_back(point);
+    Mesh far = height_field(8);
+    for (Vec3& v : far.vertices) v += Vec3(1e6, -1e6, 1e6);
+    meshes.push_back(far);
+    Mesh tiny = height_field(8);
+    for (Vec3& v : tiny.vertices) v *= 1e-7;
+    meshes.push_back(tiny);
+    return meshes;
+}
+
+TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
+    for (const Mesh& mesh : all_kinds()) {
+        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+            for (int leaf = 1; leaf <= most_leaf_triangles; ++leaf)
+                EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf), mesh), "")
+                    << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
+        });
+    }
+}
+
+TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
+    const Mesh mesh = height_field(12);
+    const auto right = pack<QuantizedCodec<4>>(build_hierarchy<Scb>(mesh), mesh, 3);
+    const auto said = [&](auto break_it) {
+        auto wrong = right;
+        break_it(wrong);
+        return validate(wrong, mesh);
+    };
+    using Packed = PackedHierarchy<QuantizedCodec<4>>;
+    EXPECT_EQ(said([](Packed&) {}), "");
+    EXPECT_NE(said([](Packed& p) { p.nodes[2].volumes.r[1] /= 2; }).find("child 1 of node 2"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[1].volumes.h[0] /= 2; }).find("child 0 of node 1"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[3].own.r *= 0.99f; }).find("volume of node 3"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[0].reach *= 0.5f; }).find("reaches farther"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[0].leaf_bits ^= 1; }).find("whether child 0 is a leaf"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) {
+                  p.leaves[PackedLeaf::header] = p.leaves[PackedLeaf::header + 1];
+              }).find("exactly one leaf"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.leaves[PackedLeaf::size(0) + 5] ^= 1; }).find("nearest float"),
+              std::string::npos);
+}
+
+TEST(PackedHierarchy, QuantizedTakesLessMemory) {
+    const Mesh mesh = height_field(64);
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    EXPECT_LT(pack<QuantizedCodec<8>>(hierarchy, mesh).bytes(),
+              pack<FloatCodec<8>>(hierarchy, mesh).bytes());
+    EXPECT_LT(pack<FloatCodec<8>>(hierarchy, mesh, 4).bytes(),
+              pack<FloatCodec<8>>(hierarchy, mesh, 1).bytes());
+}
+
+}  // namespace
+}  // namespace scb
