@@ -59,10 +59,9 @@ TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
               std::string::npos);
     EXPECT_NE(said([](Packed& p) { p.nodes[0].leaf_bits ^= 1; }).find("whether child 0 is a leaf"),
               std::string::npos);
-    EXPECT_NE(said([](Packed& p) {
-                  p.leaves[PackedLeaf::header] = p.leaves[PackedLeaf::header + 1];
-              }).find("exactly one leaf"),
-              std::string::npos);
+    EXPECT_NE(
+        said([](Packed& p) { p.nodes[0].child[1] = p.nodes[0].child[0]; }).find("exactly one"),
+        std::string::npos);
     EXPECT_NE(said([](Packed& p) { p.leaves[PackedLeaf::size(0) + 5] ^= 1; }).find("nearest float"),
               std::string::npos);
 }
