@@ -16,14 +16,18 @@ namespace HWY_NAMESPACE {
 
 /// Where B is seen from A, for differences of points that are close together in floats.
 struct FloatPlacement {
-    Pose b_to_a;
-    float row[3][3];     ///< of the rotation
-    float double_error;  ///< what doubles may be off by, see BasicPlacement
+    double columns[4][4] = {};  ///< of the rotation, and the translation
+    float row[3][3];            ///< of the rotation
+    float double_error;         ///< what doubles may be off by, see BasicPlacement
 
-    explicit FloatPlacement(const Placement& placed)
-        : b_to_a(placed.b_to_a), double_error(float_above(placed.margin)) {
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) row[i][k] = static_cast<float>(b_to_a.rotation(i, k));
+    explicit FloatPlacement(const Placement& placed) : double_error(float_above(placed.margin)) {
+        for (int i = 0; i < 3; ++i) {
+            columns[3][i] = placed.b_to_a.translation[i];
+            for (int k = 0; k < 3; ++k) {
+                columns[k][i] = placed.b_to_a.rotation(i, k);
+                row[i][k] = static_cast<float>(placed.b_to_a.rotation(i, k));
+            }
+        }
     }
 };
 
@@ -36,22 +40,29 @@ HWY_INLINE Lanes3<n> rotate(const FloatPlacement& placed, Lanes3<n> p) {
 }
 
 /// An origin of B from one of A, in A's frame, and a length that no coordinate exceeds that is
-/// computed from there: of `reach` are things around both origins.
+/// computed from there: of `reach` are things around both origins. Four floats are read of `a`.
 struct Offset {
-    float t[3];
+    float t[4];
     float length;
 };
 HWY_INLINE Offset offset(const FloatPlacement& placed, const float* a, float reach_a,
                          const float* b, float reach_b) {
+    // Three lanes of four.
+    constexpr int n = 4 < int{HWY_LANES(double)} ? 4 : int{HWY_LANES(double)};
+    const hn::FixedTag<double, n> d;
+    const hn::FixedTag<float, n> f;
     Offset o;
-    o.length = reach_a + reach_b;
-    const Mat3& r = placed.b_to_a.rotation;
-    const double x = b[0], y = b[1], z = b[2];
-    for (int i = 0; i < 3; ++i) {
-        o.t[i] = static_cast<float>(r(i, 0) * x + r(i, 1) * y + r(i, 2) * z +
-                                    placed.b_to_a.translation[i] - static_cast<double>(a[i]));
-        o.length += o.t[i] < 0 ? -o.t[i] : o.t[i];
+    for (int i = 0; i < 4; i += n) {
+        const auto column = [&placed, i, d](int k, float x) HWY_ATTR {
+            return hn::Mul(hn::LoadU(d, placed.columns[k] + i), hn::Set(d, static_cast<double>(x)));
+        };
+        auto t = hn::Add(hn::Add(column(0, b[0]), column(1, b[1])), column(2, b[2]));
+        t = hn::Sub(hn::Add(t, hn::LoadU(d, placed.columns[3] + i)),
+                    hn::PromoteTo(d, hn::LoadU(f, a + i)));
+        hn::StoreU(hn::DemoteTo(f, t), f, o.t + i);
     }
+    o.length = reach_a + reach_b;
+    for (int i = 0; i < 3; ++i) o.length += o.t[i] < 0 ? -o.t[i] : o.t[i];
     return o;
 }
 

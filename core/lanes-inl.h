@@ -108,15 +108,15 @@ class ChosenLanes {
   public:
     explicit HWY_INLINE ChosenLanes(std::uint32_t bits)
 #if HWY_TARGET > HWY_AVX3
-        : from_(hn::SetTableIndices(hn::FixedTag<float, n>(), chosen_from<n>.lane[bits])) {
-    }
+        : from_(hn::SetTableIndices(hn::FixedTag<float, n>(), chosen_from<n>.lane[bits])){}
 #else
         : mask_(hn::LoadMaskBits(hn::FixedTag<float, n>(), bytes_of(bits).b)) {
     }
 #endif
 
-    template <class V>
-    HWY_INLINE V operator()(V lanes) const {
+          template <class V>
+          HWY_INLINE V
+          operator()(V lanes) const {
 #if HWY_TARGET > HWY_AVX3
         return hn::TableLookupLanes(lanes, from_);
 #else
@@ -136,7 +136,7 @@ class ChosenLanes {
         std::memcpy(bytes.b, &bits, sizeof bits);
         return bytes;
     }
-    hn::Mask<hn::FixedTag<float, n>> mask_;
+    hn::Mask<hn::FixedTag<float, n> > mask_;
 #endif
 };
 

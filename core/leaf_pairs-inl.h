@@ -44,7 +44,7 @@ class LeafPairs {
         for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch(a[i], b[i]);
         for (std::size_t i = 0; i < count; ++i) {
             if (i + ahead < count) prefetch(a[i + ahead], b[i + ahead]);
-            leaf_leaf({a[i]}, {b[i]});
+            leaf_leaf(a[i], b[i]);
         }
         list.clear();
     }
@@ -91,44 +91,50 @@ class LeafPairs {
         }
     }
 
-    HWY_INLINE void leaf_leaf(PackedRef i, PackedRef j) {
-        const PackedLeaf a{a_ + i.index()}, b{b_ + j.index()};
-        const PackedScb own_a = a.own(), own_b = b.own();
-        const Offset o = offset(placed_, own_a.c, own_a.r, own_b.c, own_b.r);
-        const std::uint32_t count_a = a.count(), count_b = b.count();
-        // The corners of B's triangles in A's frame.
-        float q[9][side];
+    /// Turns the corners of a leaf of B into A's frame, but for the translation.
+    HWY_INLINE void turn(const PackedLeaf& b) {
         constexpr int m = part_lanes(side);
+        const std::uint32_t count = b.count();
         for (std::uint32_t corner = 0; corner < 3; ++corner)
             for (int first = 0; first < side; first += m) {
-                const float* at = b.corners() + 3 * corner * count_b + first;
-                const Lanes3<m> some = {Lanes<m>::load(at), Lanes<m>::load(at + count_b),
-                                        Lanes<m>::load(at + 2 * count_b)};
-                const Lanes3<m> moved = rotate(placed_, some) + Lanes3<m>::all(o.t);
-                moved.x.store(q[3 * corner] + first);
-                moved.y.store(q[3 * corner + 1] + first);
-                moved.z.store(q[3 * corner + 2] + first);
+                const float* at = b.corners() + 3 * corner * count + first;
+                const Lanes3<m> turned =
+                    rotate(placed_, Lanes3<m>{Lanes<m>::load(at), Lanes<m>::load(at + count),
+                                              Lanes<m>::load(at + 2 * count)});
+                turned.x.store(turned_[3 * corner] + first);
+                turned.y.store(turned_[3 * corner + 1] + first);
+                turned.z.store(turned_[3 * corner + 2] + first);
             }
+    }
+
+    HWY_INLINE Lanes3<n> corner_a(const PackedLeaf& a, std::uint32_t corner, int first) const {
+        const std::uint32_t count = a.count();
+        const float* x = a.corners() + 3 * corner * count;
+        return {tiled(x, first), tiled(x + count, first), tiled(x + 2 * count, first)};
+    }
+    HWY_INLINE Lanes3<n> corner_b(std::uint32_t corner, int first) const {
+        return {spread(turned_[3 * corner], first), spread(turned_[3 * corner + 1], first),
+                spread(turned_[3 * corner + 2], first)};
+    }
+
+    HWY_INLINE void leaf_leaf(std::uint32_t i, std::uint32_t j) {
+        const PackedLeaf a{a_ + PackedRef{i}.index()}, b{b_ + PackedRef{j}.index()};
+        if (j != turned_leaf_) turn(b);  // often it is that of the pair before
+        turned_leaf_ = j;
+        const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
+        const std::uint32_t count_a = a.count(), count_b = b.count();
         found_.n_p += count_a * count_b;
         const std::uint32_t valid = all_bits(count_a) * 0x1111u;  // each four lanes have A's
         const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
+        const Lanes3<n> t = Lanes3<n>::all(o.t);
         const int lanes = static_cast<int>(count_b) * side;
         for (int first = 0; first < lanes; first += n) {
-            const float* at = a.corners();
-            const auto of_a = [at, count_a, first](std::uint32_t corner) HWY_ATTR {
-                const float* x = at + 3 * corner * count_a;
-                return Lanes3<n>{tiled(x, first), tiled(x + count_a, first),
-                                 tiled(x + 2 * count_a, first)};
-            };
-            const auto of_b = [&q, first](std::uint32_t corner) HWY_ATTR {
-                return Lanes3<n>{spread(q[3 * corner], first), spread(q[3 * corner + 1], first),
-                                 spread(q[3 * corner + 2], first)};
-            };
-            const Lanes3<n> p0 = of_a(0);
-            const TrianglePairs<n> pairs = {of_a(1) - p0, of_a(2) - p0, of_b(0) - p0,
-                                            of_b(1) - p0, of_b(2) - p0, error};
-            const std::uint32_t chosen = (valid & all_bits_of(lanes)) >> first;
-            const std::uint32_t bits = planes_meet(pairs).bits() & chosen;
+            const Lanes3<n> p0 = corner_a(a, 0, first), to_q = t - p0;
+            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
+                                            corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
+                                            corner_b(2, first) + to_q,  error};
+            const std::uint32_t bits =
+                planes_meet(pairs).bits() & ((valid & all_bits_of(lanes)) >> first);
             if (bits != 0) put(pairs, bits, a, b, first);
         }
     }
@@ -136,25 +142,20 @@ class LeafPairs {
     /// Puts pairs of a batch aside, until there are enough to decide on.
     HWY_INLINE void put(const TrianglePairs<n>& pairs, std::uint32_t bits, const PackedLeaf& a,
                         const PackedLeaf& b, int first) {
-        std::uint32_t ids_a[n], ids_b[n];
-        for (int k = 0; k < n; ++k) {
-            ids_a[k] = a.triangles()[(first + k) % side];
-            ids_b[k] = b.triangles()[(first + k) / side];
-        }
         const std::size_t at = open_.count;
-        store_chosen<n>(ids_a, bits, open_.a + at);
-        store_chosen<n>(ids_b, bits, open_.b + at);
         const ChosenLanes<n> chosen(bits);
-        const auto store = [this, at, &chosen](int row, Lanes<n> lanes) HWY_ATTR {
-            Lanes<n>{chosen(lanes.v)}.store(open_.points[row] + at);
-        };
+        const auto store = [at, &chosen](float* row, Lanes<n> lanes)
+                               HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
+        // Indices as floats, which are only moved.
+        store(open_.a, tiled(reinterpret_cast<const float*>(a.triangles()), first));
+        store(open_.b, spread(reinterpret_cast<const float*>(b.triangles()), first));
         const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0, &pairs.q1, &pairs.q2};
         for (int k = 0; k < 5; ++k) {
-            store(3 * k, points[k]->x);
-            store(3 * k + 1, points[k]->y);
-            store(3 * k + 2, points[k]->z);
+            store(open_.points[3 * k], points[k]->x);
+            store(open_.points[3 * k + 1], points[k]->y);
+            store(open_.points[3 * k + 2], points[k]->z);
         }
-        store(15, pairs.error);
+        store(open_.points[15], pairs.error);
         open_.count += static_cast<std::size_t>(std::popcount(bits));
         if (open_.count >= OpenPairs::enough) decide();
     }
@@ -175,11 +176,11 @@ class LeafPairs {
         std::uint32_t unsure = result.open.bits() & all_bits_of(static_cast<int>(count)) & ~yes;
         for (; yes != 0; yes &= yes - 1) {
             const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(yes));
-            found_.pairs.push_back({open_.a[k], open_.b[k]});
+            found_.pairs.push_back(open_.pair(k));
         }
         for (; unsure != 0; unsure &= unsure - 1) {
             const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(unsure));
-            found_.undecided.push_back({open_.a[k], open_.b[k]});
+            found_.undecided.push_back(open_.pair(k));
         }
     }
     void decide() {
@@ -190,6 +191,8 @@ class LeafPairs {
     const FloatPlacement placed_;
     OpenPairs& open_;
     PackedFindings& found_;
+    std::uint32_t turned_leaf_ = 0;  // no leaf: bits of one are not 0
+    float turned_[9][side] = {};
 };
 
 }  // namespace HWY_NAMESPACE

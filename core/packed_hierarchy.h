@@ -46,6 +46,8 @@ struct PackedLeaf {
         std::memcpy(static_cast<void*>(&scb), words, sizeof scb);
         return scb;
     }
+    const float* center() const { return reinterpret_cast<const float*>(words); }
+    float radius() const { return center()[3]; }
     std::uint32_t count() const { return words[header - 1]; }
     const std::uint32_t* triangles() const { return words + header; }
     const float* corners() const {
@@ -81,7 +83,8 @@ PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
 
 /// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
 /// its own volume and in the one that its parent has of it, as decoded, and that corners are the
-/// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log n).
+/// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log
+/// n).
 template <class Codec>
 std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <variant>
 #include <vector>
@@ -104,8 +105,12 @@ struct LeafQuery {
 struct OpenPairs {
     static constexpr std::size_t enough = 64;
     std::size_t count = 0;
-    std::uint32_t a[enough + 32] = {}, b[enough + 32] = {};
+    float a[enough + 32] = {}, b[enough + 32] = {};  ///< bits of indices
     float points[16][enough + 32] = {};
+
+    IndexPair pair(std::size_t i) const {
+        return {std::bit_cast<std::uint32_t>(a[i]), std::bit_cast<std::uint32_t>(b[i])};
+    }
 };
 
 /// Divides pairs until none are left but of leaves, or a good many of leaves wait.

@@ -57,10 +57,10 @@ class PackedTraversal {
     HWY_INLINE void divide(RefPairs& list, Divide each) {
         std::uint32_t a[batch], b[batch];
         const std::size_t count = list.take(a, b, batch);
+        lists_.reserve(count * (W * W + 16));
         for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch({a[i]}, {b[i]});
         for (std::size_t i = 0; i < count; ++i) {
             if (i + ahead < count) prefetch({a[i + ahead]}, {b[i + ahead]});
-            lists_.reserve(std::size_t{W} * W + 16);
             each({a[i]}, {b[i]});
         }
     }

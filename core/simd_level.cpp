@@ -32,16 +32,22 @@ std::vector<SimdLevel> available_simd_levels() { return {SimdLevel::best, SimdLe
 
 #else
 
+// Asking the CPU takes a microsecond, and many where it is a virtual one.
+std::int64_t supported() {
+    static const std::int64_t targets = hwy::SupportedTargets();
+    return targets;
+}
+
 std::size_t simd_target_index(SimdLevel level) {
     hwy::ChosenTarget chosen;
-    chosen.Update(hwy::SupportedTargets() & targets_of(level));
+    chosen.Update(supported() & targets_of(level));
     return chosen.GetIndex();
 }
 
 std::vector<SimdLevel> available_simd_levels() {
     std::vector<SimdLevel> levels = {SimdLevel::best, SimdLevel::base};
     for (const SimdLevel level : {SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512})
-        if ((hwy::SupportedTargets() & HWY_TARGETS & targets_of(level)) != 0)
+        if ((supported() & HWY_TARGETS & targets_of(level)) != 0)
             levels.push_back(level);
     return levels;
 }
