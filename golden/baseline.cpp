@@ -23,11 +23,6 @@ std::string variant_name(const std::string& name, int variant) {
     return variant == 1 ? name + ".png" : name + "." + std::to_string(variant) + ".png";
 }
 
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
-}
-
 /// The case that a file of a baseline is named after; empty where it is none.
 std::string case_of(std::string file) {
     for (const std::string_view ending :
