@@ -1,11 +1,8 @@
 #include "app/golden_check.h"
 
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "app/for_each_in_threads.h"
 #include "app/golden_lines.h"
 #include "golden/baseline.h"
 
@@ -53,34 +50,6 @@ CheckedCase check_case(const GoldenCase& golden, const GoldenCheck& check) {
 }
 
 }  // namespace
-
-void for_each_in_threads(std::size_t count, std::size_t threads,
-                         const std::function<void(std::size_t)>& work,
-                         const std::function<bool()>& step) {
-    std::atomic<std::size_t> next = 0;
-    std::mutex stepping;
-    std::exception_ptr error;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(stepping);
-                if (!error) error = std::current_exception();
-                next = count;
-                return;
-            }
-            const std::lock_guard lock(stepping);
-            if (!step()) next = count;
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < threads && i < count; ++i) others.emplace_back(run);
-        run();
-    }
-    if (error) std::rethrow_exception(error);
-}
 
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
     const CaseFiles made = case_files(folders.candidates, golden.name);
