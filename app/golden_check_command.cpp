@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/golden_check.h"
+#include "app/golden_commands.h"
 #include "app/golden_results.h"
 #include "app/interrupt.h"
 #include "app/options.h"
@@ -51,7 +52,7 @@ int run(const Options& options, const Console& console) {
     });
     result.cases = checked.results;
     result.environment = golden_environment(check.settings);
-    add_commands(result, check.cases, options);
+    add_commands(result, check, options);
     write_results(result, options.files, work.report());
     print_result(results_text(result));
     if (has_failed(result) && options.files.report.empty())

@@ -101,18 +101,6 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
     }
 }
 
-void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
-                  const GoldenOptions& options) {
-    std::map<std::string, const GoldenCase*> of_name;
-    for (const GoldenCase& golden : cases) of_name[golden.name] = &golden;
-    for (CaseResult& c : result.cases) {
-        if (!is_failure(c.verdict)) continue;
-        const auto golden = of_name.find(c.name);
-        if (golden != of_name.end()) c.reproduce = typed(command_of(*golden->second, "out"));
-        c.update = "scb golden update " + c.name + options.suite_words();
-    }
-}
-
 void add_result_files(CLI::App& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
@@ -159,8 +147,7 @@ std::string results_text(const SuiteResult& result) {
             text += "    and " + std::to_string(c.counts.size() - most_counts) + " more\n";
         for (const std::string& line : c.lines) text += "    " + line + "\n";
         if (!c.reproduce.empty()) text += "    " + c.reproduce + "\n";
-        if (!c.update.empty() && c.verdict != Verdict::could_not_run)
-            text += "    " + c.update + "\n";
+        if (!c.update.empty()) text += "    " + c.update + "\n";
     }
     text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
     const char* separator = ": ";

@@ -29,10 +29,6 @@ class GoldenWork {
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const GoldenRunSettings& settings);
 
-/// The commands that reproduce each failing case and that take its candidate over.
-void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
-                  const GoldenOptions& options);
-
 /// Where results go; empty: nowhere.
 struct ResultFiles {
     std::string report, junit, json;

@@ -47,13 +47,12 @@ std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
     return anchor;
 }
 
-/// The update command without the name, for the page to put several names behind it.
+/// The update command without the name, for the page to put several names behind it; empty where
+/// there is none.
 std::string update_prefix(const CaseResult& result) {
-    for (const std::string& name : {shell_word(result.name), result.name})
-        if (!name.empty() && result.update.size() > name.size() &&
-            result.update.ends_with(" " + name))
-            return result.update.substr(0, result.update.size() - name.size() - 1);
-    return "scb golden update";
+    const std::string name = " " + shell_word(result.name);
+    if (!result.update.ends_with(name)) return "";
+    return result.update.substr(0, result.update.size() - name.size());
 }
 
 std::string seconds_text(double seconds) {
@@ -108,8 +107,9 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
 
     report::set_tables(values, result, folder);
     set_commands(values, result);
-    values["can_update"] = flag(!result.update.empty());
-    values["update_prefix"] = update_prefix(result);
+    const std::string prefix = update_prefix(result);
+    values["can_update"] = flag(!prefix.empty());
+    values["update_prefix"] = prefix;
     values["update_name"] = shell_word(result.name);
     return values;
 }

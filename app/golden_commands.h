@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/golden_check.h"
+#include "app/golden_options.h"
+
+namespace scb {
+
+/// Gives each failing case the commands to type: the one that draws it again, and the one that
+/// takes over what the run made, where it made something. They have the options that the check had,
+/// and the name of the case comes last, so that further names can follow.
+void add_commands(SuiteResult& result, const GoldenCheck& check, const GoldenOptions& options);
+
+}  // namespace scb

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "render/image_file.h"
+#include "render/output_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* suite_text = R"({
+  "scb_golden": 1,
+  "presets": {"small": {"size": "320x240", "scene": "cone", "frames": "100"}},
+  "cases": [
+    {"name": "levels", "preset": "small", "run": "levels", "arguments": ["--levels", "4"]},
+    {"name": "rejections", "preset": "small", "run": "rejections"},
+    {"name": "collide", "run": "collide", "scene": "cone", "frames": "0:100:50"},
+    {"name": "single", "run": "collide", "scene": "cone", "frames": "100"}
+  ]
+})";
+
+/// A suite in a folder with a space, whose baselines have another name than is usual.
+class GoldenReport : public testing::Test {
+  protected:
+    GoldenReport() {
+        fs::create_directory(home);
+        write_text(home / "cases.json", suite_text);
+        EXPECT_EQ(golden("update --all").status, 0);
+    }
+
+    /// Runs from where the suite is, as a user would.
+    ProgramRun run(const std::string& arguments, const std::string& environment = "") const {
+        return run_scb(arguments,
+                       "cd '" + home.string() + "' && env -u CI -u SCB_MODELS " + environment);
+    }
+    ProgramRun golden(const std::string& arguments, const std::string& environment = "") const {
+        return run("golden " + arguments + where, environment);
+    }
+    ProgramRun check(const std::string& more = "", const std::string& environment = "") {
+        const ProgramRun ended = golden("check --report out " + more, environment);
+        results = json();
+        if (fs::exists(home / "out/results.json"))
+            results = json::parse(file_text(home / "out/results.json"));
+        page = file_text(home / "out/report.html");
+        return ended;
+    }
+    json result(const std::string& name) const {
+        for (const json& entry : results["cases"])
+            if (entry["name"] == name) return entry;
+        return {};
+    }
+    fs::path baseline(const std::string& file) const { return home / "accepted" / file; }
+    void break_counts(const std::string& name) const {
+        const fs::path file = baseline(name + ".counts.json");
+        write_text(file,
+                   std::regex_replace(file_text(file), std::regex("\"n_v\": "), "\"n_v\": 1"));
+    }
+
+    const TemporaryFolder folder;
+    const fs::path home = folder.path / "my suite";
+    const std::string where = " --suite cases.json --baselines accepted";
+    json results;
+    std::string page;
+};
+
+std::string without_entities(std::string text) {
+    for (const auto& [entity, character] :
+         {std::pair("&quot;", "\""), std::pair("&#39;", "'"), std::pair("&amp;", "&")})
+        text = std::regex_replace(text, std::regex(entity), character);
+    return text;
+}
+
+/// The values of an attribute, in the order of the page.
+std::vector<std::string> values_of(const std::string& page, const std::string& attribute) {
+    std::vector<std::string> values;
+    const std::regex pattern(attribute + "=\"([^\"]*)\"");
+    for (std::sregex_iterator i(page.begin(), page.end(), pattern), end; i != end; ++i)
+        values.push_back(without_entities((*i)[1]));
+    return values;
+}
+
+TEST_F(GoldenReport, TickedCasesAreUpdatedWhereTheyWereChecked) {
+    break_counts("collide");
+    break_counts("single");
+    ASSERT_EQ(check().status, 1);
+    const std::vector<std::string> prefixes = values_of(page, "data-prefix");
+    ASSERT_EQ(prefixes.size(), 2u) << page.substr(page.find("<main>"));
+    EXPECT_EQ(prefixes[0], "scb golden update" + where);
+    EXPECT_EQ(prefixes[1], prefixes[0]);
+    // One command of both names, as the page's script puts it together.
+    EXPECT_EQ(run(prefixes[0].substr(4) + " collide single").status, 0);
+    EXPECT_EQ(check().status, 0);
+}
+
+TEST_F(GoldenReport, CommandsHaveTheOptionsOfTheCheck) {
+    break_counts("collide");
+    break_counts("single");
+    fs::remove(baseline("levels.png"));
+    const std::string runner = folder / "runner";
+    write_text(runner, "#!/bin/sh\nshift\nexec \"$@\"\n");
+    fs::permissions(runner, fs::perms::owner_all);
+    check("--models . --runner '" + runner + " -x'");
+    const std::string update = result("collide")["update"];
+    EXPECT_EQ(update,
+              "scb golden update" + where + " --models . --runner '" + runner + " -x' collide");
+    EXPECT_EQ(
+        result("collide")["reproduce"],
+        runner + " -x \"$(command -v scb)\" collide cone --frames 0:100:50 --json --models .");
+    EXPECT_EQ(run(update.substr(4)).status, 0);
+    // What the environment says, it says to every command.
+    check("", "SCB_MODELS=.");
+    EXPECT_EQ(result("single")["reproduce"], "scb collide cone --frames 100 --json");
+    EXPECT_EQ(result("single")["update"], "scb golden update" + where + " single");
+    check("--gl egl");
+    EXPECT_TRUE(result("levels")["reproduce"].get<std::string>().ends_with(" --gl egl"));
+    EXPECT_EQ(result("single")["reproduce"], "scb collide cone --frames 100 --json");
+}
+
+}  // namespace
+}  // namespace scb
