@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "core/error.h"
 #include "golden/shard.h"
 
 namespace scb {
@@ -22,6 +23,10 @@ struct Options : GoldenOptions {
 
 std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
     std::vector<GoldenCase> cases = options.chosen(suite);
+    if (cases.empty())
+        throw InputError(options.suite +
+                         ": there is no case to check; add some, or name another file with "
+                         "--suite.");
     if (options.shard.empty()) return cases;
     const Shard shard = parse_shard(options.shard);
     std::vector<GoldenCase> mine;
@@ -51,6 +56,9 @@ int run(const Options& options, const Console& console) {
         return watch.signal() == 0;
     });
     result.cases = checked.results;
+    if (result.cases.size() < check.cases.size())
+        result.incomplete = "The run was interrupted: " + std::to_string(result.cases.size()) +
+                            " of " + std::to_string(check.cases.size()) + " cases were checked.";
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
     write_results(result, options.files, work.report());
@@ -60,11 +68,7 @@ int run(const Options& options, const Console& console) {
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (std::filesystem::path(options.files.report) / "report.html").string() + ".");
-    if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(result.cases.size()) + " of " +
-                     std::to_string(check.cases.size()) + " cases were checked.");
-        return exit_interrupted(watch.signal());
-    }
+    if (watch.signal() != 0) return exit_interrupted(watch.signal());
     const auto failures = std::count_if(result.cases.begin(), result.cases.end(),
                                         [](const CaseResult& c) { return is_failure(c.verdict); });
     if (failures == 0) return exit_done;

@@ -149,18 +149,16 @@ std::string results_text(const SuiteResult& result) {
         if (!c.reproduce.empty()) text += "    " + c.reproduce + "\n";
         if (!c.update.empty()) text += "    " + c.update + "\n";
     }
+    if (!result.incomplete.empty()) text += "incomplete. " + printable(result.incomplete) + "\n";
     text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
+    if (result.cases.empty() && !result.shard.empty())
+        text += "; none are left for shard " + printable(result.shard);
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));
         separator = ", ";
     }
     return text + "\n";
-}
-
-bool has_failed(const SuiteResult& result) {
-    return std::any_of(result.cases.begin(), result.cases.end(),
-                       [](const CaseResult& c) { return is_failure(c.verdict); });
 }
 
 }  // namespace scb

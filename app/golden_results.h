@@ -46,6 +46,4 @@ void write_results(const SuiteResult& result, const ResultFiles& files,
 /// what.
 std::string results_text(const SuiteResult& result);
 
-bool has_failed(const SuiteResult& result);
-
 }  // namespace scb

@@ -146,9 +146,13 @@ std::string verdict_table(const SuiteResult& result) {
 
 std::string github_annotations(const SuiteResult& result) {
     const Cases failing = failing_cases(result);
-    const std::size_t shown =
-        failing.size() > most_annotations ? most_annotations - 1 : failing.size();
     std::string text;
+    std::size_t most = most_annotations;
+    if (!result.incomplete.empty()) {
+        text += annotation("incomplete", shortened(result.incomplete));
+        --most;
+    }
+    const std::size_t shown = failing.size() > most ? most - 1 : failing.size();
     for (std::size_t i = 0; i < shown; ++i) text += annotation_of(*failing[i]);
     if (shown == failing.size()) return text;
     std::string names;
@@ -162,11 +166,14 @@ std::string github_summary(const SuiteResult& result, std::size_t largest) {
     assert(largest >= 4096 && "the heading, the table and a last sentence need room");
     const Cases failing = failing_cases(result);
     std::string text = "## Golden: ";
-    text += failing.empty() ? "nothing differs"
-                            : std::to_string(failing.size()) + " of " +
-                                  cases_text(result.cases.size()) + " failed";
+    text += has_failed(result) ? std::to_string(failing.size()) + " of " +
+                                     cases_text(result.cases.size()) + " failed"
+                               : "nothing differs";
     if (!result.shard.empty()) text += ", shard " + markdown(result.shard, longest_name);
-    text += "\n\n" + verdict_table(result);
+    text += "\n\n";
+    if (!result.incomplete.empty())
+        text += "**incomplete**: " + markdown(result.incomplete, longest_sentence) + "\n\n";
+    text += verdict_table(result);
     // What one case needs less than its share of what is left goes to those after it. A share in
     // which nobody could read anything is not given: then the first cases are shown.
     constexpr std::size_t last_sentence = 200, smallest_share = 1000;

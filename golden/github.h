@@ -8,8 +8,9 @@
 namespace scb {
 
 /// Workflow commands of GitHub Actions for standard output, one error annotation a failing case:
-/// "::error title=NAME (VERDICT)::MESSAGE", then its lines. GitHub shows ten errors of a step:
-/// where there are more cases, the tenth says how many. Empty where nothing fails.
+/// "::error title=NAME (VERDICT)::MESSAGE", then its lines; one more where the run is incomplete.
+/// GitHub shows ten errors of a step: where there are more cases, the tenth says how many. Empty
+/// where nothing fails.
 std::string github_annotations(const SuiteResult& result);
 
 /// What GitHub accepts as the summary of a step (1 MiB), less a margin for what else is in it.

@@ -128,13 +128,16 @@ data brief_of(const CaseResult& result) {
 
 void set_header(data& values, const SuiteResult& result, std::size_t failures) {
     const std::size_t all = result.cases.size();
-    values["failed"] = flag(failures > 0);
+    values["failed"] = flag(has_failed(result));
+    values["incomplete"] = result.incomplete;
+    values["has_incomplete"] = flag(!result.incomplete.empty());
     if (all == 0)
         values["headline"] = "No cases were run";
     else if (failures > 0)
         values["headline"] = grouped(failures) + " of " + counted(all, "case", "cases") + " failed";
     else
-        values["headline"] = counted(all, "case", "cases") + ", none failed";
+        values["headline"] = counted(all, "case", "cases") +
+                             (result.incomplete.empty() ? ", none failed" : ", but not all");
     values["suite"] = result.suite;
     values["shard"] = result.shard;
     values["has_shard"] = flag(!result.shard.empty());

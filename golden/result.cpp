@@ -1,5 +1,7 @@
 #include "golden/result.h"
 
+#include <algorithm>
+
 namespace scb {
 namespace {
 
@@ -81,6 +83,12 @@ Json case_json(const CaseResult& result) {
 
 }  // namespace
 
+bool has_failed(const SuiteResult& result) {
+    return !result.incomplete.empty() ||
+           std::any_of(result.cases.begin(), result.cases.end(),
+                       [](const CaseResult& c) { return is_failure(c.verdict); });
+}
+
 Json result_json(const SuiteResult& result) {
     // A list: versions are shown in the order of the result, which an object would not keep.
     const auto version_json = [](const std::pair<std::string, std::string>& version) {
@@ -88,6 +96,7 @@ Json result_json(const SuiteResult& result) {
     };
     return {{"suite", result.suite},
             {"shard", result.shard},
+            {"incomplete", result.incomplete},
             {"environment", list_json(result.environment, version_json)},
             {"cases", list_json(result.cases, case_json)}};
 }

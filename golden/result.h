@@ -47,9 +47,13 @@ struct SuiteResult {
     std::vector<std::pair<std::string, std::string>> environment;  ///< versions: name and value
     std::vector<CaseResult> cases;                                 ///< in the order of the suite
     std::string shard;                                             ///< "2/3"; empty: all
+    std::string incomplete;  ///< what of the run is missing: a sentence; empty: nothing
 
     friend bool operator==(const SuiteResult&, const SuiteResult&) = default;
 };
+
+/// Whether a case failed, or the run is incomplete.
+bool has_failed(const SuiteResult& result);
 
 /// The result as JSON, from which result_of makes an equal one. It has every field, null where
 /// there is nothing; a box is [left, top, right, bottom], and `beyond` ends with its last entry

@@ -195,9 +195,10 @@ std::pair<std::string, std::string> version_at(const Place& place) {
 
 SuiteResult result_of(const json& document, const std::string& path) {
     const Place place{document, path, ""};
-    check_fields(place, {"suite", "shard", "environment", "cases"});
+    check_fields(place, {"suite", "shard", "incomplete", "environment", "cases"});
     return {text_at(field(place, "suite")), list_at(field(place, "environment"), version_at),
-            list_at(field(place, "cases"), case_at), text_at(field(place, "shard"))};
+            list_at(field(place, "cases"), case_at), text_at(field(place, "shard")),
+            text_at(field(place, "incomplete"))};
 }
 
 }  // namespace scb

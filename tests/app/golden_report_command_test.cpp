@@ -121,5 +121,40 @@ TEST_F(GoldenReport, CommandsHaveTheOptionsOfTheCheck) {
     EXPECT_EQ(result("single")["reproduce"], "scb collide cone --frames 100 --json");
 }
 
+TEST_F(GoldenReport, OneReportNeedsEveryShard) {
+    const auto shard = [&](const std::string& which) {
+        const std::string out = "shard-" + which.substr(0, 1);
+        EXPECT_EQ(golden("check --shard " + which + " --report " + out).status, 0);
+        return out + "/results.json ";
+    };
+    const std::string first = shard("1/2"), second = shard("2/2");
+    const ProgramRun half = run("golden report --report out --from " + second);
+    EXPECT_EQ(half.status, 1) << half.out;
+    EXPECT_NE(half.out.find("These shards are missing: 1/2"), std::string::npos) << half.out;
+    page = file_text(home / "out/report.html");
+    EXPECT_NE(page.find("These shards are missing: 1/2"), std::string::npos);
+    const ProgramRun whole = run("golden report --report out --from " + second + first);
+    EXPECT_EQ(whole.status, 0) << whole.out;
+    std::string names;
+    for (const json& entry : json::parse(file_text(home / "out/results.json"))["cases"])
+        names += entry["name"].get<std::string>() + " ";
+    EXPECT_EQ(names, "levels rejections collide single ");
+}
+
+TEST_F(GoldenReport, NoCasesAreNoSuccess) {
+    const ProgramRun none = golden("check --shard 5/5 --report shard-5");
+    EXPECT_EQ(none.status, 0);
+    EXPECT_EQ(none.out, "0 cases; none are left for shard 5/5\n");
+    write_text(home / "cases.json", R"({"scb_golden": 1, "cases": []})");
+    const ProgramRun empty = check();
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_NE(empty.err.find("there is no case to check"), std::string::npos) << empty.err;
+    EXPECT_EQ(golden("check --shard 1/1 --report out").status, 2);
+    json results = json::parse(file_text(home / "shard-5/results.json"));
+    results["shard"] = "1/1";
+    write_text(home / "empty.json", results.dump());
+    EXPECT_EQ(run("golden report --from empty.json").status, 1);
+}
+
 }  // namespace
 }  // namespace scb

@@ -37,6 +37,7 @@ inline SuiteResult sample_result() {
     result.suite = "golden/cases.json";
     result.environment = {{"scb", "0.1.0"}, {"mesa", "22.3.6"}, {"eigen", "3.4.0"}};
     result.shard = "2/3";
+    result.incomplete = "Interrupted.";
     result.cases.push_back(full);
     for (const Verdict verdict : {Verdict::same, Verdict::size_differs, Verdict::missing_baseline,
                                   Verdict::new_output, Verdict::could_not_run, Verdict::skipped}) {
