@@ -11,8 +11,9 @@
 
 #include "golden/report_pictures.h"
 #include "golden/report_tables.h"
-#include "golden/report_words.h"
+#include "golden/report_values.h"
 #include "golden/shell_word.h"
+#include "golden/words.h"
 #include "render/embedded.h"
 
 SCB_DECLARE_EMBEDDED(report_html)
@@ -25,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
-using report::counted;
 using report::flag;
-using report::grouped;
+using words::counted;
+using words::grouped;
 
 constexpr std::array verdicts = {
     Verdict::different,     Verdict::size_differs, Verdict::missing_baseline, Verdict::new_output,

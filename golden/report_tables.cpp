@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "golden/report_words.h"
+#include "golden/report_values.h"
+#include "golden/words.h"
 #include "golden/worst_pixels.h"
 #include "render/image_file.h"
 
@@ -19,6 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
+using words::box_words;
+using words::change_of;
+using words::counted;
+using words::grouped;
+using words::grouped_signed;
 
 /// Rows that a table shows at once; the rest is folded away.
 constexpr std::size_t shown_rows = 24;
