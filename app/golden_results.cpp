@@ -7,8 +7,9 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <optional>
 
-#include "app/command_text.h"
+#include "app/golden_report_folder.h"
 #include "app/options.h"
 #include "app/text_format.h"
 #include "app/version.h"
@@ -23,33 +24,6 @@ namespace scb {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Removes what an earlier report has left, so that no picture of it is taken for one of this.
-void clear_report(const fs::path& folder) {
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        for (const char* ending :
-             {".baseline.png", ".new.png", ".difference.png", ".baseline.ids.png", ".new.ids.png",
-              ".baseline.scbtrace", ".new.scbtrace"})
-            if (name.ends_with(ending)) fs::remove(entry.path(), ignored);
-    }
-    fs::remove(folder / "report.html", ignored);
-    fs::remove(folder / "results.json", ignored);
-}
-
-void write_report(const SuiteResult& result, const fs::path& folder, const fs::path& work) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw OutputError(folder.string() + ": this folder cannot be made (" + error.message() +
-                          "); name another with --report.");
-    clear_report(folder);
-    for (const fs::directory_entry& entry : fs::directory_iterator(work))
-        write_file_whole(folder / entry.path().filename(), file_bytes(entry.path().string()));
-    write_file_whole(folder / "report.html", report_html(result, work));
-    write_file_whole(folder / "results.json", result_json(result).dump(2) + "\n");
-}
 
 std::string environment_value(const char* name) {
     const char* value = std::getenv(name);
@@ -116,10 +90,20 @@ void add_result_files(CLI::App& command, ResultFiles& files) {
 }
 
 void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
-    if (!files.report.empty()) write_report(result, files.report, work);
-    if (!files.junit.empty()) write_file_whole(files.junit, junit_xml(result));
-    if (!files.json.empty()) write_file_whole(files.json, result_json(result).dump(2) + "\n");
-    tell_github(result);
+    std::optional<OutputError> failed;
+    // Where one cannot be written, the others still can.
+    const auto attempt = [&](auto write) {
+        try {
+            write();
+        } catch (const OutputError& error) {
+            if (!failed) failed = error;
+        }
+    };
+    if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
+    if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
+    if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });
+    attempt([&] { tell_github(result); });
+    if (failed) throw *failed;
 }
 
 std::string results_text(const SuiteResult& result) {

@@ -36,9 +36,9 @@ struct ResultFiles {
 
 void add_result_files(CLI::App& command, ResultFiles& files);
 
-/// Writes report.html and results.json, with the pictures of `work`, into the folder of the report;
-/// JUnit and JSON into their files; and, where the environment has them, annotations and a summary
-/// for GitHub Actions. Throws OutputError.
+/// Writes the folder of the report, with what is in `work`; JUnit and JSON into their files; and,
+/// where the environment has them, annotations and a summary for GitHub Actions: as many of them as
+/// can be written. Throws OutputError where one cannot.
 void write_results(const SuiteResult& result, const ResultFiles& files,
                    const std::filesystem::path& work);
 

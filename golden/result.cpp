@@ -83,6 +83,15 @@ Json case_json(const CaseResult& result) {
 
 }  // namespace
 
+std::vector<std::string> files_of(const CaseResult& result) {
+    std::vector<std::string> names = result.traces;
+    for (const ResultPictures* pictures : {&result.picture, &result.id_picture})
+        for (const std::string* name :
+             {&pictures->baseline, &pictures->candidate, &pictures->difference})
+            if (!name->empty()) names.push_back(*name);
+    return names;
+}
+
 bool has_failed(const SuiteResult& result) {
     return !result.incomplete.empty() ||
            std::any_of(result.cases.begin(), result.cases.end(),

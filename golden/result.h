@@ -41,6 +41,9 @@ struct CaseResult {
     friend bool operator==(const CaseResult&, const CaseResult&) = default;
 };
 
+/// The files that it names: pictures and traces, beside results.json.
+std::vector<std::string> files_of(const CaseResult& result);
+
 /// What came of a suite, or of a shard of it.
 struct SuiteResult {
     std::string suite;  ///< path of the file with the cases
