@@ -37,6 +37,9 @@ std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
 
 int run(const Options& options, const Console& console) {
     options.check();
+    if (options.trace && options.files.report.empty())
+        throw InputError(
+            "--trace: traces are kept in the folder of the report; name one with --report DIR.");
     const Suite suite = load_suite(options.suite);
     const GoldenWork work;
     GoldenCheck check;
@@ -61,8 +64,9 @@ int run(const Options& options, const Console& console) {
                             " of " + std::to_string(check.cases.size()) + " cases were checked.";
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
-    write_results(result, options.files, work.report());
+    add_diff_commands(result, options.files.report);
     print_result(results_text(result));
+    write_results(result, options.files, work.report());
     if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
     if (!options.files.report.empty())

@@ -49,4 +49,11 @@ void add_commands(SuiteResult& result, const GoldenCheck& check, const GoldenOpt
     }
 }
 
+void add_diff_commands(SuiteResult& result, const std::filesystem::path& folder) {
+    for (CaseResult& c : result.cases)
+        if (c.traces.size() == 2)
+            c.diff =
+                typed({"diff", (folder / c.traces[0]).string(), (folder / c.traces[1]).string()});
+}
+
 }  // namespace scb

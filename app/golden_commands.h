@@ -10,4 +10,7 @@ namespace scb {
 /// and the name of the case comes last, so that further names can follow.
 void add_commands(SuiteResult& result, const GoldenCheck& check, const GoldenOptions& options);
 
+/// Gives each case whose traces are kept in that folder the command that compares them.
+void add_diff_commands(SuiteResult& result, const std::filesystem::path& folder);
+
 }  // namespace scb

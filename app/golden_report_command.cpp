@@ -1,9 +1,8 @@
-#include <algorithm>
 #include <memory>
-#include <set>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/golden_commands.h"
 #include "app/golden_results.h"
 #include "app/options.h"
 #include "core/error.h"
@@ -25,12 +24,7 @@ struct Options {
 /// Copies what a result names into the work folder, so that results of several folders can be one
 /// report.
 void gather(const CaseResult& result, const fs::path& folder, const fs::path& work) {
-    std::set<std::string> names(result.traces.begin(), result.traces.end());
-    for (const ResultPictures* pictures : {&result.picture, &result.id_picture})
-        for (const std::string* name :
-             {&pictures->baseline, &pictures->candidate, &pictures->difference})
-            if (!name->empty()) names.insert(*name);
-    for (const std::string& name : names) {
+    for (const std::string& name : files_of(result)) {
         // A name, not a path: results may come from elsewhere.
         if (fs::path(name).filename() != name)
             throw InputError((folder / "results.json").string() + ": '" + name +
@@ -47,12 +41,13 @@ int run(const Options& options, const Console& console) {
     for (const std::string& file : options.from)
         parts.push_back(
             {file, result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file), file)});
-    const SuiteResult merged = merge_results(parts);
+    SuiteResult merged = merge_results(parts);
+    if (!options.files.report.empty()) add_diff_commands(merged, options.files.report);
     for (const ResultPart& part : parts)
         for (const CaseResult& c : part.result.cases)
             gather(c, fs::path(part.file).parent_path(), work.report());
-    write_results(merged, options.files, work.report());
     print_result(results_text(merged));
+    write_results(merged, options.files, work.report());
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (fs::path(options.files.report) / "report.html").string() + ".");

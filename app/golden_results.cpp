@@ -1,7 +1,5 @@
 #include "app/golden_results.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -11,14 +9,12 @@
 
 #include "app/golden_report_folder.h"
 #include "app/options.h"
-#include "app/text_format.h"
 #include "app/version.h"
 #include "golden/github.h"
 #include "golden/junit.h"
-#include "golden/report.h"
+#include "golden/result_lines.h"
 #include "render/context.h"
 #include "render/output_file.h"
-#include "scenes/file_bytes.h"
 
 namespace scb {
 namespace {
@@ -112,26 +108,12 @@ std::string results_text(const SuiteResult& result) {
     for (const CaseResult& c : result.cases) {
         ++counts[c.verdict];
         if (c.verdict == Verdict::same) continue;
-        text += c.name + ": " + std::string(verdict_name(c.verdict)) + ". " + printable(c.message) +
-                "\n";
-        constexpr std::size_t most_counts = 12;
-        for (std::size_t i = 0; i < c.counts.size() && i < most_counts; ++i) {
-            const CountChange& change = c.counts[i];
-            const auto value = [](const std::optional<std::int64_t>& count,
-                                  const std::string& other) {
-                return count ? std::to_string(*count) : other.empty() ? "nothing" : other;
-            };
-            text += "    " + change.place + ": " + value(change.before, change.before_text) +
-                    " before, " + value(change.after, change.after_text) + " now";
-            if (change.before && change.after)
-                text += format(" (%+lld)", static_cast<long long>(*change.after - *change.before));
-            text += "\n";
-        }
-        if (c.counts.size() > most_counts)
-            text += "    and " + std::to_string(c.counts.size() - most_counts) + " more\n";
-        for (const std::string& line : c.lines) text += "    " + line + "\n";
-        if (!c.reproduce.empty()) text += "    " + c.reproduce + "\n";
-        if (!c.update.empty()) text += "    " + c.update + "\n";
+        text += printable(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
+                printable(c.message) + "\n";
+        for (const std::string& line : result_lines(c)) text += "    " + printable(line) + "\n";
+        if (!c.reproduce.empty()) text += "    " + printable(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + printable(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + printable(c.update) + "\n";
     }
     if (!result.incomplete.empty()) text += "incomplete. " + printable(result.incomplete) + "\n";
     text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");

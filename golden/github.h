@@ -18,8 +18,8 @@ inline constexpr std::size_t largest_github_summary =
     (std::size_t{1} << 20) - (std::size_t{1} << 16);
 
 /// The result as Markdown, for the file that GITHUB_STEP_SUMMARY names: a table of how many cases
-/// came to which verdict, then the failing cases with their lines and commands. At most `largest`
-/// bytes, which must be 4096 or more; where cases or lines are left out it says how many.
+/// came to which verdict, then the failing cases with their first lines and their commands. At most
+/// `largest` bytes, which must be 4096 or more: cases for which there is no room are counted.
 std::string github_summary(const SuiteResult& result, std::size_t largest = largest_github_summary);
 
 }  // namespace scb

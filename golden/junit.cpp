@@ -5,6 +5,7 @@
 #include <charconv>
 #include <kainjow/mustache.hpp>
 
+#include "golden/result_lines.h"
 #include "golden/xml_text.h"
 #include "render/embedded.h"
 
@@ -32,8 +33,9 @@ const char* element_of(Verdict verdict) {
 
 std::string lines_of(const CaseResult& result) {
     std::string text;
-    for (const std::string& line : result.lines) text += line + "\n";
+    for (const std::string& line : result_lines(result)) text += line + "\n";
     if (!result.reproduce.empty()) text += "reproduce: " + result.reproduce + "\n";
+    if (!result.diff.empty()) text += "compare the traces: " + result.diff + "\n";
     if (!result.update.empty()) text += "update: " + result.update + "\n";
     return text;
 }

@@ -72,11 +72,7 @@ void set_commands(data& values, const CaseResult& result) {
         commands << command;
     };
     add("Reproduce", result.reproduce);
-    if (result.traces.size() == 2)
-        add("Find the first pair test that differs",
-            "scb diff " + shell_word(result.traces[0]) + " " + shell_word(result.traces[1]));
-    else
-        for (const std::string& trace : result.traces) add("Trace", trace);
+    add("Compare the traces", result.diff);
     add("Update, if the change is right", result.update);
     values["has_commands"] = flag(!commands.is_empty_list());
     values.set("commands", commands);

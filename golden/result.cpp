@@ -68,6 +68,7 @@ Json case_json(const CaseResult& result) {
             {"lines", result.lines},
             {"counts", list_json(result.counts, count_json)},
             {"ids", result.ids ? ids_json(*result.ids) : Json()},
+            {"owners", result.owners},
             {"colors", result.colors ? colors_json(*result.colors) : Json()},
             {"tolerance",
              {{"max_channel_delta", result.tolerance.max_channel_delta},
@@ -78,10 +79,16 @@ Json case_json(const CaseResult& result) {
             {"reproduce", result.reproduce},
             {"update", result.update},
             {"traces", result.traces},
+            {"trace_difference", result.trace_difference},
+            {"diff", result.diff},
             {"seconds", result.seconds}};
 }
 
 }  // namespace
+
+bool is_of_trace(const CountChange& change) {
+    return change.place.find("/" + std::string(tests_by_depth_key) + "/") != std::string::npos;
+}
 
 std::vector<std::string> files_of(const CaseResult& result) {
     std::vector<std::string> names = result.traces;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,14 +22,19 @@ struct ResultPictures {
     friend bool operator==(const ResultPictures&, const ResultPictures&) = default;
 };
 
+/// The key under which `counts` has volume tests by the depth of the pair, which no baseline holds.
+inline constexpr std::string_view tests_by_depth_key = "n_v at depth";
+bool is_of_trace(const CountChange& change);
+
 /// What came of one case.
 struct CaseResult {
     std::string name;
     Verdict verdict = Verdict::same;
-    std::string message;             ///< a sentence: what differs, or why it could not run
-    std::vector<std::string> lines;  ///< what changed in the terms of the field, a sentence each
-    std::vector<CountChange> counts;
-    std::optional<IdDifference> ids;        ///< where ids were compared and differ
+    std::string message;              ///< a sentence: what differs, or why it could not run
+    std::vector<std::string> lines;   ///< what changed in the terms of the field, a sentence each
+    std::vector<CountChange> counts;  ///< of the baseline, then those that only traces have
+    std::optional<IdDifference> ids;  ///< where ids were compared and differ
+    std::vector<std::string> owners;  ///< "node 412 of A, level 7", ... of the ids' changes
     std::optional<ImageDifference> colors;  ///< where colors were compared and differ
     ColorTolerance tolerance;
     int variant = 0;  ///< which accepted picture it was compared with: the first is 1; 0: none
@@ -36,6 +42,8 @@ struct CaseResult {
     std::string reproduce;            ///< a command
     std::string update;               ///< a command
     std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
+    std::string trace_difference;     ///< how the traces differ, as lines of text
+    std::string diff;                 ///< a command, which compares the kept traces
     double seconds = 0;
 
     friend bool operator==(const CaseResult&, const CaseResult&) = default;

@@ -136,8 +136,8 @@ TEST_F(GoldenReport, OneReportNeedsEveryShard) {
     const ProgramRun whole = run("golden report --report out --from " + second + first);
     EXPECT_EQ(whole.status, 0) << whole.out;
     std::string names;
-    for (const json& entry : json::parse(file_text(home / "out/results.json"))["cases"])
-        names += entry["name"].get<std::string>() + " ";
+    results = json::parse(file_text(home / "out/results.json"));
+    for (const json& entry : results["cases"]) names += entry["name"].get<std::string>() + " ";
     EXPECT_EQ(names, "levels rejections collide single ");
 }
 
@@ -150,10 +150,59 @@ TEST_F(GoldenReport, NoCasesAreNoSuccess) {
     EXPECT_EQ(empty.status, 2);
     EXPECT_NE(empty.err.find("there is no case to check"), std::string::npos) << empty.err;
     EXPECT_EQ(golden("check --shard 1/1 --report out").status, 2);
-    json results = json::parse(file_text(home / "shard-5/results.json"));
-    results["shard"] = "1/1";
-    write_text(home / "empty.json", results.dump());
+    json nothing = json::parse(file_text(home / "shard-5/results.json"));
+    nothing["shard"] = "1/1";
+    write_text(home / "empty.json", nothing.dump());
     EXPECT_EQ(run("golden report --from empty.json").status, 1);
+}
+
+TEST_F(GoldenReport, RemovesOnlyWhatAnEarlierReportListed) {
+    fs::create_directory(home / "out");
+    write_text(home / "out/photo.new.png", "mine");
+    write_text(home / "out/thesis.difference.png", "mine");
+    fs::remove(baseline("levels.png"));
+    check();
+    const fs::path picture = home / "out/levels.new.png";
+    EXPECT_TRUE(fs::exists(picture));
+    golden("update levels");
+    EXPECT_EQ(check().status, 0);
+    EXPECT_FALSE(fs::exists(picture));
+    EXPECT_EQ(file_text(home / "out/photo.new.png"), "mine");
+    EXPECT_EQ(file_text(home / "out/thesis.difference.png"), "mine");
+    // A file of that name that is none of ours says nothing.
+    write_text(home / "out/results.json", R"({"cases": [{"traces": ["photo.new.png"]}]})");
+    EXPECT_EQ(check().status, 0);
+    EXPECT_EQ(file_text(home / "out/photo.new.png"), "mine");
+}
+
+TEST_F(GoldenReport, WritesTextThatIsNoUtf8) {
+    const std::string runner = folder / "runner";
+    write_text(runner, "#!/bin/sh\nprintf 'scb: error: a \\377 byte.\\n' >&2\nexit 2\n");
+    fs::permissions(runner, fs::perms::owner_all);
+    const ProgramRun ended = check("--json all.json --junit junit.xml --runner " + runner);
+    EXPECT_EQ(ended.status, 1) << ended.err;
+    EXPECT_NE(ended.out.find("a ? byte."), std::string::npos) << ended.out;
+    EXPECT_EQ(result("collide")["message"], "a \ufffd byte.");
+    EXPECT_EQ(json::parse(file_text(home / "all.json")), results);
+    EXPECT_NE(file_text(home / "junit.xml").find("a \ufffd byte."), std::string::npos);
+    EXPECT_EQ(run("golden report --from out/results.json").status, 1);
+}
+
+TEST_F(GoldenReport, SaysTheResultWhereItCannotBeWritten) {
+    break_counts("collide");
+    write_text(home / "file", "");
+    for (const char* command : {"check", "report --from out/results.json"}) {
+        const bool is_check = std::string(command) == "check";
+        if (!is_check) check();
+        const std::string words = std::string("golden ") + command + (is_check ? where : "");
+        const ProgramRun ended = run(words + " --report file/out --junit junit.xml");
+        EXPECT_EQ(ended.status, 3) << command;
+        EXPECT_NE(ended.out.find("collide: different."), std::string::npos) << ended.out;
+        EXPECT_NE(ended.err.find("file/out"), std::string::npos) << ended.err;
+        // What can be written is.
+        EXPECT_NE(file_text(home / "junit.xml").find("collide"), std::string::npos);
+        fs::remove(home / "junit.xml");
+    }
 }
 
 }  // namespace

@@ -322,7 +322,7 @@ test('commands are copied', () =>
     const commands = await root.locator('.commands code').allTextContents();
     assert.deepEqual(commands, [
       'scb golden check spheres-scb-pairs --trace --report out/golden',
-      'scb diff out/golden/spheres-scb-pairs.baseline.trace out/golden/spheres-scb-pairs.trace',
+      'scb diff out/golden/spheres-scb-pairs.baseline.scbtrace out/golden/spheres-scb-pairs.new.scbtrace',
       'scb golden update spheres-scb-pairs',
     ]);
     const button = root.locator('.copy').last();

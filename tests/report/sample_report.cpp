@@ -213,8 +213,10 @@ SuiteResult sample(const fs::path& folder) {
         after.missing = 13;
         after.nudge = -3;
         s.compare(c, {}, after);
-        c.traces = {"out/golden/spheres-scb-pairs.baseline.trace",
-                    "out/golden/spheres-scb-pairs.trace"};
+        c.traces = {"spheres-scb-pairs.baseline.scbtrace", "spheres-scb-pairs.new.scbtrace"};
+        c.diff =
+            "scb diff out/golden/spheres-scb-pairs.baseline.scbtrace "
+            "out/golden/spheres-scb-pairs.new.scbtrace";
     }
     {
         CaseResult& c = s.add("one-pixel", Verdict::different, "1 pixel differs, by 1.");
