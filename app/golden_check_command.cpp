@@ -5,6 +5,7 @@
 #include "app/exit_status.h"
 #include "app/golden_check.h"
 #include "app/golden_commands.h"
+#include "app/golden_completion.h"
 #include "app/golden_results.h"
 #include "app/interrupt.h"
 #include "app/options.h"
@@ -59,6 +60,8 @@ int run(const Options& options, const Console& console) {
         return watch.signal() == 0;
     });
     result.cases = checked.results;
+    for (CaseResult& c : result.cases)
+        complete_result(c, case_of(c.name, check.cases), check.folders);
     if (result.cases.size() < check.cases.size())
         result.incomplete = "The run was interrupted: " + std::to_string(result.cases.size()) +
                             " of " + std::to_string(check.cases.size()) + " cases were checked.";

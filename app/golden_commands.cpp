@@ -38,12 +38,15 @@ std::string updating(const GoldenCase& golden, const GoldenOptions& options) {
 
 }  // namespace
 
+const GoldenCase& case_of(const std::string& name, const std::vector<GoldenCase>& cases) {
+    return *std::find_if(cases.begin(), cases.end(),
+                         [&](const GoldenCase& golden) { return golden.name == name; });
+}
+
 void add_commands(SuiteResult& result, const GoldenCheck& check, const GoldenOptions& options) {
     for (CaseResult& c : result.cases) {
         if (!is_failure(c.verdict)) continue;
-        const GoldenCase& golden =
-            *std::find_if(check.cases.begin(), check.cases.end(),
-                          [&](const GoldenCase& each) { return each.name == c.name; });
+        const GoldenCase& golden = case_of(c.name, check.cases);
         c.reproduce = reproducing(golden, options);
         if (has_run(golden, check.folders)) c.update = updating(golden, options);
     }

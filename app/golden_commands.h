@@ -5,6 +5,9 @@
 
 namespace scb {
 
+/// The case of that name, which must be there.
+const GoldenCase& case_of(const std::string& name, const std::vector<GoldenCase>& cases);
+
 /// Gives each failing case the commands to type: the one that draws it again, and the one that
 /// takes over what the run made, where it made something. They have the options that the check had,
 /// and the name of the case comes last, so that further names can follow.

@@ -105,8 +105,10 @@ void write_results(const SuiteResult& result, const ResultFiles& files, const fs
 std::string results_text(const SuiteResult& result) {
     std::string text;
     std::map<Verdict, std::size_t> counts;
+    std::size_t tolerated = 0;
     for (const CaseResult& c : result.cases) {
         ++counts[c.verdict];
+        tolerated += is_tolerated(c);
         if (c.verdict == Verdict::same) continue;
         text += printable(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
                 printable(c.message) + "\n";
@@ -122,6 +124,8 @@ std::string results_text(const SuiteResult& result) {
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));
+        if (verdict == Verdict::same && tolerated > 0)
+            text += " (" + std::to_string(tolerated) + " within the tolerance)";
         separator = ", ";
     }
     return text + "\n";

@@ -90,6 +90,10 @@ bool is_of_trace(const CountChange& change) {
     return change.place.find("/" + std::string(tests_by_depth_key) + "/") != std::string::npos;
 }
 
+bool is_tolerated(const CaseResult& result) {
+    return result.verdict == Verdict::same && result.colors.has_value();
+}
+
 std::vector<std::string> files_of(const CaseResult& result) {
     std::vector<std::string> names = result.traces;
     for (const ResultPictures* pictures : {&result.picture, &result.id_picture})

@@ -35,7 +35,8 @@ struct CaseResult {
     std::vector<CountChange> counts;  ///< of the baseline, then those that only traces have
     std::optional<IdDifference> ids;  ///< where ids were compared and differ
     std::vector<std::string> owners;  ///< "node 412 of A, level 7", ... of the ids' changes
-    std::optional<ImageDifference> colors;  ///< where colors were compared and differ
+    std::optional<ImageDifference> colors;  ///< where colors were compared and differ; of a case
+                                            ///< that is the same: within the tolerance
     ColorTolerance tolerance;
     int variant = 0;  ///< which accepted picture it was compared with: the first is 1; 0: none
     ResultPictures picture, id_picture;
@@ -48,6 +49,9 @@ struct CaseResult {
 
     friend bool operator==(const CaseResult&, const CaseResult&) = default;
 };
+
+/// Whether its colors differ, but not beyond the tolerance that the case declares.
+bool is_tolerated(const CaseResult& result);
 
 /// The files that it names: pictures and traces, beside results.json.
 std::vector<std::string> files_of(const CaseResult& result);
