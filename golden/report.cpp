@@ -35,6 +35,9 @@ constexpr std::array verdicts = {
     Verdict::could_not_run, Verdict::same,         Verdict::skipped,
 };
 
+/// A longer text is folded away.
+constexpr std::size_t most_open_lines = 8;
+
 /// For ids of elements and the links to them.
 std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
     std::string anchor = "case-";
@@ -97,6 +100,13 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     values["has_lines"] = flag(!result.lines.empty());
     values.set("lines", lines);
 
+    const auto trace_lines = static_cast<std::size_t>(
+        std::count(result.trace_difference.begin(), result.trace_difference.end(), '\n'));
+    values["trace"] = result.trace_difference;
+    values["has_short_trace"] = flag(trace_lines > 0 && trace_lines <= most_open_lines);
+    values["has_long_trace"] = flag(trace_lines > most_open_lines);
+    values["trace_words"] = counted(trace_lines, "line", "lines");
+
     const data sets = report::pictures_of(result, folder);
     values["has_pictures"] = flag(!sets.is_empty_list());
     values["two_sets"] = flag(sets.list_value().size() > 1);
@@ -120,6 +130,10 @@ data brief_of(const CaseResult& result) {
         flag(result.verdict == Verdict::skipped ? !result.message.empty() : false);
     values["variant"] = std::to_string(result.variant);
     values["has_variant"] = flag(result.variant > 1);
+    values["is_tolerated"] = flag(is_tolerated(result));
+    if (is_tolerated(result))
+        values["tolerated"] = counted(result.colors->pixels, "pixel differs", "pixels differ") +
+                              ", by up to " + std::to_string(result.colors->largest) + " of 255";
     return values;
 }
 
@@ -188,7 +202,11 @@ std::string report_html(const SuiteResult& result, const fs::path& folder) {
     values["many_failures"] = flag(failed > 1);
     values.set("failures", failures);
     values["has_passed"] = flag(same > 0);
-    values["passed_words"] = counted(same, "case is", "cases are") + " the same";
+    const auto tolerated = static_cast<std::size_t>(
+        std::count_if(result.cases.begin(), result.cases.end(), is_tolerated));
+    values["passed_words"] =
+        counted(same, "case is", "cases are") + " the same" +
+        (tolerated > 0 ? ", " + grouped(tolerated) + " of them within the tolerance" : "");
     values.set("passed", passed);
     values["has_skipped"] = flag(left_out > 0);
     values["skipped_words"] = counted(left_out, "case was", "cases were") + " skipped";

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -61,6 +62,19 @@ class GoldenReport : public testing::Test {
                    std::regex_replace(file_text(file), std::regex("\"n_v\": "), "\"n_v\": 1"));
     }
 
+    /// Writes the suite with another value, and without the cases that are named.
+    void change_suite(const std::string& pointer, const json& value,
+                      const std::vector<std::string>& without) const {
+        json suite = json::parse(suite_text);
+        suite[json::json_pointer(pointer)] = value;
+        json cases = json::array();
+        for (const json& entry : suite["cases"])
+            if (std::find(without.begin(), without.end(), entry["name"]) == without.end())
+                cases.push_back(entry);
+        suite["cases"] = cases;
+        write_text(home / "cases.json", suite.dump());
+    }
+
     const TemporaryFolder folder;
     const fs::path home = folder.path / "my suite";
     const std::string where = " --suite cases.json --baselines accepted";
@@ -69,8 +83,8 @@ class GoldenReport : public testing::Test {
 };
 
 std::string without_entities(std::string text) {
-    for (const auto& [entity, character] :
-         {std::pair("&quot;", "\""), std::pair("&#39;", "'"), std::pair("&amp;", "&")})
+    for (const auto& [entity, character] : {std::pair("&quot;", "\""), std::pair("&#39;", "'"),
+                                            std::pair("&gt;", ">"), std::pair("&amp;", "&")})
         text = std::regex_replace(text, std::regex(entity), character);
     return text;
 }
@@ -203,6 +217,142 @@ TEST_F(GoldenReport, SaysTheResultWhereItCannotBeWritten) {
         EXPECT_NE(file_text(home / "junit.xml").find("collide"), std::string::npos);
         fs::remove(home / "junit.xml");
     }
+}
+
+TEST_F(GoldenReport, TracesAreKeptOnlyInAReport) {
+    const ProgramRun refused = golden("check --trace");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--report DIR"), std::string::npos) << refused.err;
+}
+
+TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
+    change_suite("/presets/small/test", "extents", {"levels"});
+    const ProgramRun ended =
+        check("--trace --junit junit.xml", "env GITHUB_STEP_SUMMARY=summary.md");
+    EXPECT_EQ(ended.status, 1);
+    const json found = result("rejections");
+    const std::string text = found["trace_difference"];
+    for (const std::string& said :
+         {ended.out, page, file_text(home / "junit.xml"), file_text(home / "summary.md"), text}) {
+        EXPECT_EQ(said.find("scb-golden-"), std::string::npos) << said.substr(0, 4000);
+        EXPECT_EQ(said.find("the first tested"), std::string::npos);
+        EXPECT_NE(said.find("the baseline tested"), std::string::npos) << said.substr(0, 4000);
+        EXPECT_NE(said.find("the new run tested"), std::string::npos);
+    }
+    // What it comes to is said first, and the whole keeps its columns.
+    EXPECT_EQ(found["lines"][0], "Another test: symmetric before, extents now.");
+    EXPECT_TRUE(found["lines"][1].get<std::string>().starts_with("They part first at frame 100"))
+        << found["lines"];
+    EXPECT_NE(text.find("baseline      new run new run - baseline\n"), std::string::npos) << text;
+    EXPECT_NE(page.find("<pre class=\"trace\""), std::string::npos);
+    // The command works from where the check ran, and so does that of a report of reports.
+    EXPECT_EQ(found["diff"],
+              "scb diff out/rejections.baseline.scbtrace out/rejections.new.scbtrace");
+    EXPECT_EQ(run(found["diff"].get<std::string>().substr(4)).status, 1);
+    EXPECT_EQ(run("golden report --from out/results.json --report all").status, 1);
+    results = json::parse(file_text(home / "all/results.json"));
+    EXPECT_EQ(run(result("rejections")["diff"].get<std::string>().substr(4)).status, 1);
+}
+
+TEST_F(GoldenReport, CountsHaveTheirValuesAndOneTotalEverywhere) {
+    change_suite("/presets/small/test", "extents", {"levels"});
+    const ProgramRun ended = check("--junit junit.xml", "env GITHUB_STEP_SUMMARY=summary.md");
+    const json found = result("rejections");
+    std::size_t counts = 0, depths = 0;
+    std::string line;
+    for (const json& change : found["counts"]) {
+        const bool depth = change["place"].get<std::string>().find("at depth") != std::string::npos;
+        ++(depth ? depths : counts);
+        if (change["place"] == "frames/100/n_v") line = "frames/100/n_v: ";
+    }
+    ASSERT_GT(counts, 1u);
+    ASSERT_GT(depths, 0u);
+    ASSERT_FALSE(line.empty());
+    const std::string total = std::to_string(counts) + " counts";
+    EXPECT_NE(found["message"].get<std::string>().find(total), std::string::npos);
+    EXPECT_NE(page.find("<h3>" + total + " differ</h3>"), std::string::npos);
+    for (const std::string& said : {ended.out, without_entities(file_text(home / "junit.xml")),
+                                    file_text(home / "summary.md")}) {
+        EXPECT_TRUE(
+            std::regex_search(said, std::regex(line + "[0-9,]+ -> [0-9,]+ \\([+-][0-9,]+\\)")))
+            << said;
+        EXPECT_EQ(said.find("at depth/"), std::string::npos);
+    }
+}
+
+TEST_F(GoldenReport, ThingsAreNamedAlikeAndSayWhatMoved) {
+    change_suite("/presets/small/test", "extents", {"levels"});
+    check();
+    const json found = result("rejections");
+    ASSERT_FALSE(found["ids"]["changes"].empty());
+    const std::string owner = found["owners"][0], id = found["ids"]["changes"][0]["id"].dump();
+    EXPECT_TRUE(std::regex_match(owner, std::regex("(node [0-9]+ of .*, level [0-9]+|.*)")));
+    const std::string lines = found["lines"].dump();
+    EXPECT_NE(lines.find(owner.substr(1) + " (id " + id + ")"), std::string::npos) << lines;
+    EXPECT_NE(page.find(id + " <span class=\"faint\">" + owner), std::string::npos);
+    EXPECT_FALSE(std::regex_search(lines, std::regex("had ([0-9,]+) pixels? and has \\1\\.")))
+        << lines;
+}
+
+TEST_F(GoldenReport, AnotherMeshIsNamedFirstAndHasNoLevels) {
+    change_suite("/presets/small/scene", "soup", {"levels"});
+    check();
+    const json lines = result("rejections")["lines"];
+    ASSERT_GE(lines.size(), 3u);
+    EXPECT_TRUE(lines[0].get<std::string>().starts_with("Another scene: ")) << lines;
+    EXPECT_NE((lines[0].get<std::string>() + lines[1].get<std::string>()).find("soup"),
+              std::string::npos);
+    EXPECT_NE(lines.dump().find("Another mesh of A: "), std::string::npos) << lines;
+    EXPECT_EQ(lines.dump().find(", level "), std::string::npos) << lines;
+}
+
+TEST_F(GoldenReport, ShowsWhatIsNew) {
+    fs::remove(baseline("levels.png"));           // new output
+    fs::remove(baseline("rejections.ids.png"));   // the same, of ids
+    fs::remove(baseline("collide.counts.json"));  // all of it
+    check();
+    EXPECT_EQ(result("levels")["verdict"], "new output");
+    EXPECT_EQ(result("levels")["picture"]["candidate"], "levels.new.png");
+    EXPECT_TRUE(fs::exists(home / "out/levels.new.png"));
+    EXPECT_TRUE(result("levels")["counts"].empty());
+    EXPECT_EQ(result("rejections")["id_picture"]["candidate"], "rejections.new.ids.png");
+    EXPECT_TRUE(fs::exists(home / "out/rejections.new.ids.png"));
+    EXPECT_EQ(result("collide")["verdict"], "missing baseline");
+    EXPECT_FALSE(result("collide")["counts"].empty());
+    EXPECT_TRUE(result("collide")["counts"][0]["before"].is_null());
+    EXPECT_NE(page.find(" counts are new</h3>"), std::string::npos);
+}
+
+TEST_F(GoldenReport, SaysWhatToDoAboutABaselineThatCannotBeRead) {
+    const std::string png = file_text(baseline("levels.png"));
+    write_text(baseline("levels.png"), png.substr(0, png.size() / 2));
+    const ProgramRun ended = check();
+    EXPECT_EQ(result("levels")["verdict"], "could not run");
+    EXPECT_NE(ended.out.find("Restore it from version control"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("scb golden update" + where + " levels\n"), std::string::npos);
+    EXPECT_EQ(result("levels")["picture"]["candidate"], "levels.new.png");
+    // A case that did not run has nothing to take over.
+    change_suite("/cases/2/scene", "missing.json", {});
+    write_text(baseline("levels.png"), png);
+    check();
+    EXPECT_EQ(result("collide")["verdict"], "could not run");
+    EXPECT_EQ(result("collide")["update"], "");
+}
+
+TEST_F(GoldenReport, SaysWhatPassesOnlyWithinATolerance) {
+    Image image = read_png(baseline("levels.png"));
+    Rgba8 color = pixel(image, 12, 34);
+    color.g = static_cast<std::uint8_t>(color.g ^ 1);
+    set_pixel(image, 12, 34, color);
+    write_file_whole(baseline("levels.png"), encode_png(image));
+    change_suite("/presets/small/tolerance", {{"max_channel_delta", 1}, {"max_pixels", 0}}, {});
+    const ProgramRun ended = check();
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_EQ(ended.out, "4 cases: 4 same (1 within the tolerance)\n");
+    EXPECT_EQ(result("levels")["colors"]["pixels"], 1);
+    EXPECT_TRUE(result("rejections")["colors"].is_null());
+    EXPECT_NE(page.find("within its tolerance: 1 pixel differs, by up to 1 of 255"),
+              std::string::npos);
 }
 
 }  // namespace
