@@ -200,6 +200,7 @@ std::string report_html(const SuiteResult& result, const fs::path& folder) {
     set_header(values, result, failed);
     values["has_failures"] = flag(failed > 0);
     values["many_failures"] = flag(failed > 1);
+    values["failures_words"] = counted(failed, "failure", "failures");
     values.set("failures", failures);
     values["has_passed"] = flag(same > 0);
     const auto tolerated = static_cast<std::size_t>(

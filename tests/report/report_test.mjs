@@ -316,6 +316,25 @@ test('a missing baseline, a picture that is gone, a case that did not run', () =
     assert.match(await broken.textContent(), /cannot be read: it ends after 412 bytes/);
   }));
 
+test('what the traces conclude is said first, and the whole keeps its columns', () =>
+  onPage({}, async (page) => {
+    const root = article(page, 'spheres-scb-pairs');
+    assert.match(await root.locator('.lines li').first().textContent(), /^11 pairs only in the baseline/);
+    const trace = root.locator('.trace');
+    assert.equal(await trace.isVisible(), false);
+    await root.getByText('How the traces differ, 14 lines').click();
+    assert.match(await trace.innerText(), /\nN_v {21}24680 {8}24697/);
+    assert.equal(await trace.evaluate((t) => getComputedStyle(t).whiteSpaceCollapse), 'preserve');
+    await shot(page, 'trace-light');
+    // Counts that only traces have are not of the number that the message gives.
+    assert.deepEqual(await root.locator('.details h3').allTextContents().then((all) => all.slice(0, 2)),
+      ['49 counts differ', '4 counts of tests by depth differ in the traces']);
+    // Ids are named as in the lines.
+    assert.match(await root.locator('.ids tbody tr').first().innerText(), /^13 node 12 of A, level 7/);
+    assert.match(await page.locator('.brief[data-verdict=same]').textContent(),
+      /12 cases are the same, 1 of them within the tolerance.*collide-scene-6 within its tolerance: 12 pixels differ, by up to 2 of 255/s);
+  }));
+
 test('commands are copied', () =>
   onPage({ permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
     const root = article(page, 'spheres-scb-pairs');
@@ -508,6 +527,19 @@ test('a phone shows all without scrolling sideways', () =>
       const small = await page.locator('.tools button:visible').evaluateAll((found) =>
         found.filter((b) => b.getBoundingClientRect().height < 30).length);
       assert.equal(small, 0);
+    }));
+
+for (const colorScheme of ['light', 'dark'])
+  test(`a narrow page cuts neither the list of failures nor the table of ids, ${colorScheme}`, () =>
+    onPage({ viewport: { width: 400, height: 860 }, colorScheme }, async (page) => {
+      const list = await page.locator('nav').evaluate((nav) => [nav.scrollHeight, nav.clientHeight]);
+      assert.ok(list[0] <= list[1], `${list}`);
+      assert.match(await page.locator('nav p').textContent(), /9 failures/);
+      const ids = article(page, 'spheres-scb-pairs').locator('.scroll:has(.ids)');
+      await ids.scrollIntoViewIfNeeded();
+      const table = await ids.evaluate((scroll) => [scroll.scrollWidth, scroll.clientWidth]);
+      assert.ok(table[0] <= table[1], `${table}`);
+      await shot(page, `narrow-ids-${colorScheme}`);
     }));
 
 test('without a script all of it can be read', () =>
