@@ -153,6 +153,9 @@ TEST_F(GoldenReport, OneReportNeedsEveryShard) {
     results = json::parse(file_text(home / "out/results.json"));
     for (const json& entry : results["cases"]) names += entry["name"].get<std::string>() + " ";
     EXPECT_EQ(names, "levels rejections collide single ");
+    // A run without shards is complete.
+    EXPECT_EQ(check().status, 0);
+    EXPECT_EQ(run("golden report --report all --from out/results.json").status, 0);
 }
 
 TEST_F(GoldenReport, NoCasesAreNoSuccess) {
