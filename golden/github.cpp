@@ -12,7 +12,7 @@
 namespace scb {
 namespace {
 
-constexpr std::size_t most_annotations = 10, most_annotated_lines = 10, most_summary_lines = 30;
+constexpr std::size_t most_annotations = 10, most_annotated_lines = 16, most_summary_lines = 30;
 
 /// No sentence and no line is meant to be longer; names and sentences are shorter in a summary.
 constexpr std::size_t longest_text = 2000, longest_name = 100, longest_sentence = 300;

@@ -561,6 +561,11 @@ test('a run without failures says so', async () => {
     await page.keyboard.press('j');
     await shot(page, 'passing');
   });
+  await onPage({ file: 'incomplete.html' }, async (page) => {
+    assert.equal(await page.locator('h1.alarm').textContent(), '13 cases, but not all');
+    assert.equal(await page.locator('p.alarm').textContent(), 'These shards are missing: 2/2.');
+    await shot(page, 'incomplete');
+  });
   await onPage({ file: 'empty.html' }, async (page) => {
     assert.equal(await page.locator('h1').textContent(), 'No cases were run');
   });

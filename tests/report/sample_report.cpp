@@ -310,5 +310,7 @@ int main(int count, char** arguments) {
     scb::SuiteResult passing = failing;
     std::erase_if(passing.cases, [](const scb::CaseResult& c) { return is_failure(c.verdict); });
     scb::write_file_whole(folder / "passing.html", scb::report_html(passing, folder));
+    passing.incomplete = "These shards are missing: 2/2.";
+    scb::write_file_whole(folder / "incomplete.html", scb::report_html(passing, folder));
     scb::write_file_whole(folder / "empty.html", scb::report_html({}, folder));
 }
