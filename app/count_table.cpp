@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "app/text_format.h"
+#include "core/pairs_hash.h"
+
 namespace scb {
 namespace {
 
@@ -48,9 +50,16 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
         pose.push_back(b_to_a.translation[row]);
     }
     for (const Stage stage : stages) counts[std::string(stage_name(stage))] = tests_at(c, stage);
-    return {{"frame", frame},   {"pose", pose},     {"pairs", c.pairs.size()},
-            {"n_v", c.n_v},     {"n_p", c.n_p},     {"n_u", c.n_u},
-            {"depth", c.depth}, {"stages", counts}, {"complete", c.complete}};
+    return {{"frame", frame},
+            {"pose", pose},
+            {"pairs", c.pairs.size()},
+            {"pairs_hash", hash_text(pairs_hash(c.pairs))},
+            {"n_v", c.n_v},
+            {"n_p", c.n_p},
+            {"n_u", c.n_u},
+            {"depth", c.depth},
+            {"stages", counts},
+            {"complete", c.complete}};
 }
 
 }  // namespace scb

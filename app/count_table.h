@@ -19,7 +19,8 @@ int stage_column_width(Stage stage);
 std::string count_table_header(const std::vector<Stage>& stages);
 std::string count_table_row(int frame, const Collision& found, const std::vector<Stage>& stages);
 
-/// The same as JSON, in the paper's language, with the pose of B as A sees it: [R|t] row by row.
+/// The same as JSON, in the paper's language, with the pose of B as A sees it, [R|t] row by row,
+/// and the hash of the pairs.
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
 

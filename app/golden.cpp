@@ -4,7 +4,7 @@ namespace scb {
 
 void add_golden(CLI::App& program, const Console& console, Action& action) {
     CLI::App* golden = program.add_subcommand(
-        "golden", "Counts and pictures as baselines: check, update, list, report");
+        "golden", "Counts and pictures as baselines: check, update, list, report, selftest");
     golden->require_subcommand(1);
     golden->fallthrough();
     golden->footer(

@@ -31,7 +31,7 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     if (!settings.mutation.empty()) words.insert(words.end(), {"--mutation", settings.mutation});
     words.insert(words.end(), command.begin(), command.end());
     const UnnamedFile unused;
-    ChildProcess child(words, unused, std::chrono::seconds(1));
+    ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
     ChildEnd result;
     result.end = child.wait(settings.patience);
     result.printed = child.printed();
@@ -62,7 +62,7 @@ bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
 }
 
 std::string meta_text(const GoldenCase& golden, const Json& document) {
-    Json meta = {{"command", typed(command_of(golden, "DIR"))}};
+    Json meta = {{"command", typed(command_of(in_own_folder(golden), "DIR"))}};
     for (const char* key : {"versions", "scb_version"})
         if (document.contains(key)) meta[key] = document[key];
     return meta.dump(2) + "\n";
@@ -76,6 +76,20 @@ void move_file(const fs::path& from, const fs::path& to) {
                           "); see that the disk has room.");
 }
 
+/// The picture of a case among those that index.json has: of `inspect` the summary, behind which
+/// those of pairs of nodes follow; of others there must be no more than one.
+const Json& only_picture(const GoldenCase& golden, const Json& index) {
+    const Json& drawn = index.at("files");
+    if (golden.run == GoldenRun::inspect) return drawn.at(0);
+    if (drawn.size() != 1)
+        throw InputError("It draws " + std::to_string(drawn.size()) +
+                         " pictures, and a case is of one; name one frame, one volume and" +
+                         (golden.run == GoldenRun::levels ? " one level with `--levels`"
+                                                          : " leave out what makes more") +
+                         ", and make a case of each.");
+    return drawn.at(0);
+}
+
 /// Takes over what the command has left in `made`.
 void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& made,
                const fs::path& folder) {
@@ -84,7 +98,7 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
     if (has_picture(golden.run)) {
         const fs::path index = made / "index.json";
         document = parse_json(read_text_file(index.string()), index.string());
-        const Json& drawn = document.at("files").at(0);
+        const Json& drawn = only_picture(golden, document);
         move_file(made / drawn.at("file").get<std::string>(), files.image);
         if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
         move_file(index, folder / (golden.name + ".index.json"));
@@ -93,6 +107,11 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
     }
     write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
     write_file_whole(files.meta, meta_text(golden, document));
+}
+
+/// The option must win over SCB_MODELS, which a run would find in its environment.
+void add_models(std::vector<std::string>& command, const GoldenRunSettings& settings) {
+    if (!settings.models.empty()) command.insert(command.end(), {"--models", settings.models});
 }
 
 double seconds_since(Clock::time_point start) {
@@ -111,9 +130,10 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
                          " are not here; name their folder with --models or SCB_MODELS.";
         return result;
     }
-    const fs::path made = folder / (golden.name + ".made");
+    const fs::path made = fs::absolute(folder) / (golden.name + ".made");
     try {
-        std::vector<std::string> command = command_of(golden, made);
+        std::vector<std::string> command = command_of(in_own_folder(golden), made);
+        add_models(command, settings);
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
         const ChildEnd child = run_child(settings, command);
         result.message = trouble(child, settings);
@@ -123,7 +143,9 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
     } catch (const InputError& error) {
         result.message = error.what();
     } catch (const Json::exception& error) {
-        result.message = "Its index.json is not as it should be: " + std::string(error.what());
+        result.message = (has_picture(golden.run) ? "Its index.json is not as it should be: "
+                                                  : "What it prints is not as it should be: ") +
+                         std::string(error.what());
     }
     std::error_code ignored;
     fs::remove_all(made, ignored);
@@ -131,22 +153,24 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
     return result;
 }
 
-GoldenRunEnd record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
-                          const fs::path& folder) {
-    GoldenRunEnd result;
-    const std::vector<std::string> command =
-        trace_command_of(golden, case_files(folder, golden.name).trace);
-    if (command.empty()) return result;
-    const Clock::time_point start = Clock::now();
-    result.message = trouble(run_child(settings, command), settings);
-    result.ran = result.message.empty();
-    result.seconds = seconds_since(start);
-    return result;
+std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
+                         const fs::path& folder) {
+    if (golden.run == GoldenRun::levels) return "";
+    const CaseFiles files = case_files(folder, golden.name);
+    const std::string counts = files.counts.string(),
+                      frame = only_frame(parse_json(read_text_file(counts), counts));
+    if (frame.empty()) return "";
+    std::vector<std::string> command =
+        trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
+    add_models(command, settings);
+    return trouble(run_child(settings, command), settings);
 }
 
 ProgramAnswer ask_program(const GoldenRunSettings& settings,
                           const std::vector<std::string>& command) {
-    const ChildEnd child = run_child(settings, command);
+    GoldenRunSettings here = settings;
+    here.folder.clear();
+    const ChildEnd child = run_child(here, command);
     if (!trouble(child, settings).empty()) return {};
     return {child.end->code, child.printed};
 }

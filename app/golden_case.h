@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/case_command.h"
 #include "golden/suite.h"
 
 namespace scb {
@@ -13,7 +14,8 @@ namespace scb {
 struct GoldenRunSettings {
     std::string program;                ///< this one
     std::vector<std::string> runner{};  ///< what the program is run with: an emulator, say
-    std::string models;                 ///< --models; empty: none
+    std::string folder;                 ///< of the suite, where cases run, whatever this one is
+    std::string models;                 ///< --models, from wherever; empty: none
     std::string gl;                     ///< --gl
     std::string mutation{};             ///< of the runs, see Mutation; empty: none
     std::chrono::seconds patience{300};
@@ -29,21 +31,25 @@ struct GoldenRunEnd {
 };
 
 /// Runs the case in a process of its own, with one thread, and leaves what it made in `folder`,
-/// named as baselines are; its index.json as NAME.index.json. The folder must be there.
+/// named as baselines are; its index.json as NAME.index.json. The folder must be there. A case that
+/// draws more than one picture has not run.
 GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,
                       const std::filesystem::path& folder);
 
-/// Records the trace of the case's queries as NAME.scbtrace in `folder`. Nothing where it makes no
-/// queries, or more than `most_frames` of them.
-GoldenRunEnd record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
-                          const std::filesystem::path& folder);
+/// Records the trace of the case's query as NAME.scbtrace in `folder`, where run_case has left its
+/// counts. Nothing where these are of no query, or of more frames than one, whose traces are too
+/// large to be kept. Returns why it could not be recorded, a sentence; else nothing.
+std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
+                         const std::filesystem::path& folder);
 
-/// What the program says to that command line; nothing where it could not be run, or failed with a
-/// status other than 0 and 1.
+/// What the program said.
 struct ProgramAnswer {
     int status = -1;
     std::string text;
 };
+
+/// What the program says to that command line, here; nothing where it could not be run, or failed
+/// with a status other than 0 and 1.
 ProgramAnswer ask_program(const GoldenRunSettings& settings,
                           const std::vector<std::string>& command);
 

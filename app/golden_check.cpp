@@ -1,13 +1,11 @@
 #include "app/golden_check.h"
 
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "app/for_each_in_threads.h"
 #include "app/golden_lines.h"
 #include "golden/baseline.h"
+#include "golden/files_equal.h"
 
 namespace scb {
 namespace {
@@ -18,8 +16,8 @@ namespace fs = std::filesystem;
 void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
     const auto keep = [&](const fs::path& folder, const char* kind) {
         const fs::path from = case_files(folder, result.name).trace;
+        if (!is_there(from)) return;
         std::error_code error;
-        if (!fs::exists(from, error)) return;
         const std::string name = result.name + "." + kind + ".scbtrace";
         fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
         if (!error) result.traces.push_back(name);
@@ -46,46 +44,22 @@ CheckedCase check_case(const GoldenCase& golden, const GoldenCheck& check) {
     }
     result.seconds = run.seconds;
     if (result.verdict == Verdict::different) {
-        const bool before = fs::exists(case_files(check.folders.baselines, golden.name).trace);
-        if (before || check.traces) record_trace(golden, check.settings, check.folders.candidates);
+        const bool before = is_there(case_files(check.folders.baselines, golden.name).trace);
+        const std::string trouble =
+            before || check.traces ? record_trace(golden, check.settings, check.folders.candidates)
+                                   : "";
+        if (!trouble.empty())
+            result.lines.push_back("The trace of this run could not be recorded: " + trouble);
     }
     return checked;
 }
 
 }  // namespace
 
-void for_each_in_threads(std::size_t count, std::size_t threads,
-                         const std::function<void(std::size_t)>& work,
-                         const std::function<bool()>& step) {
-    std::atomic<std::size_t> next = 0;
-    std::mutex stepping;
-    std::exception_ptr error;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(stepping);
-                if (!error) error = std::current_exception();
-                next = count;
-                return;
-            }
-            const std::lock_guard lock(stepping);
-            if (!step()) next = count;
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < threads && i < count; ++i) others.emplace_back(run);
-        run();
-    }
-    if (error) std::rethrow_exception(error);
-}
-
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
     const CaseFiles made = case_files(folders.candidates, golden.name);
-    return fs::exists(made.meta) && fs::exists(made.counts) &&
-           (!golden.colors || fs::exists(made.image)) && (!golden.ids || fs::exists(made.ids));
+    return is_there(made.meta) && is_there(made.counts) &&
+           (!golden.colors || is_there(made.image)) && (!golden.ids || is_there(made.ids));
 }
 
 CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {

@@ -31,10 +31,4 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
 /// Whether the run of the case has left everything that is compared.
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders);
 
-/// Calls `work(i)` for 0 to count - 1 in so many threads, each the next one that is free, and
-/// `step` after each as above.
-void for_each_in_threads(std::size_t count, std::size_t threads,
-                         const std::function<void(std::size_t)>& work,
-                         const std::function<bool()>& step);
-
 }  // namespace scb

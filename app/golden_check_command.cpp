@@ -4,10 +4,13 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/golden_check.h"
+#include "app/golden_commands.h"
+#include "app/golden_completion.h"
 #include "app/golden_results.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "core/error.h"
 #include "golden/shard.h"
 
 namespace scb {
@@ -21,6 +24,10 @@ struct Options : GoldenOptions {
 
 std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
     std::vector<GoldenCase> cases = options.chosen(suite);
+    if (cases.empty())
+        throw InputError(options.suite +
+                         ": there is no case to check; add some, or name another file with "
+                         "--suite.");
     if (options.shard.empty()) return cases;
     const Shard shard = parse_shard(options.shard);
     std::vector<GoldenCase> mine;
@@ -31,6 +38,9 @@ std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
 
 int run(const Options& options, const Console& console) {
     options.check();
+    if (options.trace && options.files.report.empty())
+        throw InputError(
+            "--trace: traces are kept in the folder of the report; name one with --report DIR.");
     const Suite suite = load_suite(options.suite);
     const GoldenWork work;
     GoldenCheck check;
@@ -50,20 +60,22 @@ int run(const Options& options, const Console& console) {
         return watch.signal() == 0;
     });
     result.cases = checked.results;
+    for (CaseResult& c : result.cases)
+        complete_result(c, case_of(c.name, check.cases), check.folders);
+    if (result.cases.size() < check.cases.size())
+        result.incomplete = "The run was interrupted: " + std::to_string(result.cases.size()) +
+                            " of " + std::to_string(check.cases.size()) + " cases were checked.";
     result.environment = golden_environment(check.settings);
-    add_commands(result, check.cases, options);
-    write_results(result, options.files, work.report());
+    add_commands(result, check, options);
+    add_diff_commands(result, options.files.report);
     print_result(results_text(result));
+    write_results(result, options.files, work.report());
     if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (std::filesystem::path(options.files.report) / "report.html").string() + ".");
-    if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(result.cases.size()) + " of " +
-                     std::to_string(check.cases.size()) + " cases were checked.");
-        return exit_interrupted(watch.signal());
-    }
+    if (watch.signal() != 0) return exit_interrupted(watch.signal());
     const auto failures = std::count_if(result.cases.begin(), result.cases.end(),
                                         [](const CaseResult& c) { return is_failure(c.verdict); });
     if (failures == 0) return exit_done;

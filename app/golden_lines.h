@@ -9,10 +9,9 @@
 
 namespace scb {
 
-/// What changed in the terms of the field, a sentence each: nodes, triangles and pairs that
-/// appeared, vanished, or have other pixels or colors; and, where there are traces of both, the
-/// first test at which they part and the pairs that only one of them found. Also adds the counts of
-/// tests per depth that differ to the result.
+/// What changed in the terms of the field, a sentence each: what the traces tell; then the nodes,
+/// triangles and pairs that appeared, vanished, or have other pixels or colors. Also gives the
+/// things of its ids their names.
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders);
 

@@ -5,6 +5,7 @@
 #include "app/golden_options.h"
 #include "app/text_format.h"
 #include "golden/baseline.h"
+#include "golden/files_equal.h"
 
 namespace scb {
 namespace {
@@ -19,10 +20,6 @@ std::string compared(const GoldenCase& golden) {
 
 bool has_baseline(const GoldenCase& golden, const std::filesystem::path& folder) {
     const CaseFiles files = case_files(folder, golden.name);
-    const auto is_there = [](const std::filesystem::path& path) {
-        std::error_code ignored;
-        return std::filesystem::exists(path, ignored);
-    };
     return (!golden.counts || is_there(files.counts)) && (!golden.ids || is_there(files.ids)) &&
            (!golden.colors || is_there(files.image));
 }

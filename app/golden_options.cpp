@@ -23,11 +23,11 @@ std::filesystem::path GoldenOptions::baselines_folder() const {
 }
 
 std::vector<GoldenCase> GoldenOptions::chosen(const Suite& all) const {
-    if (names.empty()) return all.cases;
     std::set<std::string> wanted(names.begin(), names.end());
     std::vector<GoldenCase> cases;
     for (const GoldenCase& golden : all.cases)
-        if (wanted.erase(golden.name) > 0) cases.push_back(golden);
+        if (names.empty() || wanted.erase(golden.name) > 0)
+            cases.push_back(seen_from_here(golden, all.file.parent_path(), models));
     if (!wanted.empty())
         throw InputError(*wanted.begin() + ": " + suite +
                          " has no case of that name; `scb golden list` shows them.");
@@ -41,10 +41,14 @@ GoldenRunSettings GoldenOptions::settings() const {
     if (error)
         throw InputError("/proc/self/exe cannot be read (" + error.message() +
                          "), by which cases are run; mount /proc.");
-    settings.models = models;
+    settings.folder = std::filesystem::absolute(suite).parent_path().string();
+    if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
     settings.gl = gl;
     for (const std::string& word : split_list(runner, ' '))
         if (!word.empty()) settings.runner.push_back(word);
+    // Not one that PATH has: cases run in another folder.
+    if (!settings.runner.empty() && settings.runner[0].find('/') != std::string::npos)
+        settings.runner[0] = std::filesystem::absolute(settings.runner[0]).string();
     return settings;
 }
 
@@ -79,8 +83,9 @@ void add_golden_options(CLI::App& command, GoldenOptions& options) {
     options.gl = PictureOptions{}.gl;
     command
         .add_option("--models", options.models,
-                    "Where meshes are looked for that are not where they are named")
+                    "Where meshes are looked for that are not beside the suite or their scene file")
         ->envname("SCB_MODELS")
+        ->check(has_name())
         ->type_name("DIR");
     command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
         ->check(decimal_number())
@@ -88,7 +93,8 @@ void add_golden_options(CLI::App& command, GoldenOptions& options) {
         ->capture_default_str();
     command
         .add_option("--runner", options.runner,
-                    "Run each case with this program in front: \"qemu-x86_64 -cpu Nehalem\"")
+                    "Run each case, in the folder of the suite, with this program in front: "
+                    "\"qemu-x86_64 -cpu Nehalem\"")
         ->check(has_name())
         ->type_name("WORDS");
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")

@@ -20,13 +20,14 @@ struct GoldenOptions {
     void check() const;
     /// Where baselines are: beside the suite, unless told.
     std::filesystem::path baselines_folder() const;
-    /// The cases named, in the order of the suite; all where none is. Throws InputError where the
-    /// suite has no case of a name.
+    /// The cases named, in the order of the suite; all where none is. Their files are looked for
+    /// beside the suite, then in the folder of models. Throws InputError where the suite has no
+    /// case of a name.
     std::vector<GoldenCase> chosen(const Suite& all) const;
     GoldenRunSettings settings() const;
     std::size_t job_count() const;
-    /// "--suite S --baselines B", as far as they are not what is taken without; for commands that
-    /// are shown.
+    /// " --suite S --baselines B", as far as they are not what is taken without; for commands of
+    /// `scb golden` that are shown.
     std::string suite_words() const;
 };
 

@@ -1,12 +1,12 @@
-#include <algorithm>
 #include <memory>
-#include <set>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/golden_commands.h"
 #include "app/golden_results.h"
 #include "app/options.h"
 #include "core/error.h"
+#include "golden/merge.h"
 #include "render/output_file.h"
 #include "scenes/file_bytes.h"
 #include "scenes/json_reader.h"
@@ -22,14 +22,9 @@ struct Options {
 };
 
 /// Copies what a result names into the work folder, so that results of several folders can be one
-/// report. Two results of one case: the names would clash.
+/// report.
 void gather(const CaseResult& result, const fs::path& folder, const fs::path& work) {
-    std::set<std::string> names(result.traces.begin(), result.traces.end());
-    for (const ResultPictures* pictures : {&result.picture, &result.id_picture})
-        for (const std::string* name :
-             {&pictures->baseline, &pictures->candidate, &pictures->difference})
-            if (!name->empty()) names.insert(*name);
-    for (const std::string& name : names) {
+    for (const std::string& name : files_of(result)) {
         // A name, not a path: results may come from elsewhere.
         if (fs::path(name).filename() != name)
             throw InputError((folder / "results.json").string() + ": '" + name +
@@ -42,29 +37,17 @@ void gather(const CaseResult& result, const fs::path& folder, const fs::path& wo
 
 int run(const Options& options, const Console& console) {
     const GoldenWork work;
-    SuiteResult merged;
-    std::set<std::string> names;
-    for (const std::string& file : options.from) {
-        const SuiteResult result =
-            result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file), file);
-        if (merged.suite.empty()) {
-            merged.suite = result.suite;
-            merged.environment = result.environment;
-        } else if (merged.suite != result.suite) {
-            throw InputError(file + ": these are results of " + result.suite + ", and others of " +
-                             merged.suite + "; report them apart.");
-        }
-        merged.shard += (merged.shard.empty() || result.shard.empty() ? "" : ", ") + result.shard;
-        for (const CaseResult& c : result.cases) {
-            if (!names.insert(c.name).second)
-                throw InputError(file + ": the case " + c.name +
-                                 " is in other results too; give the results of one run.");
-            gather(c, fs::path(file).parent_path(), work.report());
-            merged.cases.push_back(c);
-        }
-    }
-    write_results(merged, options.files, work.report());
+    std::vector<ResultPart> parts;
+    for (const std::string& file : options.from)
+        parts.push_back(
+            {file, result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file), file)});
+    SuiteResult merged = merge_results(parts);
+    if (!options.files.report.empty()) add_diff_commands(merged, options.files.report);
+    for (const ResultPart& part : parts)
+        for (const CaseResult& c : part.result.cases)
+            gather(c, fs::path(part.file).parent_path(), work.report());
     print_result(results_text(merged));
+    write_results(merged, options.files, work.report());
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (fs::path(options.files.report) / "report.html").string() + ".");
@@ -85,7 +68,8 @@ void add_golden_report(CLI::App& golden, const Console& console, Action& action)
         ->type_name("FILE.json...");
     add_result_files(*command, options->files);
     command->footer(
-        "Exit status as of `scb golden check`.\n\n"
+        "Exit status as of `scb golden check`; 1 too where a shard is missing, or no case was "
+        "checked.\n\n"
         "Example:\n"
         "  scb golden report --from shard-1/results.json shard-2/results.json --report out/");
     command->callback([&action, &console, options] {

@@ -1,55 +1,25 @@
 #include "app/golden_results.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <optional>
 
-#include "app/command_text.h"
+#include "app/golden_report_folder.h"
 #include "app/options.h"
-#include "app/text_format.h"
 #include "app/version.h"
 #include "golden/github.h"
 #include "golden/junit.h"
-#include "golden/report.h"
+#include "golden/result_lines.h"
 #include "render/context.h"
 #include "render/output_file.h"
-#include "scenes/file_bytes.h"
 
 namespace scb {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Removes what an earlier report has left, so that no picture of it is taken for one of this.
-void clear_report(const fs::path& folder) {
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        for (const char* ending :
-             {".baseline.png", ".new.png", ".difference.png", ".baseline.ids.png", ".new.ids.png",
-              ".baseline.scbtrace", ".new.scbtrace"})
-            if (name.ends_with(ending)) fs::remove(entry.path(), ignored);
-    }
-    fs::remove(folder / "report.html", ignored);
-    fs::remove(folder / "results.json", ignored);
-}
-
-void write_report(const SuiteResult& result, const fs::path& folder, const fs::path& work) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw OutputError(folder.string() + ": this folder cannot be made (" + error.message() +
-                          "); name another with --report.");
-    clear_report(folder);
-    for (const fs::directory_entry& entry : fs::directory_iterator(work))
-        write_file_whole(folder / entry.path().filename(), file_bytes(entry.path().string()));
-    write_file_whole(folder / "report.html", report_html(result, work));
-    write_file_whole(folder / "results.json", result_json(result).dump(2) + "\n");
-}
 
 std::string environment_value(const char* name) {
     const char* value = std::getenv(name);
@@ -101,18 +71,6 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
     }
 }
 
-void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
-                  const GoldenOptions& options) {
-    std::map<std::string, const GoldenCase*> of_name;
-    for (const GoldenCase& golden : cases) of_name[golden.name] = &golden;
-    for (CaseResult& c : result.cases) {
-        if (!is_failure(c.verdict)) continue;
-        const auto golden = of_name.find(c.name);
-        if (golden != of_name.end()) c.reproduce = typed(command_of(*golden->second, "out"));
-        c.update = "scb golden update " + c.name + options.suite_words();
-    }
-}
-
 void add_result_files(CLI::App& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
@@ -128,52 +86,49 @@ void add_result_files(CLI::App& command, ResultFiles& files) {
 }
 
 void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
-    if (!files.report.empty()) write_report(result, files.report, work);
-    if (!files.junit.empty()) write_file_whole(files.junit, junit_xml(result));
-    if (!files.json.empty()) write_file_whole(files.json, result_json(result).dump(2) + "\n");
-    tell_github(result);
+    std::optional<OutputError> failed;
+    // Where one cannot be written, the others still can.
+    const auto attempt = [&](auto write) {
+        try {
+            write();
+        } catch (const OutputError& error) {
+            if (!failed) failed = error;
+        }
+    };
+    if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
+    if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
+    if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });
+    attempt([&] { tell_github(result); });
+    if (failed) throw *failed;
 }
 
 std::string results_text(const SuiteResult& result) {
     std::string text;
     std::map<Verdict, std::size_t> counts;
+    std::size_t tolerated = 0;
     for (const CaseResult& c : result.cases) {
         ++counts[c.verdict];
+        tolerated += is_tolerated(c);
         if (c.verdict == Verdict::same) continue;
-        text += c.name + ": " + std::string(verdict_name(c.verdict)) + ". " + printable(c.message) +
-                "\n";
-        constexpr std::size_t most_counts = 12;
-        for (std::size_t i = 0; i < c.counts.size() && i < most_counts; ++i) {
-            const CountChange& change = c.counts[i];
-            const auto value = [](const std::optional<std::int64_t>& count,
-                                  const std::string& other) {
-                return count ? std::to_string(*count) : other.empty() ? "nothing" : other;
-            };
-            text += "    " + change.place + ": " + value(change.before, change.before_text) +
-                    " before, " + value(change.after, change.after_text) + " now";
-            if (change.before && change.after)
-                text += format(" (%+lld)", static_cast<long long>(*change.after - *change.before));
-            text += "\n";
-        }
-        if (c.counts.size() > most_counts)
-            text += "    and " + std::to_string(c.counts.size() - most_counts) + " more\n";
-        for (const std::string& line : c.lines) text += "    " + line + "\n";
-        if (!c.reproduce.empty()) text += "    " + c.reproduce + "\n";
-        if (!c.update.empty() && c.verdict != Verdict::could_not_run)
-            text += "    " + c.update + "\n";
+        text += printable(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
+                printable(c.message) + "\n";
+        for (const std::string& line : result_lines(c)) text += "    " + printable(line) + "\n";
+        if (!c.reproduce.empty()) text += "    " + printable(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + printable(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + printable(c.update) + "\n";
     }
+    if (!result.incomplete.empty()) text += "incomplete. " + printable(result.incomplete) + "\n";
     text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
+    if (result.cases.empty() && !result.shard.empty())
+        text += "; none are left for shard " + printable(result.shard);
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));
+        if (verdict == Verdict::same && tolerated > 0)
+            text += " (" + std::to_string(tolerated) + " within the tolerance)";
         separator = ", ";
     }
     return text + "\n";
-}
-
-bool has_failed(const SuiteResult& result) {
-    return std::any_of(result.cases.begin(), result.cases.end(),
-                       [](const CaseResult& c) { return is_failure(c.verdict); });
 }
 
 }  // namespace scb

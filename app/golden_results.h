@@ -29,10 +29,6 @@ class GoldenWork {
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const GoldenRunSettings& settings);
 
-/// The commands that reproduce each failing case and that take its candidate over.
-void add_commands(SuiteResult& result, const std::vector<GoldenCase>& cases,
-                  const GoldenOptions& options);
-
 /// Where results go; empty: nowhere.
 struct ResultFiles {
     std::string report, junit, json;
@@ -40,16 +36,14 @@ struct ResultFiles {
 
 void add_result_files(CLI::App& command, ResultFiles& files);
 
-/// Writes report.html and results.json, with the pictures of `work`, into the folder of the report;
-/// JUnit and JSON into their files; and, where the environment has them, annotations and a summary
-/// for GitHub Actions. Throws OutputError.
+/// Writes the folder of the report, with what is in `work`; JUnit and JSON into their files; and,
+/// where the environment has them, annotations and a summary for GitHub Actions: as many of them as
+/// can be written. Throws OutputError where one cannot.
 void write_results(const SuiteResult& result, const ResultFiles& files,
                    const std::filesystem::path& work);
 
 /// A line per case that is not the same, with what differs, and one with how many cases came to
 /// what.
 std::string results_text(const SuiteResult& result);
-
-bool has_failed(const SuiteResult& result);
 
 }  // namespace scb

@@ -10,6 +10,7 @@
 #include "app/progress.h"
 #include "core/error.h"
 #include "golden/baseline.h"
+#include "golden/baseline_lock.h"
 
 namespace scb {
 namespace {
@@ -40,6 +41,42 @@ bool Options::takes(Verdict verdict) const {
     return true;
 }
 
+/// What an update did, as far as it came.
+struct Updated {
+    std::string text;  ///< a line per file, or per case that could not be updated
+    std::size_t cases = 0, failed = 0;
+};
+
+/// Updates the baseline of a case that came to `result`, where that is asked for.
+void update_case(const Options& options, const GoldenCheck& check, const GoldenCase& golden,
+                 const CaseResult& result, Updated& updated) {
+    const auto fail = [&](const std::string& sentence) {
+        updated.text += result.name + ": " + sentence + "\n";
+        ++updated.failed;
+    };
+    if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders))
+        return fail("could not run. " + result.message);
+    if (result.verdict == Verdict::skipped && !options.names.empty())
+        fail("skipped. " + result.message);
+    // A baseline that cannot be read is replaced where it is asked for.
+    const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
+    if (!broken && !options.takes(result.verdict)) return;
+    const std::string trouble = record_trace(golden, check.settings, check.folders.candidates);
+    if (!trouble.empty())
+        fail("its trace could not be recorded, and the old one stays as it is. " + trouble);
+    const std::vector<std::string> files =
+        replace_baseline(check.folders.baselines, check.folders.candidates, result.name,
+                         trouble.empty() ? OldTrace::removed : OldTrace::kept);
+    if (files.empty()) return;
+    ++updated.cases;
+    for (const std::string& file : files) updated.text += file + "\n";
+}
+
+void print(const Updated& updated, std::size_t cases) {
+    print_result(updated.text + std::to_string(updated.cases) + " of " + std::to_string(cases) +
+                 (cases == 1 ? " case" : " cases") + " updated\n");
+}
+
 int run(const Options& options, const Console& console) {
     options.check();
     const Suite suite = load_suite(options.suite);
@@ -49,52 +86,37 @@ int run(const Options& options, const Console& console) {
     check.settings = options.settings();
     check.folders = {options.baselines_folder(), work.candidates(), ""};
     check.jobs = options.job_count();
+    const BaselineLock lock(check.folders.baselines);
+    if (lock.held()) remove_unfinished(check.folders.baselines);
     const InterruptWatch watch;
     Progress progress(console, check.cases.size());
-    const CheckedCases checked = check_cases(check, [&] {
-        progress.step("cases");
-        return watch.signal() == 0;
-    });
+    const std::vector<CaseResult> results = check_cases(check, [&] {
+                                                progress.step("cases");
+                                                return watch.signal() == 0;
+                                            }).results;
 
-    const std::vector<CaseResult>& results = checked.results;
-    remove_unfinished(check.folders.baselines);
-    std::string text;
-    std::size_t updated = 0, failed = 0;
-    for (const CaseResult& result : results) {
-        if (watch.signal() != 0) break;
-        const GoldenCase& golden =
-            *std::find_if(check.cases.begin(), check.cases.end(),
-                          [&](const GoldenCase& c) { return c.name == result.name; });
-        if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders)) {
-            text += result.name + ": could not run. " + result.message + "\n";
-            ++failed;
-            continue;
+    Updated updated;
+    try {
+        for (const CaseResult& result : results) {
+            if (watch.signal() != 0) break;
+            const auto golden =
+                std::find_if(check.cases.begin(), check.cases.end(),
+                             [&](const GoldenCase& c) { return c.name == result.name; });
+            update_case(options, check, *golden, result, updated);
         }
-        if (result.verdict == Verdict::skipped && !options.names.empty()) {
-            text += result.name + ": skipped. " + result.message + "\n";
-            ++failed;
-        }
-        // A baseline that cannot be read is replaced where it is asked for.
-        const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
-        if (!broken && !options.takes(result.verdict)) continue;
-        record_trace(golden, check.settings, work.candidates());
-        const std::vector<std::string> files =
-            replace_baseline(check.folders.baselines, work.candidates(), result.name);
-        if (files.empty()) continue;
-        ++updated;
-        for (const std::string& file : files) text += file + "\n";
+    } catch (...) {
+        print(updated, results.size());
+        throw;
     }
     if (options.all)
         for (const std::string& file : stray_files(check.folders.baselines, suite))
-            text += file + ": belongs to no case; remove it by hand if it is not needed.\n";
-    text += std::to_string(updated) + " of " + std::to_string(results.size()) +
-            (results.size() == 1 ? " case" : " cases") + " updated\n";
-    print_result(text);
+            updated.text += file + ": belongs to no case; remove it by hand if it is not needed.\n";
+    print(updated, results.size());
     if (watch.signal() != 0) {
         console.note("scb: interrupted; what is listed was updated, the rest is as it was.");
         return exit_interrupted(watch.signal());
     }
-    return failed > 0 ? exit_different : exit_done;
+    return updated.failed > 0 ? exit_different : exit_done;
 }
 
 }  // namespace
@@ -109,9 +131,9 @@ void add_golden_update(CLI::App& golden, const Console& console, Action& action)
     command->add_flag("--missing", options->missing, "All cases that have no baseline");
     command->add_flag("--all", options->all, "All cases");
     command->footer(
-        "Lists the files that changed. A baseline is replaced whole or not at all. Refused where "
-        "CI "
-        "is set.\n\n"
+        "Lists the files that changed. A baseline is replaced whole or not at all; other accepted "
+        "pictures of a case\nare removed where its picture changes. Refused where CI is set, and "
+        "while another update has the baselines.\n\n"
         "Examples:\n"
         "  scb golden update levels-spheres-scb\n"
         "  scb golden update --failing --suite my/cases.json");

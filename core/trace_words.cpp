@@ -47,22 +47,23 @@ std::string words_of_parent(const TracedTest& test, const BodyNames& bodies) {
            bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was divided";
 }
 
-std::string words_of(const Parting& parting, const BodyNames& bodies) {
+std::string words_of(const Parting& parting, const BodyNames& bodies, const TraceNames& names) {
     std::string text = "frame " + std::to_string(parting.frame) + ", test " +
-                       std::to_string(parting.test) + ", where\n  the first " +
-                       side_of(parting.a, bodies) + ",\n  the second " +
+                       std::to_string(parting.test) + ", where\n  the " + names.a + " " +
+                       side_of(parting.a, bodies) + ",\n  the " + names.b + " " +
                        side_of(parting.b, bodies) + ",\n  ";
     const std::string from_a = parting.a ? words_of_parent(*parting.a, bodies) : "";
     const std::string from_b = parting.b ? words_of_parent(*parting.b, bodies) : "";
     if (from_a.empty() || from_b.empty() || from_a == from_b)
         return text + (from_a.empty() ? from_b : from_a) + ".\n";
-    return text + "the first " + from_a + ",\n  the second " + from_b + ".\n";
+    return text + "the " + names.a + " " + from_a + ",\n  the " + names.b + " " + from_b + ".\n";
 }
 
-std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies) {
+std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies,
+                     const TraceNames& names) {
     const std::string what =
         "frame " + std::to_string(lost.frame) + ", the " + (of_nodes ? "nodes " : "triangles ") +
-        pair_text(lost.pair.a, lost.pair.b) + ": the " + (lost.found_by_a ? "second" : "first");
+        pair_text(lost.pair.a, lost.pair.b) + ": the " + (lost.found_by_a ? names.b : names.a);
     if (!lost.lost_at)
         return what + (lost.other_ended ? " had ended" : " has no test that contains them");
     return what + " left them out at test " + std::to_string(lost.test) + ", " +

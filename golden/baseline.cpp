@@ -1,31 +1,20 @@
 #include "golden/baseline.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <set>
 #include <system_error>
 
-#include "core/error.h"
+#include "golden/file_replacement.h"
 #include "golden/files_equal.h"
 #include "render/output_file.h"
-#include "scenes/file_bytes.h"
 
 namespace scb {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string staging_start = ".update-";
-
 std::string variant_name(const std::string& name, int variant) {
     return variant == 1 ? name + ".png" : name + "." + std::to_string(variant) + ".png";
-}
-
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
 }
 
 /// The case that a file of a baseline is named after; empty where it is none.
@@ -46,30 +35,6 @@ std::string case_of(std::string file) {
     return "";
 }
 
-/// A folder beside the files that it is to replace, which is gone at the end.
-class StagingFolder {
-  public:
-    explicit StagingFolder(const fs::path& beside) {
-        std::string name = (beside / (staging_start + "XXXXXX")).string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw OutputError("Cannot write into \"" + beside.string() +
-                              "\": " + std::strerror(errno) +
-                              "; choose a folder that may be written, with room.");
-        path_ = name;
-    }
-    ~StagingFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    StagingFolder(const StagingFolder&) = delete;
-    StagingFolder& operator=(const StagingFolder&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
 }  // namespace
 
 CaseFiles case_files(const fs::path& folder, const std::string& name) {
@@ -88,41 +53,36 @@ std::vector<fs::path> accepted_images(const fs::path& folder, const std::string&
 }
 
 std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::path& candidates,
-                                          const std::string& name) {
+                                          const std::string& name, OldTrace old_trace) {
     std::error_code error;
     fs::create_directories(baselines, error);
     if (error)
         throw OutputError(baselines.string() + ": this folder cannot be made (" + error.message() +
                           "); name another with --baselines.");
     const CaseFiles from = case_files(candidates, name), to = case_files(baselines, name);
+    const std::vector<fs::path> accepted = accepted_images(baselines, name);
+    const bool picture_is_accepted =
+        std::any_of(accepted.begin(), accepted.end(),
+                    [&](const fs::path& image) { return files_equal(from.image, image); });
     std::vector<std::pair<fs::path, fs::path>> changed;
-    std::vector<fs::path> gone = accepted_images(baselines, name);
-    if (!gone.empty()) gone.erase(gone.begin());
+    std::vector<fs::path> gone;
     for (const auto member : {&CaseFiles::counts, &CaseFiles::ids, &CaseFiles::image,
                               &CaseFiles::meta, &CaseFiles::trace}) {
+        const bool kept = member == &CaseFiles::trace && old_trace == OldTrace::kept;
+        const bool same = member == &CaseFiles::image && picture_is_accepted;
         if (!is_there(from.*member)) {
-            if (is_there(to.*member)) gone.push_back(to.*member);
-        } else if (!is_there(to.*member) || !files_equal(from.*member, to.*member)) {
+            if (is_there(to.*member) && !kept) gone.push_back(to.*member);
+        } else if (!same && !files_equal(from.*member, to.*member)) {
             changed.emplace_back(from.*member, to.*member);
         }
     }
+    if (!picture_is_accepted)
+        for (std::size_t i = 1; i < accepted.size(); ++i) gone.push_back(accepted[i]);
     std::vector<std::string> names;
-    {
-        const StagingFolder staging(baselines);
-        for (const auto& [source, target] : changed)
-            write_file_whole(staging.path() / target.filename(), file_bytes(source.string()));
-        for (const auto& [source, target] : changed) {
-            fs::rename(staging.path() / target.filename(), target, error);
-            if (error)
-                throw OutputError(target.string() + ": it cannot be replaced (" + error.message() +
-                                  "); see that it may be written.");
-            names.push_back(target.filename().string());
-        }
-    }
-    for (const fs::path& path : gone) {
-        fs::remove(path, error);
-        names.push_back(path.filename().string() + " (removed)");
-    }
+    if (changed.empty() && gone.empty()) return names;
+    replace_files(baselines, changed, gone);
+    for (const auto& [source, target] : changed) names.push_back(target.filename().string());
+    for (const fs::path& target : gone) names.push_back(target.filename().string() + " (removed)");
     return names;
 }
 
@@ -130,7 +90,7 @@ void remove_unfinished(const fs::path& baselines) {
     std::error_code ignored;
     std::vector<fs::path> left;
     for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored))
-        if (entry.path().filename().string().starts_with(staging_start)) left.push_back(entry);
+        if (entry.path().filename().string().starts_with(replacement_prefix)) left.push_back(entry);
     for (const fs::path& path : left) fs::remove_all(path, ignored);
 }
 

@@ -19,16 +19,21 @@ CaseFiles case_files(const std::filesystem::path& folder, const std::string& nam
 std::vector<std::filesystem::path> accepted_images(const std::filesystem::path& folder,
                                                    const std::string& name);
 
+/// What becomes of the trace of a baseline where the run has none.
+enum class OldTrace { removed, kept };
+
 /// Puts what a run made in the place of the baseline, its trace included where there is one, and
-/// removes what the baseline had beyond that (other accepted pictures; ids or a picture of a case
-/// that makes none any more). Each file is written beside its place first and then put there, and
-/// not one is put there before all are written: where that fails, the old baseline stays. Returns
-/// the names of the files that changed. Throws OutputError, InputError.
+/// removes what the baseline had beyond that: ids or a picture of a case that makes none any more;
+/// and, where the run's picture is none of those that are accepted, the others of these. All or
+/// nothing, see replace_files. Returns the names of the files that changed. Throws OutputError,
+/// InputError.
 std::vector<std::string> replace_baseline(const std::filesystem::path& baselines,
                                           const std::filesystem::path& candidates,
-                                          const std::string& name);
+                                          const std::string& name,
+                                          OldTrace old_trace = OldTrace::removed);
 
-/// Removes what an update that was killed has left: files that never came to their places.
+/// Removes what an update that was killed has left: files that never came to their places. Not
+/// while another update may run, see BaselineLock.
 void remove_unfinished(const std::filesystem::path& baselines);
 
 /// Files in the folder of baselines that belong to no case of the suite.

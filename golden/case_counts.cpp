@@ -1,6 +1,11 @@
 #include "golden/case_counts.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+
+#include "core/error.h"
 
 namespace scb {
 namespace {
@@ -23,33 +28,56 @@ bool is_no_count(const std::string& key) {
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 
-Json counts_in(const Json& value);
+/// Nothing where there are no counts in it, as in all but objects, lists, integers and truths.
+std::optional<Json> counts_in(const Json& value, const std::string& place);
 
-Json counts_in_list(const Json& list) {
+std::int64_t hash_count(const Json& hash, const std::string& place) {
+    constexpr int dropped_bits = 64 - 53;
+    const std::string text = hash.is_string() ? hash.get<std::string>() : "";
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    if (text.size() != 16 || std::from_chars(text.data(), end, value, 16).ptr != end)
+        throw InputError(place + " is no hash of 16 hexadecimal digits; was it made by this scb?");
+    return static_cast<std::int64_t>(value >> dropped_bits);
+}
+
+std::optional<Json> counts_in_list(const Json& list, const std::string& place) {
     Json counts = Json::object();
     for (const Json& element : list) {
-        if (!element.is_object()) return Json();
+        if (!element.is_object()) return std::nullopt;
         const std::string name = name_of(element);
-        if (name.empty() || counts.contains(name)) return Json();
-        Json inner = counts_in(element);
-        if (!inner.empty()) counts[name] = std::move(inner);
+        if (name.empty() || counts.contains(name))
+            throw InputError(
+                place +
+                (name.empty() ? " has an element without a name" : " has " + name + " twice") +
+                ", so its counts cannot be told apart; make a case of each.");
+        counts[name] = counts_in(element, place + "/" + name).value_or(Json::object());
     }
     return counts;
 }
 
-/// Null where there is none.
-Json counts_in(const Json& value) {
-    if (value.is_number_integer() || value.is_boolean())
-        return value.is_boolean() ? Json(value.get<bool>() ? 1 : 0) : value;
-    if (value.is_array()) return counts_in_list(value);
-    if (!value.is_object()) return Json();
+std::optional<Json> counts_in_object(const Json& object, const std::string& place) {
     Json counts = Json::object();
-    for (const auto& [key, inner] : value.items()) {
+    for (const auto& [key, inner] : object.items()) {
         if (is_no_count(key)) continue;
-        Json found = counts_in(inner);
-        if (!found.is_null() && !(found.is_object() && found.empty()))
-            counts[key] = std::move(found);
+        const std::string inner_place = place + "/" + key;
+        if (key == "pairs_hash") {
+            counts[key] = hash_count(inner, inner_place);
+        } else if (std::optional<Json> found = counts_in(inner, inner_place)) {
+            counts[key] = std::move(*found);
+        }
     }
+    if (counts.empty()) return std::nullopt;
+    return counts;
+}
+
+std::optional<Json> counts_in(const Json& value, const std::string& place) {
+    if (value.is_boolean()) return Json(value.get<bool>() ? 1 : 0);
+    if (value.is_number_integer()) return value;
+    std::optional<Json> counts;
+    if (value.is_array()) counts = counts_in_list(value, place);
+    if (value.is_object()) counts = counts_in_object(value, place);
+    if (counts && counts->empty()) return std::nullopt;
     return counts;
 }
 
@@ -58,16 +86,26 @@ Json counts_in(const Json& value) {
 Json case_counts(GoldenRun run, const Json& document) {
     Json counts = Json::object();
     const auto take = [&](const char* from, const char* to) {
-        if (!document.contains(from)) return;
-        Json found = counts_in(document[from]);
-        if (!found.is_null()) counts[to] = std::move(found);
+        if (!document.is_object() || !document.contains(from))
+            throw InputError(std::string("There is no `") + from +
+                             "` in what it made, whose counts are compared; was it made by this "
+                             "scb?");
+        counts[to] = counts_in(document[from], from).value_or(Json::object());
     };
     if (run == GoldenRun::inspect) {
         for (const char* key : {"frames", "sum", "depths", "other_tests"}) take(key, key);
     } else {
         take(has_picture(run) ? "files" : "frames", "frames");
     }
+    if (counts["frames"].empty())
+        throw InputError("It made no counts of any frame, so nothing would be compared.");
     return counts;
+}
+
+std::string only_frame(const Json& counts) {
+    const auto frames = counts.find("frames");
+    if (frames == counts.end() || !frames->is_object() || frames->size() != 1) return "";
+    return frames->begin().key();
 }
 
 }  // namespace scb

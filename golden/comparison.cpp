@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -37,7 +32,7 @@ bool same_size(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height;
 }
 
-/// One comparison after the other; the first that cannot be made ends it.
+/// One comparison after the other; one that cannot be made does not hide what others find.
 class Comparison {
   public:
     Comparison(const GoldenCase& golden, const ComparisonFolders& folders)
@@ -59,15 +54,14 @@ class Comparison {
             result_.id_picture.candidate = copied(candidate_.ids, "new");
             return std::move(result_);
         }
-        if (golden_.counts) compare_counts();
-        if (golden_.ids && result_.verdict != Verdict::size_differs) compare_ids();
-        if (golden_.colors && result_.verdict != Verdict::size_differs) compare_colors();
-        if (!said_.empty() && result_.message.empty()) {
-            result_.message = "These differ: ";
-            for (std::size_t i = 0; i < said_.size(); ++i)
-                result_.message += (i == 0 ? "" : "; ") + said_[i];
-            result_.message += ".";
-        }
+        if (golden_.counts) compare(&Comparison::compare_counts);
+        if (golden_.ids) compare(&Comparison::compare_ids);
+        if (golden_.colors && !size_differs_) compare(&Comparison::compare_colors);
+        if (!unreadable_.empty())
+            result_.verdict = Verdict::could_not_run;
+        else if (size_differs_)
+            result_.verdict = Verdict::size_differs;
+        result_.message = message();
         return std::move(result_);
     }
 
@@ -89,6 +83,37 @@ class Comparison {
     void raise(Verdict verdict) {
         if (result_.verdict == Verdict::same || result_.verdict == Verdict::new_output)
             result_.verdict = verdict;
+    }
+
+    void compare(void (Comparison::*comparison)()) {
+        try {
+            (this->*comparison)();
+        } catch (const InputError& error) {
+            unreadable_.emplace_back(error.what());
+        }
+    }
+
+    /// Nothing where it cannot be read.
+    std::optional<Image> accepted_picture(const fs::path& path) {
+        try {
+            return read_png(path);
+        } catch (const InputError& error) {
+            unreadable_.emplace_back(error.what());
+            return std::nullopt;
+        }
+    }
+
+    std::string message() const {
+        std::string text = size_words_;
+        const auto add = [&text](const std::string& sentence) {
+            text += (text.empty() ? "" : " ") + sentence;
+        };
+        std::string differing;
+        for (const std::string& said : said_)
+            differing += (differing.empty() ? "These differ: " : "; ") + said;
+        if (!differing.empty()) add(differing + ".");
+        for (const std::string& sentence : unreadable_) add(sentence);
+        return text;
     }
 
     void compare_counts() {
@@ -132,24 +157,23 @@ class Comparison {
         std::optional<ImageDifference> closest;
         Image closest_image;
         for (std::size_t i = 0; i < accepted.size(); ++i) {
-            Image before = read_png(accepted[i]);
-            if (!same_size(before, after)) {
-                if (!closest) closest_image = std::move(before);
+            std::optional<Image> before = accepted_picture(accepted[i]);
+            if (!before) continue;
+            if (!same_size(*before, after)) {
+                if (!closest) closest_image = std::move(*before);
                 continue;
             }
-            const ImageDifference difference = image_difference(before, after);
+            const ImageDifference difference = image_difference(*before, after);
             const bool passes = within(difference, golden_.tolerance);
             if (passes || !closest || difference.pixels < closest->pixels) {
                 result_.variant = static_cast<int>(i) + 1;
                 closest = difference;
-                closest_image = std::move(before);
+                closest_image = std::move(*before);
             }
             if (passes) return;
         }
-        if (!closest) {
-            size_differs(closest_image, after);
-            return;
-        }
+        if (!closest && closest_image.width > 0) size_differs(closest_image, after);
+        if (!closest) return;
         raise(Verdict::different);
         said_.push_back("the colors of " + counted(closest->pixels, "pixel", "pixels") + " " +
                         box_words(closest->box) + ", by up to " + std::to_string(closest->largest) +
@@ -159,9 +183,9 @@ class Comparison {
     }
 
     void size_differs(const Image& before, const Image& after) {
-        result_.verdict = Verdict::size_differs;
-        result_.message = "The baseline's picture has " + size_words(before) +
-                          " pixels, and the run made " + size_words(after) + ".";
+        size_differs_ = true;
+        size_words_ = "The baseline's picture has " + size_words(before) +
+                      " pixels, and the run made " + size_words(after) + ".";
         result_.picture.baseline = copied(baseline_.image, "baseline");
         result_.picture.candidate = copied(candidate_.image, "new");
     }
@@ -191,22 +215,15 @@ class Comparison {
     const ComparisonFolders& folders_;
     CaseFiles baseline_, candidate_;
     CaseResult result_;
-    std::vector<std::string> said_;
+    std::vector<std::string> said_, unreadable_;
+    bool size_differs_ = false;
+    std::string size_words_;
 };
 
 }  // namespace
 
 CaseResult compare_case(const GoldenCase& golden, const ComparisonFolders& folders) {
-    try {
-        return Comparison(golden, folders).make();
-    } catch (const InputError& error) {
-        CaseResult result;
-        result.name = golden.name;
-        result.tolerance = golden.tolerance;
-        result.verdict = Verdict::could_not_run;
-        result.message = error.what();
-        return result;
-    }
+    return Comparison(golden, folders).make();
 }
 
 }  // namespace scb

@@ -17,6 +17,11 @@ File open_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_there(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
 bool files_equal(const std::filesystem::path& a, const std::filesystem::path& b) {
     // Sizes are known without reading; folders and missing files have none.
     std::error_code no_size_a, no_size_b;

@@ -4,6 +4,9 @@
 
 namespace scb {
 
+/// Whether it is a file: a folder of that name is none.
+bool is_there(const std::filesystem::path& path);
+
 /// Whether both are files that can be read and have the same bytes. Two pictures in such files need
 /// not be decoded to be compared. False where either is missing or unreadable: whoever then reads
 /// it says why.

@@ -6,10 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "golden/result_lines.h"
+#include "golden/words.h"
+
 namespace scb {
 namespace {
 
-constexpr std::size_t most_annotations = 10, most_annotated_lines = 10;
+constexpr std::size_t most_annotations = 10, most_annotated_lines = 16, most_summary_lines = 30;
 
 /// No sentence and no line is meant to be longer; names and sentences are shorter in a summary.
 constexpr std::size_t longest_text = 2000, longest_name = 100, longest_sentence = 300;
@@ -25,10 +28,6 @@ Cases failing_cases(const SuiteResult& result) {
 
 std::string cases_text(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " case" : " cases");
-}
-
-std::string more_lines(std::size_t count) {
-    return "... and " + std::to_string(count) + (count == 1 ? " more line" : " more lines");
 }
 
 /// The text, cut before a character where it is long.
@@ -63,13 +62,19 @@ std::string annotation(const std::string& title, const std::string& message) {
            "\n";
 }
 
+/// At most that many of the lines of a case, each behind a line end, and how many more there are.
+std::string lines_text(const CaseResult& result, std::size_t most) {
+    const std::vector<std::string> lines = result_lines(result);
+    std::string text;
+    for (std::size_t i = 0; i < lines.size() && i < most; ++i) text += "\n" + shortened(lines[i]);
+    if (lines.size() > most)
+        text += "\n... and " + words::counted(lines.size() - most, "more line", "more lines");
+    return text;
+}
+
 std::string annotation_of(const CaseResult& result) {
-    std::string message = shortened(result.message);
-    const std::size_t shown = std::min(result.lines.size(), most_annotated_lines);
-    for (std::size_t i = 0; i < shown; ++i) message += "\n" + shortened(result.lines[i]);
-    if (shown < result.lines.size()) message += "\n" + more_lines(result.lines.size() - shown);
     return annotation(result.name + " (" + std::string(verdict_name(result.verdict)) + ")",
-                      message);
+                      shortened(result.message) + lines_text(result, most_annotated_lines));
 }
 
 /// Text that Markdown shows as it is, on one line, cut where it is long.
@@ -93,42 +98,16 @@ std::string code_block(std::string_view language, std::string_view text) {
     return fence + std::string(language) + "\n" + std::string(text) + fence + "\n\n";
 }
 
-/// The block with the first `count` of the lines.
-std::string lines_block(const std::vector<std::string>& lines, std::size_t count) {
-    if (lines.empty()) return "";
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i) text += shortened(lines[i]) + "\n";
-    if (count < lines.size()) text += more_lines(lines.size() - count) + "\n";
-    return code_block("", text);
-}
-
-/// How many of the lines a block of that size can have.
-std::size_t lines_that_fit(const std::vector<std::string>& lines, std::size_t size) {
-    if (lines_block(lines, lines.size()).size() <= size) return lines.size();
-    std::size_t fits = 0, too_many = lines.size();
-    while (too_many - fits > 1) {
-        const std::size_t middle = fits + (too_many - fits) / 2;
-        (lines_block(lines, middle).size() <= size ? fits : too_many) = middle;
-    }
-    return fits;
-}
-
-/// A failing case in at most `size` bytes; empty where not even its name and sentence fit.
-std::string section_of(const CaseResult& result, std::size_t size) {
+std::string section_of(const CaseResult& result) {
     std::string section = "### " + markdown(result.name, longest_name) + "\n\n**" +
                           std::string(verdict_name(result.verdict)) +
                           "**: " + markdown(result.message, longest_sentence) + "\n\n";
-    if (section.size() > size) return "";
+    const std::string lines = lines_text(result, most_summary_lines);
+    if (!lines.empty()) section += code_block("", lines.substr(1) + "\n");
     std::string commands;
-    for (const std::string& command : {result.reproduce, result.update})
+    for (const std::string& command : {result.reproduce, result.diff, result.update})
         if (!command.empty()) commands += command + "\n";
-    if (!commands.empty()) commands = code_block("sh", commands);
-    // A command is whole or not at all.
-    if (section.size() + commands.size() > size) commands.clear();
-    const std::size_t left = size - section.size() - commands.size();
-    const std::string lines = lines_block(result.lines, lines_that_fit(result.lines, left));
-    if (lines.size() <= left) section += lines;
-    return section + commands;
+    return commands.empty() ? section : section + code_block("sh", commands);
 }
 
 std::string verdict_table(const SuiteResult& result) {
@@ -146,9 +125,13 @@ std::string verdict_table(const SuiteResult& result) {
 
 std::string github_annotations(const SuiteResult& result) {
     const Cases failing = failing_cases(result);
-    const std::size_t shown =
-        failing.size() > most_annotations ? most_annotations - 1 : failing.size();
     std::string text;
+    std::size_t most = most_annotations;
+    if (!result.incomplete.empty()) {
+        text += annotation("incomplete", shortened(result.incomplete));
+        --most;
+    }
+    const std::size_t shown = failing.size() > most ? most - 1 : failing.size();
     for (std::size_t i = 0; i < shown; ++i) text += annotation_of(*failing[i]);
     if (shown == failing.size()) return text;
     std::string names;
@@ -162,21 +145,20 @@ std::string github_summary(const SuiteResult& result, std::size_t largest) {
     assert(largest >= 4096 && "the heading, the table and a last sentence need room");
     const Cases failing = failing_cases(result);
     std::string text = "## Golden: ";
-    text += failing.empty() ? "nothing differs"
-                            : std::to_string(failing.size()) + " of " +
-                                  cases_text(result.cases.size()) + " failed";
+    text += has_failed(result) ? std::to_string(failing.size()) + " of " +
+                                     cases_text(result.cases.size()) + " failed"
+                               : "nothing differs";
     if (!result.shard.empty()) text += ", shard " + markdown(result.shard, longest_name);
-    text += "\n\n" + verdict_table(result);
-    // What one case needs less than its share of what is left goes to those after it. A share in
-    // which nobody could read anything is not given: then the first cases are shown.
-    constexpr std::size_t last_sentence = 200, smallest_share = 1000;
+    text += "\n\n";
+    if (!result.incomplete.empty())
+        text += "**incomplete**: " + markdown(result.incomplete, longest_sentence) + "\n\n";
+    text += verdict_table(result);
+    constexpr std::size_t last_sentence = 200;
     for (std::size_t i = 0; i < failing.size(); ++i) {
-        const std::size_t cases_left = failing.size() - i,
-                          left = largest - last_sentence - text.size();
-        const std::string section =
-            section_of(*failing[i], std::min(left, std::max(left / cases_left, smallest_share)));
-        if (section.empty())
-            return text + cases_text(cases_left) + " more failed; the report has all of them.\n";
+        const std::string section = section_of(*failing[i]);
+        if (text.size() + section.size() + last_sentence > largest)
+            return text + cases_text(failing.size() - i) +
+                   " more failed; the report has all of them.\n";
         text += section;
     }
     return text;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <kainjow/mustache.hpp>
 
+#include "golden/result_lines.h"
 #include "golden/xml_text.h"
 #include "render/embedded.h"
 
@@ -32,8 +33,9 @@ const char* element_of(Verdict verdict) {
 
 std::string lines_of(const CaseResult& result) {
     std::string text;
-    for (const std::string& line : result.lines) text += line + "\n";
+    for (const std::string& line : result_lines(result)) text += line + "\n";
     if (!result.reproduce.empty()) text += "reproduce: " + result.reproduce + "\n";
+    if (!result.diff.empty()) text += "compare the traces: " + result.diff + "\n";
     if (!result.update.empty()) text += "update: " + result.update + "\n";
     return text;
 }
@@ -61,7 +63,15 @@ std::string junit_xml(const SuiteResult& result) {
     std::size_t failures = 0, errors = 0, skipped = 0;
     double seconds = 0;
     data cases(data::type::list), properties(data::type::list);
-    for (const CaseResult& one : result.cases) {
+    std::vector<CaseResult> all = result.cases;
+    if (!result.incomplete.empty()) {
+        CaseResult run;
+        run.name = "the whole run";
+        run.verdict = Verdict::could_not_run;
+        run.message = result.incomplete;
+        all.push_back(run);
+    }
+    for (const CaseResult& one : all) {
         errors += one.verdict == Verdict::could_not_run;
         skipped += one.verdict == Verdict::skipped;
         failures += is_failure(one.verdict) && one.verdict != Verdict::could_not_run;
@@ -78,7 +88,7 @@ std::string junit_xml(const SuiteResult& result) {
     for (const auto& [name, version] : result.environment) add_property(name, version);
     data values;
     values["suite"] = xml_text(result.suite);
-    values["tests"] = std::to_string(result.cases.size());
+    values["tests"] = std::to_string(all.size());
     values["failures"] = std::to_string(failures);
     values["errors"] = std::to_string(errors);
     values["skipped"] = std::to_string(skipped);

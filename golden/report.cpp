@@ -11,8 +11,9 @@
 
 #include "golden/report_pictures.h"
 #include "golden/report_tables.h"
-#include "golden/report_words.h"
+#include "golden/report_values.h"
 #include "golden/shell_word.h"
+#include "golden/words.h"
 #include "render/embedded.h"
 
 SCB_DECLARE_EMBEDDED(report_html)
@@ -25,14 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
-using report::counted;
 using report::flag;
-using report::grouped;
+using words::counted;
+using words::grouped;
 
 constexpr std::array verdicts = {
     Verdict::different,     Verdict::size_differs, Verdict::missing_baseline, Verdict::new_output,
     Verdict::could_not_run, Verdict::same,         Verdict::skipped,
 };
+
+/// A longer text is folded away.
+constexpr std::size_t most_open_lines = 8;
 
 /// For ids of elements and the links to them.
 std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
@@ -47,13 +51,12 @@ std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
     return anchor;
 }
 
-/// The update command without the name, for the page to put several names behind it.
+/// The update command without the name, for the page to put several names behind it; empty where
+/// there is none.
 std::string update_prefix(const CaseResult& result) {
-    for (const std::string& name : {shell_word(result.name), result.name})
-        if (!name.empty() && result.update.size() > name.size() &&
-            result.update.ends_with(" " + name))
-            return result.update.substr(0, result.update.size() - name.size() - 1);
-    return "scb golden update";
+    const std::string name = " " + shell_word(result.name);
+    if (!result.update.ends_with(name)) return "";
+    return result.update.substr(0, result.update.size() - name.size());
 }
 
 std::string seconds_text(double seconds) {
@@ -72,11 +75,7 @@ void set_commands(data& values, const CaseResult& result) {
         commands << command;
     };
     add("Reproduce", result.reproduce);
-    if (result.traces.size() == 2)
-        add("Find the first pair test that differs",
-            "scb diff " + shell_word(result.traces[0]) + " " + shell_word(result.traces[1]));
-    else
-        for (const std::string& trace : result.traces) add("Trace", trace);
+    add("Compare the traces", result.diff);
     add("Update, if the change is right", result.update);
     values["has_commands"] = flag(!commands.is_empty_list());
     values.set("commands", commands);
@@ -101,6 +100,13 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     values["has_lines"] = flag(!result.lines.empty());
     values.set("lines", lines);
 
+    const auto trace_lines = static_cast<std::size_t>(
+        std::count(result.trace_difference.begin(), result.trace_difference.end(), '\n'));
+    values["trace"] = result.trace_difference;
+    values["has_short_trace"] = flag(trace_lines > 0 && trace_lines <= most_open_lines);
+    values["has_long_trace"] = flag(trace_lines > most_open_lines);
+    values["trace_words"] = counted(trace_lines, "line", "lines");
+
     const data sets = report::pictures_of(result, folder);
     values["has_pictures"] = flag(!sets.is_empty_list());
     values["two_sets"] = flag(sets.list_value().size() > 1);
@@ -108,8 +114,9 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
 
     report::set_tables(values, result, folder);
     set_commands(values, result);
-    values["can_update"] = flag(!result.update.empty());
-    values["update_prefix"] = update_prefix(result);
+    const std::string prefix = update_prefix(result);
+    values["can_update"] = flag(!prefix.empty());
+    values["update_prefix"] = prefix;
     values["update_name"] = shell_word(result.name);
     return values;
 }
@@ -123,18 +130,25 @@ data brief_of(const CaseResult& result) {
         flag(result.verdict == Verdict::skipped ? !result.message.empty() : false);
     values["variant"] = std::to_string(result.variant);
     values["has_variant"] = flag(result.variant > 1);
+    values["is_tolerated"] = flag(is_tolerated(result));
+    if (is_tolerated(result))
+        values["tolerated"] = counted(result.colors->pixels, "pixel differs", "pixels differ") +
+                              ", by up to " + std::to_string(result.colors->largest) + " of 255";
     return values;
 }
 
 void set_header(data& values, const SuiteResult& result, std::size_t failures) {
     const std::size_t all = result.cases.size();
-    values["failed"] = flag(failures > 0);
+    values["failed"] = flag(has_failed(result));
+    values["incomplete"] = result.incomplete;
+    values["has_incomplete"] = flag(!result.incomplete.empty());
     if (all == 0)
         values["headline"] = "No cases were run";
     else if (failures > 0)
         values["headline"] = grouped(failures) + " of " + counted(all, "case", "cases") + " failed";
     else
-        values["headline"] = counted(all, "case", "cases") + ", none failed";
+        values["headline"] = counted(all, "case", "cases") +
+                             (result.incomplete.empty() ? ", none failed" : ", but not all");
     values["suite"] = result.suite;
     values["shard"] = result.shard;
     values["has_shard"] = flag(!result.shard.empty());
@@ -186,9 +200,14 @@ std::string report_html(const SuiteResult& result, const fs::path& folder) {
     set_header(values, result, failed);
     values["has_failures"] = flag(failed > 0);
     values["many_failures"] = flag(failed > 1);
+    values["failures_words"] = counted(failed, "failure", "failures");
     values.set("failures", failures);
     values["has_passed"] = flag(same > 0);
-    values["passed_words"] = counted(same, "case is", "cases are") + " the same";
+    const auto tolerated = static_cast<std::size_t>(
+        std::count_if(result.cases.begin(), result.cases.end(), is_tolerated));
+    values["passed_words"] =
+        counted(same, "case is", "cases are") + " the same" +
+        (tolerated > 0 ? ", " + grouped(tolerated) + " of them within the tolerance" : "");
     values.set("passed", passed);
     values["has_skipped"] = flag(left_out > 0);
     values["skipped_words"] = counted(left_out, "case was", "cases were") + " skipped";

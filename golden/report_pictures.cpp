@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "golden/base64.h"
 #include "golden/id_picture.h"
-#include "golden/report_words.h"
+#include "golden/report_values.h"
 #include "render/image_file.h"
 
 namespace scb::report {

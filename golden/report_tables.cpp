@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "golden/report_words.h"
+#include "golden/report_values.h"
+#include "golden/words.h"
 #include "golden/worst_pixels.h"
 #include "render/image_file.h"
 
@@ -19,6 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
+using words::box_words;
+using words::change_of;
+using words::counted;
+using words::grouped;
+using words::grouped_signed;
 
 /// Rows that a table shows at once; the rest is folded away.
 constexpr std::size_t shown_rows = 24;
@@ -74,8 +80,9 @@ void fill_count(const CountChange& change, data& row) {
                                                   : std::string("gone");
 }
 
-void fill_id(const IdChange& change, data& row) {
+void fill_id(const IdChange& change, const std::string& owner, data& row) {
     row["id"] = std::to_string(change.id);
+    row["owner"] = owner;
     row["before"] = grouped(change.before);
     row["after"] = grouped(change.after);
     row["change"] = change.before == 0  ? std::string("appeared")
@@ -117,6 +124,29 @@ void set_colors(data& values, const CaseResult& result) {
                  row["width"] = percent(static_cast<double>(step.second),
                                         static_cast<double>(colors.beyond[0]));
              });
+}
+
+/// Counts of the baseline, and those that only traces have, which are more of a hint.
+void set_counts(data& values, const CaseResult& result) {
+    std::vector<CountChange> counts, depths;
+    for (const CountChange& change : result.counts)
+        (is_of_trace(change) ? depths : counts).push_back(change);
+    const bool all_new = std::all_of(counts.begin(), counts.end(), [](const CountChange& change) {
+        return !change.before && change.before_text.empty();
+    });
+    data tables(data::type::list);
+    const auto add = [&](const std::vector<CountChange>& rows, const std::string& words) {
+        if (rows.empty()) return;
+        data table;
+        table["words"] = words;
+        set_rows(table, "counts", rows, fill_count);
+        tables << table;
+    };
+    add(counts, all_new ? counted(counts.size(), "count is new", "counts are new")
+                        : counted(counts.size(), "count differs", "counts differ"));
+    add(depths, counted(depths.size(), "count of tests by depth differs in the traces",
+                        "counts of tests by depth differ in the traces"));
+    values.set("count_tables", tables);
 }
 
 std::string hex_color(Rgba8 color) {
@@ -164,10 +194,12 @@ void set_worst_pixels(data& values, const std::vector<PixelChange>& worst) {
 }  // namespace
 
 void set_tables(data& values, const CaseResult& result, const fs::path& folder) {
-    set_rows(values, "counts", result.counts, fill_count);
-    values["counts_words"] = counted(result.counts.size(), "count differs", "counts differ");
+    set_counts(values, result);
     const IdDifference no_ids, &ids = result.ids ? *result.ids : no_ids;
-    set_rows(values, "ids", ids.changes, fill_id);
+    set_rows(values, "ids", ids.changes, [&](const IdChange& change, data& row) {
+        const auto at = static_cast<std::size_t>(&change - ids.changes.data());
+        fill_id(change, at < result.owners.size() ? result.owners[at] : "", row);
+    });
     values["ids_words"] = counted(ids.pixels, "pixel has", "pixels have") + " another owner" +
                           (ids.box.empty() ? "" : ", " + box_words(ids.box));
     set_colors(values, result);

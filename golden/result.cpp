@@ -1,5 +1,7 @@
 #include "golden/result.h"
 
+#include <algorithm>
+
 namespace scb {
 namespace {
 
@@ -66,6 +68,7 @@ Json case_json(const CaseResult& result) {
             {"lines", result.lines},
             {"counts", list_json(result.counts, count_json)},
             {"ids", result.ids ? ids_json(*result.ids) : Json()},
+            {"owners", result.owners},
             {"colors", result.colors ? colors_json(*result.colors) : Json()},
             {"tolerance",
              {{"max_channel_delta", result.tolerance.max_channel_delta},
@@ -76,10 +79,35 @@ Json case_json(const CaseResult& result) {
             {"reproduce", result.reproduce},
             {"update", result.update},
             {"traces", result.traces},
+            {"trace_difference", result.trace_difference},
+            {"diff", result.diff},
             {"seconds", result.seconds}};
 }
 
 }  // namespace
+
+bool is_of_trace(const CountChange& change) {
+    return change.place.find("/" + std::string(tests_by_depth_key) + "/") != std::string::npos;
+}
+
+bool is_tolerated(const CaseResult& result) {
+    return result.verdict == Verdict::same && result.colors.has_value();
+}
+
+std::vector<std::string> files_of(const CaseResult& result) {
+    std::vector<std::string> names = result.traces;
+    for (const ResultPictures* pictures : {&result.picture, &result.id_picture})
+        for (const std::string* name :
+             {&pictures->baseline, &pictures->candidate, &pictures->difference})
+            if (!name->empty()) names.push_back(*name);
+    return names;
+}
+
+bool has_failed(const SuiteResult& result) {
+    return !result.incomplete.empty() ||
+           std::any_of(result.cases.begin(), result.cases.end(),
+                       [](const CaseResult& c) { return is_failure(c.verdict); });
+}
 
 Json result_json(const SuiteResult& result) {
     // A list: versions are shown in the order of the result, which an object would not keep.
@@ -88,6 +116,7 @@ Json result_json(const SuiteResult& result) {
     };
     return {{"suite", result.suite},
             {"shard", result.shard},
+            {"incomplete", result.incomplete},
             {"environment", list_json(result.environment, version_json)},
             {"cases", list_json(result.cases, case_json)}};
 }

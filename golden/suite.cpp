@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "scenes/builtin.h"
+#include "golden/case_command.h"
 #include "scenes/json_reader.h"
 #include "scenes/scene.h"
 
@@ -22,15 +22,10 @@ constexpr std::pair<GoldenRun, std::string_view> runs[] = {
 constexpr int largest_side = 512;
 
 constexpr std::string_view refused_arguments[] = {
-    "-o",        "--output", "--json",     "--csv",  "--ids",     "--jobs",  "--video",
-    "--fps",     "--sheet",  "--no-sheet", "--pick", "--compare", "--steps", "--pairs-out",
-    "--samples", "--quiet",  "--color",    "--gl",   "--models",  "--frame", "--frames",
-    "--volume",  "--test",   "--size",     "--top"};
-
-/// What of a query a trace records; each has a value.
-constexpr std::string_view recorded_arguments[] = {"--pose",      "--growth",  "--margin",
-                                                   "--threshold", "--descent", "--bodies",
-                                                   "--max-pairs", "--level"};
+    "--output",    "--json",    "--csv",      "--ids",   "--jobs",    "--video",
+    "--fps",       "--sheet",   "--no-sheet", "--pick",  "--compare", "--steps",
+    "--pairs-out", "--samples", "--quiet",    "--color", "--gl",      "--models",
+    "--frame",     "--frames",  "--volume",   "--test",  "--size",    "--top"};
 
 std::string list_of_runs() {
     std::string list;
@@ -56,20 +51,20 @@ std::string read_size(const JsonPlace& place) {
     return text;
 }
 
-/// A built-in scene, or the path of a file, which is relative to that of the suite.
-std::string read_scene(const JsonPlace& place, const std::filesystem::path& folder) {
-    const std::string text = read_plain_text(place);
-    if (find_builtin(text) != nullptr) return text;
-    return (folder / text).lexically_normal().string();
-}
-
-std::vector<std::string> read_scenes(const JsonPlace& place, const std::filesystem::path& folder) {
-    if (!place.value->is_array()) return {read_scene(place, folder)};
+std::vector<std::string> read_scenes(const JsonPlace& place) {
+    if (!place.value->is_array()) return {read_plain_text(place)};
     const std::size_t count = array_size(place, "a scene or two mesh files");
     if (count < 1 || count > 2) refuse_value(place, "a scene or two mesh files");
     std::vector<std::string> scenes;
-    for (std::size_t i = 0; i < count; ++i) scenes.push_back(read_scene(element(place, i), folder));
+    for (std::size_t i = 0; i < count; ++i) scenes.push_back(read_plain_text(element(place, i)));
     return scenes;
+}
+
+std::string read_volume(const JsonPlace& place) {
+    const std::string text = read_plain_text(place);
+    if (text.find(',') != std::string::npos)
+        refuse_value(place, "one volume, since a case is of one");
+    return text;
 }
 
 std::vector<std::string> read_arguments(const JsonPlace& place) {
@@ -78,8 +73,9 @@ std::vector<std::string> read_arguments(const JsonPlace& place) {
     for (std::size_t i = 0; i < count; ++i) {
         const JsonPlace at = element(place, i);
         const std::string word = read_plain_text(at), option = word.substr(0, word.find('='));
-        if (std::find(std::begin(refused_arguments), std::end(refused_arguments), option) !=
-            std::end(refused_arguments))
+        const bool short_output = option.starts_with("-o");  // -oout too
+        if (short_output || std::find(std::begin(refused_arguments), std::end(refused_arguments),
+                                      option) != std::end(refused_arguments))
             refuse(at, word +
                            " is not for cases: either they have a field for it, or it says "
                            "where and how something is written; leave it out.");
@@ -117,18 +113,19 @@ ColorTolerance read_tolerance(const JsonPlace& place) {
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& file)
-        : folder_(file.parent_path()),
-          json_(parse_json(read_text_file(file.string()), file.string())) {
+        : json_(parse_json(read_text_file(file.string()), file.string())) {
         const JsonPlace all{&json_, file.string(), ""};
         check_fields(all, {"scb_golden", "presets", "cases"});
         read_integer(field(all, "scb_golden"), 1, 1);
         if (has(all, "presets")) {
             const JsonPlace presets = field(all, "presets");
+            if (!presets.value->is_object()) refuse_value(presets, "an object of presets by name");
             for (const auto& [name, value] : presets.value->items())
-                presets_[name] = {&value, presets.file, presets.path + "." + name};
+                add_preset(name, {&value, presets.file, presets.path + "." + name});
         }
         const JsonPlace cases = field(all, "cases");
         const std::size_t count = array_size(cases, "a list of cases");
+        if (count == 0) refuse(cases, "there is no case to check; add one.");
         suite_.file = file;
         for (std::size_t i = 0; i < count; ++i) add(element(cases, i));
     }
@@ -136,6 +133,17 @@ class Reader {
     Suite take() { return std::move(suite_); }
 
   private:
+    void add_preset(const std::string& name, const JsonPlace& place) {
+        check_case_fields(place);
+        if (has(place, "name")) refuse(place, "a preset has no name of a case; leave out `name`.");
+        presets_[name] = place;
+    }
+
+    static void check_case_fields(const JsonPlace& place) {
+        check_fields(place, {"name", "preset", "note", "run", "scene", "frames", "volume", "test",
+                             "size", "arguments", "compare", "tolerance"});
+    }
+
     void add(const JsonPlace& place) {
         GoldenCase golden;
         std::set<std::string> seen, given;
@@ -143,25 +151,49 @@ class Reader {
         for (const char* needed : {"name", "run", "scene"})
             if (!given.contains(needed)) field(place, needed);
         if (golden.name != file_name_of(golden.name))
+            refuse_value(
+                field(place, "name"),
+                "letters, digits, '_' and '-', beginning and ending with a letter, a digit "
+                "or '_'");
+        if (golden.name.find('.') != std::string::npos)
             refuse_value(field(place, "name"),
-                         "letters, digits, '.', '_' and '-', beginning and ending with a letter or "
-                         "a digit");
+                         "a name without '.', which parts it from the rest of its files' names");
         if (!names_.insert(golden.name).second)
             refuse(field(place, "name"),
                    "there is a case " + golden.name + " already; give each a name of its own.");
-        if (!has_ids(golden.run)) golden.ids = false;
-        if (!has_picture(golden.run)) golden.colors = false;
-        if (!golden.counts && !golden.ids && !golden.colors)
-            refuse(place, "nothing is compared: " + std::string(golden_run_name(golden.run)) +
-                              " makes none of what `compare` names.");
-        suite_.cases.push_back(std::move(golden));
+        check_what_is_made(place, golden, given);
+        suite_.cases.push_back(
+            seen_from_here(std::move(golden), suite_.file.parent_path(), std::filesystem::path()));
+    }
+
+    /// What the run cannot make is not compared, and must not be asked for.
+    static void check_what_is_made(const JsonPlace& place, GoldenCase& golden,
+                                   const std::set<std::string>& given) {
+        const std::string run(golden_run_name(golden.run));
+        const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
+        if (given.contains("compare")) {
+            if (golden.ids && !ids)
+                refuse(place, "`compare` names ids, and " + run + " makes none; leave them out.");
+            if (golden.colors && !colors)
+                refuse(place,
+                       "`compare` names colors, and " + run + " draws none; leave them out.");
+        }
+        golden.ids &= ids;
+        golden.colors &= colors;
+        if (given.contains("tolerance") && !golden.colors)
+            refuse(place, "there is a tolerance of colors, and none are compared; leave it out.");
+        const bool one_frame = golden.frames.find_first_not_of("0123456789") == std::string::npos;
+        // A summary of `inspect` is one picture of many frames.
+        if (colors && golden.run != GoldenRun::inspect && !one_frame)
+            refuse(place, "its frames are " + golden.frames +
+                              ", and a picture is of one; give one number, and each further frame "
+                              "a case of its own.");
     }
 
     /// First the preset's fields, then its own, which win.
     void apply(const JsonPlace& place, GoldenCase& golden, std::set<std::string>& seen,
                std::set<std::string>& given) {
-        check_fields(place, {"name", "preset", "note", "run", "scene", "frames", "volume", "test",
-                             "size", "arguments", "compare", "tolerance"});
+        check_case_fields(place);
         if (has(place, "preset")) {
             const JsonPlace at = field(place, "preset");
             const std::string name = read_text(at);
@@ -169,36 +201,28 @@ class Reader {
             if (preset == presets_.end())
                 refuse(at, "there is no preset " + name + "; see `presets`.");
             if (!seen.insert(name).second) refuse(at, "the preset " + name + " inherits itself.");
-            if (has(preset->second, "name"))
-                refuse(preset->second, "a preset has no name of a case; leave out `name`.");
             apply(preset->second, golden, seen, given);
         }
         for (const auto& item : place.value->items()) given.insert(item.key());
         if (has(place, "name")) golden.name = read_plain_text(field(place, "name"));
         if (has(place, "note")) read_text(field(place, "note"));
         if (has(place, "run")) golden.run = read_run(field(place, "run"));
-        if (has(place, "scene")) golden.scene = read_scenes(field(place, "scene"), folder_);
+        if (has(place, "scene")) golden.own_scene = read_scenes(field(place, "scene"));
         if (has(place, "frames")) golden.frames = read_plain_text(field(place, "frames"));
-        if (has(place, "volume")) golden.volume = read_plain_text(field(place, "volume"));
+        if (has(place, "volume")) golden.volume = read_volume(field(place, "volume"));
         if (has(place, "test")) golden.test = read_plain_text(field(place, "test"));
         if (has(place, "size")) golden.size = read_size(field(place, "size"));
-        if (has(place, "arguments")) golden.arguments = read_arguments(field(place, "arguments"));
+        if (has(place, "arguments"))
+            golden.own_arguments = read_arguments(field(place, "arguments"));
         if (has(place, "compare")) read_compare(field(place, "compare"), golden);
         if (has(place, "tolerance")) golden.tolerance = read_tolerance(field(place, "tolerance"));
     }
 
-    std::filesystem::path folder_;
     nlohmann::json json_;
     std::map<std::string, JsonPlace> presets_;
     std::set<std::string> names_;
     Suite suite_;
 };
-
-void add_option(std::vector<std::string>& command, const char* option, const std::string& value) {
-    if (value.empty()) return;
-    command.emplace_back(option);
-    command.push_back(value);
-}
 
 }  // namespace
 
@@ -215,55 +239,5 @@ bool has_ids(GoldenRun run) {
 }
 
 Suite load_suite(const std::filesystem::path& file) { return Reader(file).take(); }
-
-std::vector<std::string> command_of(const GoldenCase& golden, const std::filesystem::path& folder) {
-    const std::string name(golden_run_name(golden.run));
-    std::vector<std::string> command;
-    if (golden.run != GoldenRun::inspect && golden.run != GoldenRun::collide)
-        command.emplace_back("render");
-    command.push_back(name);
-    command.insert(command.end(), golden.scene.begin(), golden.scene.end());
-    add_option(command, golden.run == GoldenRun::levels ? "--frame" : "--frames", golden.frames);
-    add_option(command, "--volume", golden.volume);
-    add_option(command, "--test", golden.test);
-    command.insert(command.end(), golden.arguments.begin(), golden.arguments.end());
-    if (!has_picture(golden.run)) {
-        command.emplace_back("--json");
-        return command;
-    }
-    add_option(command, "--size", golden.size.empty() ? "320x240" : golden.size);
-    if (has_ids(golden.run)) {
-        add_option(command, "--samples", "1");
-        command.emplace_back("--ids");
-    }
-    if (golden.run == GoldenRun::levels) command.emplace_back("--no-sheet");
-    if (golden.run == GoldenRun::inspect) add_option(command, "--top", "1");
-    add_option(command, "--jobs", "1");
-    add_option(command, "-o", folder.string());
-    return command;
-}
-
-std::vector<std::string> trace_command_of(const GoldenCase& golden,
-                                          const std::filesystem::path& file) {
-    const bool one_frame = !golden.frames.empty() &&
-                           golden.frames.find_first_not_of("0123456789") == std::string::npos;
-    if (golden.run == GoldenRun::levels || !one_frame) return {};
-    std::vector<std::string> command = {"trace"};
-    command.insert(command.end(), golden.scene.begin(), golden.scene.end());
-    add_option(command, "--frames", golden.frames);
-    add_option(command, "--volume", golden.volume);
-    add_option(command, "--test", golden.test);
-    for (std::size_t i = 0; i < golden.arguments.size(); ++i) {
-        const std::string& word = golden.arguments[i];
-        const bool alone = word.find('=') == std::string::npos;
-        if (std::find(std::begin(recorded_arguments), std::end(recorded_arguments),
-                      word.substr(0, word.find('='))) == std::end(recorded_arguments))
-            continue;
-        command.push_back(word);
-        if (alone && i + 1 < golden.arguments.size()) command.push_back(golden.arguments[++i]);
-    }
-    add_option(command, "-o", file.string());
-    return command;
-}
 
 }  // namespace scb

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "golden/image_difference.h"
@@ -21,13 +22,16 @@ bool has_ids(GoldenRun run);
 
 /// One thing that must not change.
 struct GoldenCase {
-    std::string name;  ///< as Scene::name; baselines are named after it
+    std::string name;  ///< letters, digits, '_' and '-'; baselines are named after it
     GoldenRun run = GoldenRun::levels;
     std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
     std::string frames;                  ///< --frame of levels, --frames of the others; empty: none
     std::string volume, test;            ///< --volume, --test; empty: none
     std::string size;                    ///< of pictures, WIDTHxHEIGHT
     std::vector<std::string> arguments;  ///< more of the command line
+    /// The scene and arguments as the suite has them: files are relative to its folder, while those
+    /// above can be opened from here.
+    std::vector<std::string> own_scene, own_arguments;
     bool counts = true, ids = true, colors = true;  ///< what is compared
     ColorTolerance tolerance;
 };
@@ -38,19 +42,10 @@ struct Suite {
     std::vector<GoldenCase> cases;
 };
 
-/// Reads a suite, see golden/README.md. Files that it names are beside it. Throws InputError,
-/// naming file and place, for whatever is unknown, missing or out of range, for a name or a preset
-/// that is there twice, and for arguments that a case must not have (where it writes, what it
-/// prints).
+/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for whatever is
+/// unknown, missing or out of range, for a name or a preset that is there twice, for no cases, for
+/// arguments that a case must not have (where it writes, what it prints), for a picture of several
+/// frames or volumes, and for a comparison or a tolerance of what the run does not make.
 Suite load_suite(const std::filesystem::path& file);
-
-/// The command line of a case after `scb`: writes into `folder`, or prints JSON where it makes no
-/// picture.
-std::vector<std::string> command_of(const GoldenCase& golden, const std::filesystem::path& folder);
-
-/// The command line that records the trace of the case's query; empty where it makes none, or of
-/// more frames than one, whose traces are too large to be kept.
-std::vector<std::string> trace_command_of(const GoldenCase& golden,
-                                          const std::filesystem::path& file);
 
 }  // namespace scb

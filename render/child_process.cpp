@@ -93,7 +93,7 @@ bool is_on_path(const std::string& program) {
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const UnnamedFile& output,
-                           std::chrono::milliseconds patience) {
+                           std::chrono::milliseconds patience, const std::string& folder) {
     int sockets[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
         fail_to_start(command[0], errno);
@@ -106,6 +106,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     settings.give(errors_.descriptor(), STDERR_FILENO);
     settings.give(output.descriptor(), output_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&settings.files, folder.c_str());
     ::close(sockets[1]);
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

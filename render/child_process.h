@@ -34,9 +34,10 @@ class ChildProcess {
     /// Starts the program that PATH has under the first name of `command`, with the others as its
     /// arguments, without a shell. Throws OutputError.
     ///
-    /// `patience`: how long write() waits for a program that takes nothing.
+    /// `patience`: how long write() waits for a program that takes nothing. `folder`: where the
+    /// program runs, and where a path of it that is relative begins; empty: here.
     ChildProcess(const std::vector<std::string>& command, const UnnamedFile& output,
-                 std::chrono::milliseconds patience);
+                 std::chrono::milliseconds patience, const std::string& folder = "");
     /// Ends it where it still runs.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;

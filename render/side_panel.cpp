@@ -21,9 +21,26 @@ struct PanelPainter {
         return {unit, weight, color, align};
     }
 
+    int least(const PanelItem& item) const {
+        if (std::holds_alternative<PanelScale>(item)) return scale_height();
+        return std::holds_alternative<PanelNote>(item) ? small_size(unit) : line_height();
+    }
+    /// The height that the heading takes with the smallest thing that stands under it.
+    int least_below(const std::vector<PanelItem>& items, std::size_t heading) const {
+        const int own = line_height() + unit / 4;
+        std::size_t i = heading + 1;
+        if (i == items.size()) return own;
+        if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(items, i);
+        int smallest = least(items[i]);
+        for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
+            smallest = std::min(smallest, least(items[i]));
+        return own + smallest;
+    }
+    int gap() const { return y > box.y ? unit / 2 : 0; }
+    int scale_height() const { return line_height() + unit * 3 / 4 + small_size(unit) + unit / 2; }
+
     void draw(const PanelHeading& heading) {
-        if (y > box.y) y += unit / 2;
-        if (!fits(line_height())) return;
+        y += gap();
         const TextStyle bold = style(FontWeight::bold, theme.text);
         overlay.text(box.x, y, fitted_text(overlay, heading.text, bold, box.width), bold);
         y += line_height();
@@ -90,12 +107,11 @@ struct PanelPainter {
     }
 
     void draw(const PanelScale& scale) {
-        const int small = small_size(unit), bar = unit * 3 / 4;
-        if (!fits(line_height() + bar + small + unit / 2)) return;
+        if (!fits(scale_height())) return;
         std::vector<Tick> ticks;
         for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
         const PixelRect covered =
-            draw_color_bar(overlay, {box.x, y + line_height(), box.width, bar}, viridis,
+            draw_color_bar(overlay, {box.x, y + line_height(), box.width, unit * 3 / 4}, viridis,
                            scale.title, ticks, {theme, unit});
         y = covered.y + covered.height + unit / 4;
     }
@@ -116,7 +132,13 @@ struct PanelPainter {
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items) {
     PanelPainter painter{overlay, box, theme, unit, box.y};
-    for (const PanelItem& item : items) std::visit([&](const auto& i) { painter.draw(i); }, item);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        // Things without their heading would be taken for those of the one above.
+        if (std::holds_alternative<PanelHeading>(items[i]) &&
+            !painter.fits(painter.gap() + painter.least_below(items, i)))
+            break;
+        std::visit([&](const auto& item) { painter.draw(item); }, items[i]);
+    }
     return painter.y;
 }
 

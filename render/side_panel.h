@@ -49,8 +49,9 @@ struct PanelNote {
 using PanelItem =
     std::variant<PanelHeading, PanelRow, PanelKey, PanelLegendRow, PanelScale, PanelNote>;
 
-/// Draws the items into the box, top down; what does not fit any more is left out. Returns the y
-/// below the last one.
+/// Draws the items into the box, top down; what does not fit any more is left out. A heading
+/// without room for anything of what stands under it ends the panel. Returns the y below the last
+/// one.
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items);
 

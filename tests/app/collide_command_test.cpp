@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/any_collide.h"
+#include "core/pairs_hash.h"
 #include "scenes/load_scene.h"
 #include "tests/app/program.h"
 
@@ -40,6 +41,7 @@ TEST(CollideCommand, SpeaksOfTheLibrarysCounts) {
     for (const json& frame : result["frames"]) {
         const Collision found = query("spheres-l1", frame["frame"], VolumeKind::scb);
         EXPECT_EQ(frame["pairs"], found.pairs.size());
+        EXPECT_EQ(frame["pairs_hash"], hash_text(pairs_hash(found.pairs)));
         EXPECT_EQ(frame["n_v"], found.n_v);
         EXPECT_EQ(frame["n_p"], found.n_p);
         EXPECT_EQ(frame["n_u"], found.n_u);

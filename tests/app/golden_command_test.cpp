@@ -1,67 +1,12 @@
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <nlohmann/json.hpp>
-
+#include "tests/app/golden_command.h"
 #include "render/image_file.h"
 #include "render/output_file.h"
-#include "tests/app/program.h"
 
 namespace scb {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr const char* suite_text = R"({
-  "scb_golden": 1,
-  "presets": {"small": {"size": "320x240", "scene": "cone"}},
-  "cases": [
-    {"name": "levels", "preset": "small", "run": "levels", "frames": "100", "arguments": ["--levels", "4"]},
-    {"name": "rejections", "preset": "small", "run": "rejections", "frames": "100"},
-    {"name": "traversal", "preset": "small", "run": "traversal", "frames": "100"},
-    {"name": "inspect", "preset": "small", "run": "inspect", "frames": "100"},
-    {"name": "collide", "run": "collide", "scene": "cone", "frames": "0:100:10"}
-  ]
-})";
-
-/// A suite with its baselines, made by the program itself.
-class GoldenCommand : public testing::Test {
-  protected:
-    GoldenCommand() {
-        write_text(suite, suite_text);
-        EXPECT_EQ(golden("update --all").status, 0);
-    }
-
-    ProgramRun golden(const std::string& arguments, const std::string& prefix = "env -u CI") {
-        return run_scb("golden " + arguments + " --suite " + suite, prefix);
-    }
-    ProgramRun check(const std::string& more = "") {
-        const ProgramRun run = golden("check --report " + report.string() + " " + more);
-        results = json();
-        if (fs::exists(report / "results.json"))
-            results = json::parse(file_text(report / "results.json"));
-        return run;
-    }
-    json result(const std::string& name) const {
-        for (const json& entry : results["cases"])
-            if (entry["name"] == name) return entry;
-        return {};
-    }
-    fs::path baseline(const std::string& file) const { return folder.path / "baselines" / file; }
-    /// All files of the baselines, by name.
-    std::map<std::string, std::string> baselines() const {
-        std::map<std::string, std::string> files;
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder.path / "baselines"))
-            files[entry.path().filename().string()] = file_text(entry.path());
-        return files;
-    }
-
-    const TemporaryFolder folder;
-    const std::string suite = folder / "cases.json";
-    const fs::path report = folder.path / "report";
-    json results;
-};
 
 TEST_F(GoldenCommand, FindsNothingWhereNothingChanged) {
     const ProgramRun run = check();
@@ -103,7 +48,7 @@ TEST_F(GoldenCommand, FindsOnePixelThatIsOffByOne) {
     EXPECT_EQ(check().status, 0);
     // And so does a tolerance.
     fs::remove(baseline("rejections.2.png"));
-    json tolerant = json::parse(suite_text);
+    json tolerant = json::parse(golden_suite_text);
     tolerant["presets"]["small"]["tolerance"] = {{"max_channel_delta", 1}, {"max_pixels", 0}};
     write_text(suite, tolerant.dump());
     EXPECT_EQ(check().status, 0);
@@ -111,7 +56,7 @@ TEST_F(GoldenCommand, FindsOnePixelThatIsOffByOne) {
 
 TEST_F(GoldenCommand, SaysWhichNodeAndWhichTestChanged) {
     // The suite now asks for another test than the baselines were made with.
-    json other = json::parse(suite_text);
+    json other = json::parse(golden_suite_text);
     other["presets"]["small"]["test"] = "extents";
     other["cases"].erase(0);  // levels have no test
     write_text(suite, other.dump());
@@ -240,55 +185,6 @@ TEST_F(GoldenCommand, ShardsMakeOneReport) {
     EXPECT_EQ(twice.status, 2);
 }
 
-TEST_F(GoldenCommand, UpdatesOnlyWhereAPersonAsks) {
-    const auto before = baselines();
-    write_text(baseline("collide.counts.json"), "{}");
-    for (const auto& [arguments, prefix] :
-         {std::pair<std::string, std::string>{"update --all", "env CI=true"},
-          {"update", "env -u CI"},
-          {"update --all --failing", "env -u CI"},
-          {"update nonsense", "env -u CI"},
-          {"check nonsense", "env -u CI"}}) {
-        const ProgramRun run = golden(arguments, prefix);
-        EXPECT_EQ(run.status, 2) << arguments;
-        EXPECT_EQ(file_text(baseline("collide.counts.json")), "{}") << arguments;
-    }
-    EXPECT_EQ(golden("update --failing").out, "collide.counts.json\n1 of 5 cases updated\n");
-    EXPECT_EQ(baselines(), before);
-    // Where it cannot write, the old baseline stays.
-    const ProgramRun full = golden("update --all --baselines " + suite);
-    EXPECT_EQ(full.status, 3) << full.err;
-    EXPECT_EQ(baselines(), before);
-}
-
-TEST_F(GoldenCommand, AKilledUpdateLeavesEveryFileOldOrNew) {
-    const auto before = baselines();
-    json other = json::parse(suite_text);
-    other["presets"]["small"]["scene"] = "soup";
-    write_text(suite, other.dump());
-    ASSERT_EQ(golden("update --all --baselines " + (folder / "after")).status, 0);
-    std::map<std::string, std::string> after;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "after"))
-        after[entry.path().filename().string()] = file_text(entry.path());
-    std::size_t old = 0, fresh = 0;
-    for (int i = 1; i <= 20; ++i) {
-        const std::string seconds = std::to_string(0.05 * i);
-        golden("update --all", "env -u CI timeout -s KILL " + seconds);
-        ASSERT_TRUE(fs::is_regular_file(baseline("levels.png")));
-        for (const auto& [name, text] : before) {
-            const std::string now = file_text(baseline(name));
-            EXPECT_TRUE(now == text || now == after.at(name)) << name << " after " << seconds;
-            old += now == text;
-            fresh += now == after.at(name);
-        }
-    }
-    EXPECT_GT(old, 0u);
-    EXPECT_GT(fresh, 0u);
-    // The next one cleans up, and finishes.
-    ASSERT_EQ(golden("update --all").status, 0);
-    EXPECT_EQ(baselines(), after);
-}
-
 TEST_F(GoldenCommand, TellsGithubWhereThatListens) {
     write_text(baseline("collide.counts.json"), "{}");
     const std::string summary = folder / "summary.md";
@@ -300,7 +196,7 @@ TEST_F(GoldenCommand, TellsGithubWhereThatListens) {
 
 TEST_F(GoldenCommand, RefusesWhatASuiteMustNotSay) {
     const auto refused = [&](const char* pointer, const json& value, const std::string& said) {
-        json document = json::parse(suite_text);
+        json document = json::parse(golden_suite_text);
         document[json::json_pointer(pointer)] = value;
         write_text(suite, document.dump());
         const ProgramRun run = golden("check");
@@ -314,7 +210,7 @@ TEST_F(GoldenCommand, RefusesWhatASuiteMustNotSay) {
     refused("/cases/0/size", "1024x768", "512x512");
     refused("/cases/0/arguments", json::array({"-o", "/tmp"}), "-o is not for cases");
     refused("/cases/0/compare", json::array({"looks"}), "counts, ids or colors");
-    refused("/cases/4/compare", json::array({"colors"}), "nothing is compared");
+    refused("/cases/4/compare", json::array({"colors"}), "collide draws none");
     refused("/cases/0/nonsense", 1, "nonsense");
     refused("/scb_golden", 2, "scb_golden");
     refused("/presets/small/preset", "small", "inherits itself");

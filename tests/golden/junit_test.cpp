@@ -20,9 +20,9 @@ XmlElement suite_of(const SuiteResult& result) {
 
 TEST(JUnit, CountsTheSuite) {
     EXPECT_EQ(suite_of(sample_result()).attributes, (Attributes{{"name", "golden/cases.json"},
-                                                                {"tests", "7"},
+                                                                {"tests", "8"},
                                                                 {"failures", "4"},
-                                                                {"errors", "1"},
+                                                                {"errors", "2"},
                                                                 {"skipped", "1"},
                                                                 {"time", "2.100"}}));
     EXPECT_EQ(suite_of({}).attributes.at("tests"), "0");
@@ -48,15 +48,20 @@ TEST(JUnit, SaysWhatFailedAndHowToGoOn) {
     EXPECT_EQ(one.children[0].attributes,
               (Attributes{{"message", "1 count and 19 pixels differ."}, {"type", "different"}}));
     EXPECT_EQ(one.children[0].text,
+              "frames/100/n_v: 811 -> 812 (+1)\n"
+              "gone: -9,223,372,036,854,775,808 -> none\n"
+              "come: none -> 9,223,372,036,854,775,807\n"
+              "text: \"a\" -> 0.5\n"
               "node 412, level 7, is missing: 19 pixels\n"
               "n_v of frame 100: 812, was 811\n"
               "reproduce: scb golden check levels-spheres-scb\n"
+              "compare the traces: scb diff before.trace after.trace\n"
               "update: scb golden update levels-spheres-scb\n");
 }
 
 TEST(JUnit, TellsEveryVerdict) {
     const std::vector<XmlElement> cases = suite_of(sample_result()).all("testcase");
-    ASSERT_EQ(cases.size(), 7u);
+    ASSERT_EQ(cases.size(), 8u);
     const char* elements[] = {"failure", "", "failure", "failure", "failure", "error", "skipped"};
     const SuiteResult result = sample_result();
     for (std::size_t i = 0; i < 7; ++i) {
@@ -68,6 +73,9 @@ TEST(JUnit, TellsEveryVerdict) {
         EXPECT_EQ(outcome.attributes.at("message"), result.cases[i].message);
         EXPECT_EQ(outcome.attributes.at("type"), verdict_name(result.cases[i].verdict));
     }
+    EXPECT_EQ(cases[7].attributes.at("name"), "the whole run");
+    EXPECT_EQ(cases[7].children.at(0).name, "error");
+    EXPECT_EQ(cases[7].children[0].attributes.at("message"), "Interrupted.");
 }
 
 TEST(JUnit, EscapesWhatXmlWouldRead) {
@@ -76,8 +84,9 @@ TEST(JUnit, EscapesWhatXmlWouldRead) {
     CaseResult& one = result.cases[0];
     result.suite = one.name = one.message = hostile;
     result.environment = {{hostile, hostile}};
+    one.counts.clear();
     one.lines = {hostile, hostile};
-    one.reproduce = one.update = "";
+    one.reproduce = one.diff = one.update = "";
     const XmlElement suite = suite_of(result);
     EXPECT_EQ(suite.attributes.at("name"), hostile);
     EXPECT_EQ(suite.all("properties")[0].children.at(1).attributes,

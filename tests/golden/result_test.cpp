@@ -103,12 +103,13 @@ TEST(Result, IsRefusedByPlaceAndValue) {
               "out/results.json: cases[0].colors.beyond: expected at most 256 numbers, found 257.");
     EXPECT_EQ(with("/cases/0/ids/pixels", 1.5),
               "out/results.json: cases[0].ids.pixels: expected a whole number from 0 to "
-              "18446744073709551615, found 1.5.");
+              "9223372036854775807, found 1.5.");
     EXPECT_EQ(with("/cases/0/counts/0/before", 18446744073709551615u),
               "out/results.json: cases[0].counts[0].before: expected a whole number from "
               "-9223372036854775808 to 9223372036854775807, found 18446744073709551615.");
     EXPECT_EQ(with("/cases/0/seconds", -0.5),
-              "out/results.json: cases[0].seconds: expected a number from 0 on, found -0.5.");
+              "out/results.json: cases[0].seconds: expected a number from 0 to "
+              "1.7976931348623157e+308, found -0.5.");
     EXPECT_EQ(with("/cases", 7), "out/results.json: cases: expected a list, found 7.");
     EXPECT_EQ(refusal(json::array()), "out/results.json: expected an object, found [].");
 }

@@ -19,6 +19,7 @@ inline SuiteResult sample_result() {
                    {"text", {}, {}, "\"a\"", "0.5"}};
     full.ids = IdDifference{
         19, {4, 5, 9, 11}, {{412, 19, 0, 19, {4, 5, 9, 11}}, {0xFFFFFFFF, 7, 9, 2, {6, 6, 8, 7}}}};
+    full.owners = {"node 411 of A, level 7", ""};
     full.colors.emplace();
     full.colors->pixels = 21;
     full.colors->box = {3, 4, 10, 12};
@@ -31,12 +32,15 @@ inline SuiteResult sample_result() {
     full.reproduce = "scb golden check levels-spheres-scb";
     full.update = "scb golden update levels-spheres-scb";
     full.traces = {"before.trace", "after.trace"};
+    full.trace_difference = "1 frame in both\n";
+    full.diff = "scb diff before.trace after.trace";
     full.seconds = 0.1;
 
     SuiteResult result;
     result.suite = "golden/cases.json";
     result.environment = {{"scb", "0.1.0"}, {"mesa", "22.3.6"}, {"eigen", "3.4.0"}};
     result.shard = "2/3";
+    result.incomplete = "Interrupted.";
     result.cases.push_back(full);
     for (const Verdict verdict : {Verdict::same, Verdict::size_differs, Verdict::missing_baseline,
                                   Verdict::new_output, Verdict::could_not_run, Verdict::skipped}) {

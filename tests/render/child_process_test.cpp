@@ -49,6 +49,12 @@ TEST_F(ChildProcessTest, EndsWithAStatusOrByASignal) {
     EXPECT_TRUE(no_child_is_left());
 }
 
+TEST_F(ChildProcessTest, RunsInTheFolderThatItIsGiven) {
+    ChildProcess child({"pwd"}, output, seconds(60), "/");
+    EXPECT_EQ(child.wait(seconds(60)), (ProcessEnd{false, 0}));
+    EXPECT_EQ(child.printed(), "/\n");
+}
+
 TEST_F(ChildProcessTest, IsWaitedForWhereHowItEndedIsForgotten) {
     const IgnoredSigchld ignored;
     const Clock::time_point start = Clock::now();

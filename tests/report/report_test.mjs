@@ -316,13 +316,32 @@ test('a missing baseline, a picture that is gone, a case that did not run', () =
     assert.match(await broken.textContent(), /cannot be read: it ends after 412 bytes/);
   }));
 
+test('what the traces conclude is said first, and the whole keeps its columns', () =>
+  onPage({}, async (page) => {
+    const root = article(page, 'spheres-scb-pairs');
+    assert.match(await root.locator('.lines li').first().textContent(), /^11 pairs only in the baseline/);
+    const trace = root.locator('.trace');
+    assert.equal(await trace.isVisible(), false);
+    await root.getByText('How the traces differ, 14 lines').click();
+    assert.match(await trace.innerText(), /\nN_v {21}24680 {8}24697/);
+    assert.equal(await trace.evaluate((t) => getComputedStyle(t).whiteSpaceCollapse), 'preserve');
+    await shot(page, 'trace-light');
+    // Counts that only traces have are not of the number that the message gives.
+    assert.deepEqual(await root.locator('.details h3').allTextContents().then((all) => all.slice(0, 2)),
+      ['49 counts differ', '4 counts of tests by depth differ in the traces']);
+    // Ids are named as in the lines.
+    assert.match(await root.locator('.ids tbody tr').first().innerText(), /^13 node 12 of A, level 7/);
+    assert.match(await page.locator('.brief[data-verdict=same]').textContent(),
+      /12 cases are the same, 1 of them within the tolerance.*collide-scene-6 within its tolerance: 12 pixels differ, by up to 2 of 255/s);
+  }));
+
 test('commands are copied', () =>
   onPage({ permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
     const root = article(page, 'spheres-scb-pairs');
     const commands = await root.locator('.commands code').allTextContents();
     assert.deepEqual(commands, [
       'scb golden check spheres-scb-pairs --trace --report out/golden',
-      'scb diff out/golden/spheres-scb-pairs.baseline.trace out/golden/spheres-scb-pairs.trace',
+      'scb diff out/golden/spheres-scb-pairs.baseline.scbtrace out/golden/spheres-scb-pairs.new.scbtrace',
       'scb golden update spheres-scb-pairs',
     ]);
     const button = root.locator('.copy').last();
@@ -510,6 +529,19 @@ test('a phone shows all without scrolling sideways', () =>
       assert.equal(small, 0);
     }));
 
+for (const colorScheme of ['light', 'dark'])
+  test(`a narrow page cuts neither the list of failures nor the table of ids, ${colorScheme}`, () =>
+    onPage({ viewport: { width: 400, height: 860 }, colorScheme }, async (page) => {
+      const list = await page.locator('nav').evaluate((nav) => [nav.scrollHeight, nav.clientHeight]);
+      assert.ok(list[0] <= list[1], `${list}`);
+      assert.match(await page.locator('nav p').textContent(), /9 failures/);
+      const ids = article(page, 'spheres-scb-pairs').locator('.scroll:has(.ids)');
+      await ids.scrollIntoViewIfNeeded();
+      const table = await ids.evaluate((scroll) => [scroll.scrollWidth, scroll.clientWidth]);
+      assert.ok(table[0] <= table[1], `${table}`);
+      await shot(page, `narrow-ids-${colorScheme}`);
+    }));
+
 test('without a script all of it can be read', () =>
   onPage({ javaScriptEnabled: false }, async (page) => {
     assert.equal(await page.locator('article:visible').count(), 9);
@@ -528,6 +560,11 @@ test('a run without failures says so', async () => {
     assert.equal(await page.locator('#tick-all').isVisible(), false);
     await page.keyboard.press('j');
     await shot(page, 'passing');
+  });
+  await onPage({ file: 'incomplete.html' }, async (page) => {
+    assert.equal(await page.locator('h1.alarm').textContent(), '13 cases, but not all');
+    assert.equal(await page.locator('p.alarm').textContent(), 'These shards are missing: 2/2.');
+    await shot(page, 'incomplete');
   });
   await onPage({ file: 'empty.html' }, async (page) => {
     assert.equal(await page.locator('h1').textContent(), 'No cases were run');

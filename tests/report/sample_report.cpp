@@ -173,6 +173,12 @@ SuiteResult sample(const fs::path& folder) {
     Sample s(folder);
     for (int i = 0; i < 12; ++i)
         s.add("collide-scene-" + std::to_string(i + 1), Verdict::same, "").variant = i == 3 ? 2 : 1;
+    {
+        CaseResult& c = s.result.cases[5];
+        c.colors.emplace();
+        c.colors->pixels = 12;
+        c.colors->largest = 2;
+    }
     s.add("casting-levels", Verdict::skipped,
           "The mesh TR12J_OCC.stl is not here; install the package occt-misc.");
     s.add("broken-scene", Verdict::could_not_run,
@@ -188,11 +194,25 @@ SuiteResult sample(const fs::path& folder) {
     }
     {
         CaseResult& c = s.add("spheres-scb-pairs", Verdict::different,
-                              "49 counts differ, and node 13 of A (level 7) is missing.");
-        c.lines = {"Node 13 of A (level 7) is missing: it had 1,060 pixels.",
-                   "Frame 100: the pair (21, 97) is rejected at ball-slab; it was at cylinder-"
-                   "slab.",
-                   "The first test that differs is number 1,204 of frame 100."};
+                              "These differ: 49 counts; the owners of 1,080 pixels.");
+        c.lines = {"11 pairs only in the baseline, 0 pairs only in the new run.",
+                   "They part first at frame 100, test 3, where the baseline tested the nodes (21, "
+                   "97) at depths (3, 4): rejected at cylinder-slab, the new run tested the nodes "
+                   "(21, 97) at depths (3, 4): rejected at ball-slab.",
+                   "Node 12 of A, level 7 (id 13) is missing: 1,060 pixels."};
+        c.trace_difference =
+            "1 frame in both, 1 differs (frame 100)\n\nCounts of the frame in both:\n"
+            "                     baseline      new run new run - baseline\n"
+            "pairs                     581          570                -11\n"
+            "N_v                     24680        24697                +17\n"
+            "N_p                       912          909                 -3\n\n"
+            "11 pairs only in the baseline, 0 pairs only in the new run; 5 of them:\n"
+            "  frame 100, the triangles (17, 4): the new run left them out at test 2287, the nodes "
+            "(20475, 3792) at depths (12, 11): rejected at ball-slab\n\n"
+            "They part first at frame 100, test 3, where\n"
+            "  the baseline tested the nodes (21, 97) at depths (3, 4): rejected at "
+            "cylinder-slab,\n"
+            "  the new run tested the nodes (21, 97) at depths (3, 4): rejected at ball-slab.\n";
         const auto count = [&](const char* place, std::int64_t before, std::int64_t after) {
             c.counts.push_back({place, before, after});
         };
@@ -213,8 +233,14 @@ SuiteResult sample(const fs::path& folder) {
         after.missing = 13;
         after.nudge = -3;
         s.compare(c, {}, after);
-        c.traces = {"out/golden/spheres-scb-pairs.baseline.trace",
-                    "out/golden/spheres-scb-pairs.trace"};
+        for (const IdChange& change : c.ids->changes)
+            c.owners.push_back("node " + std::to_string(change.id - 1) + " of A, level 7");
+        for (int depth = 20; depth < 24; ++depth)
+            count(("frames/100/n_v at depth/" + std::to_string(depth)).c_str(), 100, 100 + depth);
+        c.traces = {"spheres-scb-pairs.baseline.scbtrace", "spheres-scb-pairs.new.scbtrace"};
+        c.diff =
+            "scb diff out/golden/spheres-scb-pairs.baseline.scbtrace "
+            "out/golden/spheres-scb-pairs.new.scbtrace";
     }
     {
         CaseResult& c = s.add("one-pixel", Verdict::different, "1 pixel differs, by 1.");
@@ -284,5 +310,7 @@ int main(int count, char** arguments) {
     scb::SuiteResult passing = failing;
     std::erase_if(passing.cases, [](const scb::CaseResult& c) { return is_failure(c.verdict); });
     scb::write_file_whole(folder / "passing.html", scb::report_html(passing, folder));
+    passing.incomplete = "These shards are missing: 2/2.";
+    scb::write_file_whole(folder / "incomplete.html", scb::report_html(passing, folder));
     scb::write_file_whole(folder / "empty.html", scb::report_html({}, folder));
 }

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace scb {
+
+inline constexpr const char* golden_suite_text = R"({
+  "scb_golden": 1,
+  "presets": {"small": {"size": "320x240", "scene": "cone"}},
+  "cases": [
+    {"name": "levels", "preset": "small", "run": "levels", "frames": "100", "arguments": ["--levels", "4"]},
+    {"name": "rejections", "preset": "small", "run": "rejections", "frames": "100"},
+    {"name": "traversal", "preset": "small", "run": "traversal", "frames": "100"},
+    {"name": "inspect", "preset": "small", "run": "inspect", "frames": "100"},
+    {"name": "collide", "run": "collide", "scene": "cone", "frames": "0:100:10"}
+  ]
+})";
+
+/// A suite with its baselines, made by the program itself.
+class GoldenCommand : public testing::Test {
+  protected:
+    GoldenCommand() {
+        write_text(suite, golden_suite_text);
+        EXPECT_EQ(golden("update --all").status, 0);
+    }
+
+    ProgramRun golden(const std::string& arguments, const std::string& prefix = "env -u CI") {
+        return run_scb("golden " + arguments + " --suite " + suite, prefix);
+    }
+    ProgramRun check(const std::string& more = "") {
+        const ProgramRun run = golden("check --report " + report.string() + " " + more);
+        results = nlohmann::json();
+        if (std::filesystem::exists(report / "results.json"))
+            results = nlohmann::json::parse(file_text(report / "results.json"));
+        return run;
+    }
+    nlohmann::json result(const std::string& name) const {
+        for (const nlohmann::json& entry : results["cases"])
+            if (entry["name"] == name) return entry;
+        return {};
+    }
+    std::filesystem::path baseline(const std::string& file) const {
+        return folder.path / "baselines" / file;
+    }
+    /// All files of the baselines, by name.
+    std::map<std::string, std::string> baselines() const {
+        std::map<std::string, std::string> files;
+        for (const std::filesystem::directory_entry& entry :
+             std::filesystem::directory_iterator(folder.path / "baselines"))
+            files[entry.path().filename().string()] = file_text(entry.path());
+        return files;
+    }
+
+    const TemporaryFolder folder;
+    const std::string suite = folder / "cases.json";
+    const std::filesystem::path report = folder.path / "report";
+    nlohmann::json results;
+};
+
+}  // namespace scb
