@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 
 #include "core/packed_scb.h"
 
@@ -38,5 +39,19 @@ struct QuantizedCodec {
 };
 
 inline constexpr float normal_unit = 0x1p-15f;
+
+/// One of T<Codec>, for every codec there is.
+template <template <class> class T>
+using AnyCodec = std::variant<T<FloatCodec<2>>, T<FloatCodec<4>>, T<FloatCodec<8>>,
+                              T<QuantizedCodec<2>>, T<QuantizedCodec<4>>, T<QuantizedCodec<8>>>;
+
+/// Expands X(Codec) for every codec, to instantiate templates.
+#define SCB_FOR_EACH_CODEC(X) \
+    X(FloatCodec<2>)          \
+    X(FloatCodec<4>)          \
+    X(FloatCodec<8>)          \
+    X(QuantizedCodec<2>)      \
+    X(QuantizedCodec<4>)      \
+    X(QuantizedCodec<8>)
 
 }  // namespace scb

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "core/collide.h"
 #include "core/packed_hierarchy.h"
 #include "core/simd_level.h"
@@ -17,6 +19,21 @@ struct PackedOptions {
     SimdLevel level = SimdLevel::best;
 };
 
+/// Memory that queries need while they run, kept from one to the next. For one query at a time.
+class PackedWorkspace {
+  public:
+    PackedWorkspace();
+    ~PackedWorkspace();
+    PackedWorkspace(PackedWorkspace&&) noexcept;
+    PackedWorkspace& operator=(PackedWorkspace&&) noexcept;
+
+    struct Parts;
+    Parts& parts() { return *parts_; }
+
+  private:
+    std::unique_ptr<Parts> parts_;
+};
+
 /// What a query on packed hierarchies found.
 struct PackedCollision {
     std::vector<IndexPair> pairs;  ///< triangles of A and B that intersect, sorted
@@ -27,10 +44,11 @@ struct PackedCollision {
 
 /// Finds the triangles of A and B that intersect, B moved by `b_to_a` into A's frame: the same
 /// pairs as collide() finds on the hierarchies that these were made of, whatever the layout and
-/// the level. `b_to_a` must be rigid, see check_rigid. Thread-safe; throws nothing but
-/// std::bad_alloc.
+/// the level. `b_to_a` must be rigid, see check_rigid. Without a workspace the query allocates its
+/// own. Thread-safe, each thread with its own workspace; throws nothing but std::bad_alloc.
 template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
-                               const Pose& b_to_a, const PackedOptions& options = {});
+                               const Pose& b_to_a, const PackedOptions& options = {},
+                               PackedWorkspace* workspace = nullptr);
 
 }  // namespace scb

@@ -106,17 +106,9 @@ PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, i
     return Packing<Codec>(hierarchy, mesh).run(leaf_triangles);
 }
 
-template PackedHierarchy<FloatCodec<2>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                             std::string_view);
-template PackedHierarchy<FloatCodec<4>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                             std::string_view);
-template PackedHierarchy<FloatCodec<8>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                             std::string_view);
-template PackedHierarchy<QuantizedCodec<2>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                                 std::string_view);
-template PackedHierarchy<QuantizedCodec<4>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                                 std::string_view);
-template PackedHierarchy<QuantizedCodec<8>> pack(const Hierarchy<Scb>&, const Mesh&, int,
-                                                 std::string_view);
+#define SCB_PACK(Codec) \
+    template PackedHierarchy<Codec> pack(const Hierarchy<Scb>&, const Mesh&, int, std::string_view);
+SCB_FOR_EACH_CODEC(SCB_PACK)
+#undef SCB_PACK
 
 }  // namespace scb

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include "core/collision.h"
@@ -21,9 +20,7 @@ struct PackedQuery {
     const PackedHierarchy<Codec>*a, *b;
     const Placement* placed;
 };
-using AnyPackedQuery = std::variant<PackedQuery<FloatCodec<2>>, PackedQuery<FloatCodec<4>>,
-                                    PackedQuery<FloatCodec<8>>, PackedQuery<QuantizedCodec<2>>,
-                                    PackedQuery<QuantizedCodec<4>>, PackedQuery<QuantizedCodec<8>>>;
+using AnyPackedQuery = AnyCodec<PackedQuery>;
 
 /// Pairs of nodes that are to be divided: a list of A's and one of B's, in step.
 class RefPairs {
@@ -92,6 +89,12 @@ struct PackedFindings {
     std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
     std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
     std::uint64_t n_v = 0, n_p = 0;
+
+    void clear() {
+        pairs.clear();
+        undecided.clear();
+        n_v = n_p = 0;
+    }
 };
 
 /// The leaves of two packed hierarchies: words, see PackedLeaf.

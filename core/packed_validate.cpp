@@ -116,11 +116,9 @@ std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh) {
     return PackedCheck<Codec>(packed, mesh).run();
 }
 
-template std::string validate(const PackedHierarchy<FloatCodec<2>>&, const Mesh&);
-template std::string validate(const PackedHierarchy<FloatCodec<4>>&, const Mesh&);
-template std::string validate(const PackedHierarchy<FloatCodec<8>>&, const Mesh&);
-template std::string validate(const PackedHierarchy<QuantizedCodec<2>>&, const Mesh&);
-template std::string validate(const PackedHierarchy<QuantizedCodec<4>>&, const Mesh&);
-template std::string validate(const PackedHierarchy<QuantizedCodec<8>>&, const Mesh&);
+#define SCB_VALIDATE(Codec) \
+    template std::string validate(const PackedHierarchy<Codec>&, const Mesh&);
+SCB_FOR_EACH_CODEC(SCB_VALIDATE)
+#undef SCB_VALIDATE
 
 }  // namespace scb

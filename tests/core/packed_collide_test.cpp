@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "core/any_packed.h"
 #include "core/error.h"
 #include "tests/core/brute_force.h"
 #include "tests/core/packed_variants.h"
@@ -31,9 +34,13 @@ Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
         for (const int leaf : {1, most_leaf_triangles}) {
             const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf),
                        packed_b = pack<Codec>(scb_of(b), b.mesh, leaf);
+            PackedWorkspace workspace;  // of the query before, which must not matter
             const auto found = [&](SimdLevel level) {
-                return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level});
+                return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level},
+                                             &workspace);
             };
+            expect_same(collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose),
+                        found(SimdLevel::base));
             const PackedCollision best = found(SimdLevel::best);
             EXPECT_EQ(best.pairs, expected);
             asked.triangles += best.n_p;
@@ -88,6 +95,23 @@ TEST(CollidePacked, FindsWhatBruteForceFindsInSurfacesThatCross) {
         asked.open += some.open;
     }
     EXPECT_GT(asked.triangles, 20 * asked.open) << "floats decide nearly all";
+}
+
+TEST(CollidePacked, OfALayoutChosenAtRunTime) {
+    const BuiltMesh a(height_field(12));
+    const Pose pose{Mat3::Identity(), {0.05, 0.03, 0.01}};
+    std::set<std::size_t> sizes;
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        EXPECT_EQ(packed_layout_name(*packed_layout_of(packed_layout_name(layout))),
+                  packed_layout_name(layout));
+        const AnyPacked packed = pack_any(layout, scb_of(a), a.mesh);
+        EXPECT_EQ(validate(packed, a.mesh), "");
+        EXPECT_EQ(collide_packed(packed, a.mesh, packed, a.mesh, pose).pairs,
+                  brute_force(a.mesh, a.mesh, pose));
+        sizes.insert(bytes_of(packed));
+    }
+    EXPECT_EQ(sizes.size(), all_packed_layouts().size());
+    EXPECT_FALSE(packed_layout_of("float3"));
 }
 
 TEST(CollidePacked, OfOneTriangleEach) {

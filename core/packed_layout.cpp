@@ -1,0 +1,31 @@
+#include "core/packed_layout.h"
+
+#include <array>
+
+namespace scb {
+namespace {
+
+using Numbers = PackedLayout::Numbers;
+
+constexpr std::array layouts = {
+    PackedLayout{Numbers::floats, 2},    PackedLayout{Numbers::floats, 4},
+    PackedLayout{Numbers::floats, 8},    PackedLayout{Numbers::quantized, 2},
+    PackedLayout{Numbers::quantized, 4}, PackedLayout{Numbers::quantized, 8},
+};
+
+}  // namespace
+
+std::string packed_layout_name(const PackedLayout& layout) {
+    return (layout.numbers == Numbers::floats ? "float" : "quantized") +
+           std::to_string(layout.width);
+}
+
+std::optional<PackedLayout> packed_layout_of(std::string_view name) {
+    for (const PackedLayout& layout : layouts)
+        if (packed_layout_name(layout) == name) return layout;
+    return std::nullopt;
+}
+
+std::span<const PackedLayout> all_packed_layouts() { return layouts; }
+
+}  // namespace scb

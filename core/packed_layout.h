@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace scb {
+
+/// How a packed hierarchy is stored: as what numbers, how many children a node has, and how many
+/// triangles a leaf.
+struct PackedLayout {
+    enum class Numbers {
+        floats,    ///< 36 bytes for a volume, see FloatCodec
+        quantized  ///< 18 bytes, see QuantizedCodec
+    };
+    Numbers numbers = Numbers::floats;
+    int width = 8;           ///< 2, 4 or 8
+    int leaf_triangles = 4;  ///< 1 to 4, at most
+};
+
+/// How a layout is named on the command line, but for its leaves: "float8", "quantized2".
+std::string packed_layout_name(const PackedLayout& layout);
+std::optional<PackedLayout> packed_layout_of(std::string_view name);
+
+/// All of them, with leaves of four triangles.
+std::span<const PackedLayout> all_packed_layouts();
+
+}  // namespace scb
