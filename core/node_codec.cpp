@@ -14,6 +14,12 @@ double unit_for(double value, double most) {
     return std::ldexp(1.0, std::max(exponent, -126));
 }
 
+// Kernels take normals for unit vectors. Rounding changes the length of a quantized one by up to
+// sqrt(3) 2^-16; it is shortened by that much first, since along a longer one any ball would reach
+// farther than its radius. About one that is too short, a cylinder reaches farther than its radius
+// by the share that is missing, and its ends are off by twice the share of their distance.
+constexpr double normal_shortening = 1 - 0x1p-15, normal_slack = 0x1p-13;
+
 std::int16_t to_int16(double value) {
     return static_cast<std::int16_t>(std::clamp(std::nearbyint(value), -32767.0, 32767.0));
 }
@@ -58,11 +64,13 @@ void QuantizedCodec<width>::encode(std::span<const Scb> volumes, const Vec3& ori
         RoundedCenter rounded;
         for (int k = 0; k < 3; ++k) {
             c[k][i] = to_int16((scb.c[k] - origin[k]) / length);
-            n[k][i] = to_int16(scb.n[k] / static_cast<double>(normal_unit));
+            n[k][i] = to_int16(scb.n[k] * normal_shortening / static_cast<double>(normal_unit));
             rounded.c[k] = origin[k] + c[k][i] * length;
             rounded.n[k] = n[k][i] * static_cast<double>(normal_unit);
         }
         grown[i] = grown_about(scb, rounded);
+        grown[i].r *= 1 + normal_slack;
+        grown[i].h += normal_slack * (std::abs(grown[i].m) + grown[i].h);
         r[i] = static_cast<std::uint16_t>(std::ceil(grown[i].r / length));
         thickest = std::max({thickest, std::abs(grown[i].m) / 32767, grown[i].h / 65000});
     }

@@ -97,6 +97,48 @@ TEST(CollidePacked, FindsWhatBruteForceFindsInSurfacesThatCross) {
     EXPECT_GT(asked.triangles, 20 * asked.open) << "floats decide nearly all";
 }
 
+// A thin needle stands on a plate with its tip in a corner: its ball touches the plate's slab,
+// which normals that are not quite of unit length would miss.
+TEST(CollidePacked, FindsANeedleOnAPlate) {
+    Random random(73);
+    std::size_t pairs = 0;
+    for (int i = 0; i < scenes_tried / 2; ++i) {
+        SCOPED_TRACE(i);
+        Mesh plate = height_field(2);
+        for (Vec3& v : plate.vertices) v[2] = 0;
+        const Mat3 turn = random_rotation(random);
+        for (Vec3& v : plate.vertices) v = 0.001 * rotate(turn, v);
+        const Vec3 up = turn.col(2), side = turn.col(0);
+        const Vec3 tip = plate.vertices[random.below(9)];
+        Mesh needle;
+        for (int k = 0; k < 5; ++k)
+            needle.vertices.push_back(tip + 0.5 * k * up + (k % 2 ? 1e-6 : 0) * side);
+        needle.triangles = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
+        expect_packed(BuiltMesh(plate), BuiltMesh(needle), {});
+        expect_packed(BuiltMesh(needle), BuiltMesh(plate), {});
+        pairs += brute_force(plate, needle, {}).size();
+        if (HasFailure()) return;
+    }
+    EXPECT_GE(pairs, static_cast<std::size_t>(scenes_tried / 2));
+}
+
+// Plates on each other, face to face and edge to edge, in turned frames.
+TEST(CollidePacked, FindsWhatBruteForceFindsWhereMeshesTouch) {
+    Random random(74);
+    for (int i = 0; i < scenes_tried / 50; ++i) {
+        SCOPED_TRACE(i);
+        Mesh plate = height_field(4);
+        for (Vec3& v : plate.vertices) v[2] = 0;
+        const Vec3 shift = random.below(2) == 0 ? Vec3(0.5, 0.125, 0) : Vec3(1, 0.25, 0);
+        for (const Pose& pose : {exact_pose(random), random_pose(random)}) {
+            Mesh b = plate;
+            for (Vec3& v : b.vertices) v = transform_point(inverse(pose), v + shift);
+            expect_packed(BuiltMesh(plate), BuiltMesh(b), pose);
+        }
+        if (HasFailure()) return;
+    }
+}
+
 TEST(CollidePacked, OfALayoutChosenAtRunTime) {
     const BuiltMesh a(height_field(12));
     const Pose pose{Mat3::Identity(), {0.05, 0.03, 0.01}};

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/packed_collide.h"
+#include "core/any_packed.h"
 #include "tests/core/built_mesh.h"
 
 namespace scb {

@@ -11,6 +11,7 @@
 #include "scenes/mesh_file.h"
 #include "tests/core/brute_force.h"
 #include "tests/core/built_mesh.h"
+#include "tests/core/packed_variants.h"
 #include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
@@ -73,6 +74,22 @@ std::vector<IndexPair> without_degenerate(const std::vector<IndexPair>& pairs, c
     return kept;
 }
 
+/// Every layout, the widest at every SIMD level, finds these pairs.
+void expect_packed(const BuiltMesh& a, const BuiltMesh& b, const PeerScene& scene,
+                   const std::vector<IndexPair>& pairs) {
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        const AnyPacked packed_a = pack_any(layout, scb_of(a), a.mesh),
+                        packed_b = pack_any(layout, scb_of(b), b.mesh);
+        for (const SimdLevel level : available_simd_levels()) {
+            if (layout.width != 8 && level != SimdLevel::best) continue;
+            ASSERT_EQ(collide_packed(packed_a, a.mesh, packed_b, b.mesh, scene.pose, {level}).pairs,
+                      pairs)
+                << "scene " << scene.id << ", " << packed_layout_name(layout) << ", "
+                << simd_level_name(level);
+        }
+    }
+}
+
 class PeerPairs : public testing::TestWithParam<std::string> {};
 
 // Every scene of the recorded answers, in every hierarchy, by every test but the one with line 8 as
@@ -109,6 +126,7 @@ TEST_P(PeerPairs, AreFoundByEveryHierarchyTestAndDescentRule) {
             }
             ASSERT_EQ(found.pairs, *first) << what;
         }
+        expect_packed(a, b, scene, *first);
     }
 }
 
