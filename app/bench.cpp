@@ -27,6 +27,8 @@ struct Options {
     HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
     QueryOptions query;
     PictureOptions picture{.output = ""};
+    std::string layouts = "reference", simd = "best";
+    int leaf_triangles = most_leaf_triangles;
     int repeats = 3;
     bool warm = false, json = false;
 };
@@ -49,6 +51,13 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
 
 bool is_mesh_file(const std::string& name) {
     return find_builtin(name) == nullptr && !name.ends_with(".json");
+}
+
+std::string layout_names() {
+    std::string names;
+    for (const PackedLayout& layout : all_packed_layouts())
+        names += (names.empty() ? "" : ", ") + packed_layout_name(layout);
+    return names;
 }
 
 // Those named, two meshes as one; or all of Table 3 whose meshes are there.
@@ -80,6 +89,32 @@ std::vector<Entry> entries(const Options& options, const Console& console) {
     return result;
 }
 
+/// Those of --layout; nothing stands for the reference.
+std::vector<std::optional<PackedLayout>> layouts(const Options& options) {
+    if (options.leaf_triangles < 1 || options.leaf_triangles > most_leaf_triangles)
+        throw InputError("--leaf " + std::to_string(options.leaf_triangles) + ": give 1 to " +
+                         std::to_string(most_leaf_triangles) + ".");
+    std::vector<std::optional<PackedLayout>> result;
+    for (const std::string& name : split_list(options.layouts)) {
+        std::optional<PackedLayout> layout = packed_layout_of(name);
+        if (!layout && name != "reference")
+            throw InputError("--layout " + options.layouts + ": '" + name +
+                             "' is no layout; give some of reference, " + layout_names() + ".");
+        if (layout) layout->leaf_triangles = options.leaf_triangles;
+        result.push_back(layout);
+    }
+    return result;
+}
+
+SimdLevel simd_level(const Options& options) {
+    std::string names;
+    for (const SimdLevel level : available_simd_levels()) {
+        if (simd_level_name(level) == options.simd) return level;
+        names += (names.empty() ? "" : ", ") + std::string(simd_level_name(level));
+    }
+    throw InputError("--simd " + options.simd + ": this machine has " + names + ".");
+}
+
 std::vector<BenchSubject> subjects(const Options& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
@@ -87,7 +122,11 @@ std::vector<BenchSubject> subjects(const Options& options) {
             result.push_back({kind, OverlapTest::corrected});
             continue;
         }
-        for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
+        for (const std::optional<PackedLayout>& layout : layouts(options)) {
+            if (layout) result.push_back({kind, OverlapTest::symmetric, layout});
+            if (layout) continue;
+            for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
+        }
     }
     return result;
 }
@@ -129,6 +168,7 @@ int run(const Options& options, const Console& console) {
     one_test.test = split_list(options.query.test)[0];
     bench_options.collide = one_test.collide();
     bench_options.fit = options.hierarchy.fit();
+    bench_options.packed.level = simd_level(options);
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -205,6 +245,22 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
             "Table 3");
     add_hierarchy_options(*command, options->hierarchy);
     add_query_options(*command, options->query, true);
+    command
+        ->add_option("--layout", options->layouts,
+                     "Layouts of slab cut balls: some of reference, " + layout_names() +
+                         "; packed ones have the test 'symmetric'")
+        ->type_name("LIST")
+        ->capture_default_str();
+    command->add_option("--leaf", options->leaf_triangles, "Triangles of a packed leaf, at most")
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        ->add_option("--simd", options->simd,
+                     "Vector instructions of packed layouts: best, base, sse4, avx2 or avx512; "
+                     "answers are the same")
+        ->type_name("LEVEL")
+        ->capture_default_str();
     command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
         ->check(decimal_number())
         ->type_name("N")
@@ -218,7 +274,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
         "slab cut "
         "ball hierarchy;\n"
-        "ns/N_v: time per volume test, triangle tests included. Ctrl-C leaves what was finished, "
+        "ns/N_v: time per volume test, triangle tests included; bytes: of the hierarchies, per "
+        "triangle. Ctrl-C leaves what was finished, "
         "and exits with 130.\n\n"
         "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
     command->callback([&action, &console, options] {

@@ -46,16 +46,16 @@ std::string bench_table(const SceneBench& bench) {
         bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
         format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
                bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
-    text += "  hierarchy              ms    / SCB        N_v       N_p     pairs   ns/N_v";
+    text += "  hierarchy              ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
         text += format("  %-16s %8.4f", subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
-                format(" %10.1f %9.1f %9.1f %8.1f", n_v, mean(subject.n_p), mean(subject.pairs),
-                       ratio(1e6 * ms, n_v)) +
-                paper_cells(bench, subject.subject.kind) + "\n";
+                format(" %10.1f %9.1f %9.1f %8.1f %6.1f", n_v, mean(subject.n_p),
+                       mean(subject.pairs), ratio(1e6 * ms, n_v), subject.bytes_per_triangle) +
+                (subject.subject.layout ? "" : paper_cells(bench, subject.subject.kind)) + "\n";
     }
     if (in_paper && bench.scene == "hands")
         text += "  (Table 3's hand is another mesh, of 654,666 triangles)\n";
@@ -68,7 +68,9 @@ Json bench_json(const SceneBench& bench) {
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
         Json row = {{"volume", volume_kind_name(subject.subject.kind)}};
-        if (subject.subject.kind == VolumeKind::scb)
+        if (subject.subject.layout)
+            row["layout"] = packed_layout_name(*subject.subject.layout);
+        else if (subject.subject.kind == VolumeKind::scb)
             row["test"] = overlap_test_name(subject.subject.test);
         row["ms"] = ms;
         row["n_v"] = n_v;
@@ -76,6 +78,7 @@ Json bench_json(const SceneBench& bench) {
         row["n_u"] = mean(subject.n_u);
         row["pairs"] = mean(subject.pairs);
         row["ns_per_volume_test"] = ratio(1e6 * ms, n_v);
+        row["bytes_per_triangle"] = subject.bytes_per_triangle;
         if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
         if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))
             row["table_3"] = {
@@ -96,9 +99,11 @@ std::string bench_csv(const SceneBench& bench) {
     std::string text;
     for (const SubjectBench& s : bench.subjects) {
         const bool is_scb = s.subject.kind == VolumeKind::scb;
-        const std::string start =
-            bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
-            (is_scb ? std::string(overlap_test_name(s.subject.test)) : std::string());
+        const std::string start = bench.scene + "," +
+                                  std::string(volume_kind_name(s.subject.kind)) + "," +
+                                  (s.subject.layout ? packed_layout_name(*s.subject.layout)
+                                   : is_scb         ? std::string(overlap_test_name(s.subject.test))
+                                                    : std::string());
         for (std::size_t i = 0; i < bench.frames.size(); ++i)
             text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
                                    static_cast<unsigned long long>(s.n_v[i]),

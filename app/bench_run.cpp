@@ -8,6 +8,7 @@ namespace scb {
 
 std::string BenchSubject::title() const {
     if (kind != VolumeKind::scb) return std::string(volume_title(kind));
+    if (layout) return std::string(volume_title(kind)) + " " + packed_layout_name(*layout);
     return std::string(volume_title(kind)) + " " + std::string(overlap_test_name(test));
 }
 
@@ -33,7 +34,21 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     for (const int frame : frames)
         poses.push_back(relative_pose(pose_at(scene.bodies[a].motion, frame),
                                       pose_at(scene.bodies[b].motion, frame)));
+    // Per subject: both bodies, where it is packed.
+    std::vector<std::vector<AnyPacked>> packed(options.subjects.size());
+    PackedWorkspace workspace;
+    const auto packed_query = [&](std::size_t s, std::size_t i) {
+        PackedCollision found =
+            collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
+                           scene.meshes[mesh_b].mesh, poses[i], options.packed, &workspace);
+        Collision result;
+        result.pairs = std::move(found.pairs);
+        result.n_v = found.n_v;
+        result.n_p = found.n_p;
+        return result;
+    };
     const auto query = [&](std::size_t s, std::size_t i) {
+        if (!packed[s].empty()) return packed_query(s, i);
         CollideOptions collide_options = options.collide;
         collide_options.overlap.test = options.subjects[s].test;
         const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
@@ -48,8 +63,26 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     result.all_frames = frames.size() == static_cast<std::size_t>(scene.frames);
     for (const std::size_t m : {mesh_a, mesh_b})
         result.triangles.push_back(scene.meshes[m].mesh.triangles.size());
-    for (const BenchSubject& subject : options.subjects)
-        result.subjects.push_back({subject, {}, {}, {}, {}, {}});
+    for (std::size_t s = 0; s < options.subjects.size(); ++s) {
+        const BenchSubject& subject = options.subjects[s];
+        result.subjects.push_back({subject, {}, {}, {}, {}, {}, 0});
+        const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
+        std::size_t bytes = 0;
+        for (const std::size_t m : {mesh_a, mesh_b}) {
+            if (!subject.layout) {
+                const std::size_t nodes = topology_of(h[m]).nodes.size();
+                bytes += nodes * (sizeof(TopologyNode) + bytes_per_volume(h[m])) +
+                         4 * scene.meshes[m].mesh.triangles.size();
+                continue;
+            }
+            packed[s].push_back(pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]),
+                                         scene.meshes[m].mesh, scene.meshes[m].name));
+            bytes += bytes_of(packed[s].back());
+        }
+        result.subjects[s].bytes_per_triangle =
+            static_cast<double>(bytes) /
+            static_cast<double>(result.triangles[0] + result.triangles[1]);
+    }
     for (std::size_t s = 0; s < options.subjects.size(); ++s) query(s, 0);
 
     QueryTiming timing;

@@ -6,16 +6,18 @@
 
 #include "app/query_timing.h"
 #include "app/scene_query.h"
+#include "core/any_packed.h"
 #include "core/statistics.h"
 
 namespace scb {
 
-/// One hierarchy with one overlap test.
+/// One hierarchy with one overlap test, or one that is packed, which has a test of its own.
 struct BenchSubject {
     VolumeKind kind = VolumeKind::scb;
     OverlapTest test = OverlapTest::corrected;
+    std::optional<PackedLayout> layout{};
 
-    /// "SCB corrected", "ball", "ball (Ritter)", "OBB".
+    /// "SCB corrected", "SCB float8", "ball", "ball (Ritter)", "OBB".
     std::string title() const;
 };
 
@@ -24,6 +26,7 @@ struct SubjectBench {
     BenchSubject subject;
     std::vector<double> ms;  ///< processor time of a query: the median of the repeats
     std::vector<std::uint64_t> n_v, n_p, n_u, pairs;
+    double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
 
     double mean_ms() const;
 };
@@ -42,6 +45,7 @@ struct BenchOptions {
     std::vector<BenchSubject> subjects;
     CollideOptions collide;
     FitOptions fit;
+    PackedOptions packed;
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
 };
