@@ -28,7 +28,7 @@ struct Options {
     QueryOptions query;
     PictureOptions picture{.output = ""};
     std::string layouts = "reference", simd = "best";
-    int leaf_triangles = most_leaf_triangles;
+    int leaf_triangles = most_leaf_triangles, threads = 1;
     int repeats = 3;
     bool warm = false, json = false;
 };
@@ -134,7 +134,10 @@ std::vector<BenchSubject> subjects(const Options& options) {
 std::string conditions(const Options& options) {
     return std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
-           " One thread, processor time; " +
+           (options.threads == 1
+                ? std::string(" One thread, processor time; ")
+                : " " + std::to_string(options.threads) +
+                      " threads share a query of packed layouts; time that passes; ") +
            (options.repeats == 1 ? std::string("one run")
                                  : "median of " + std::to_string(options.repeats) + " runs") +
            " per frame, sorting the pairs included. Compiled by " + compiler_text() +
@@ -169,6 +172,9 @@ int run(const Options& options, const Console& console) {
     bench_options.collide = one_test.collide();
     bench_options.fit = options.hierarchy.fit();
     bench_options.packed.level = simd_level(options);
+    if (options.threads < 1 || options.threads > 256)
+        throw InputError("--threads " + std::to_string(options.threads) + ": give 1 to 256.");
+    bench_options.packed.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -260,6 +266,11 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
                      "Vector instructions of packed layouts: best, base, sse4, avx2 or avx512; "
                      "answers are the same")
         ->type_name("LEVEL")
+        ->capture_default_str();
+    command
+        ->add_option("--threads", options->threads, "Threads that share a query of packed layouts")
+        ->check(decimal_number())
+        ->type_name("N")
         ->capture_default_str();
     command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
         ->check(decimal_number())

@@ -90,6 +90,7 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     timing.frames = frames.size();
     timing.repeats = options.repeats;
     timing.order = options.order;
+    timing.wall = options.packed.threads > 1;
     timing.query = query;
     timing.keep = [&](std::size_t s, std::size_t, const Collision& found) {
         SubjectBench& subject = result.subjects[s];

@@ -7,10 +7,11 @@
 namespace scb {
 namespace {
 
-/// Processor time of this thread: other programs' turns on a shared machine do not count.
-double thread_milliseconds() {
+/// Processor time of this thread, as other programs' turns on a shared machine do not count; or the
+/// time of day, as it does not count the work of other threads.
+double milliseconds(bool wall) {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
@@ -27,9 +28,9 @@ std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& 
             const std::size_t s = cold ? k % subjects : k / frames;
             const std::size_t i = cold ? k / subjects : k % frames;
             if (timing.before) timing.before(s, i);
-            const double start = thread_milliseconds();
+            const double start = milliseconds(timing.wall);
             const Collision found = timing.query(s, i);
-            ms[s][i].push_back(thread_milliseconds() - start);
+            ms[s][i].push_back(milliseconds(timing.wall) - start);
             if (repeat == 0 && timing.keep) timing.keep(s, i, found);
             if (!timing.step()) return std::nullopt;
         }

@@ -18,6 +18,7 @@ struct QueryTiming {
     std::size_t subjects = 0, frames = 0;
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
+    bool wall = false;  ///< the time that passes, where threads share a query
     std::function<Collision(std::size_t subject, std::size_t frame)> query;
     /// Called before each query, untimed; may be empty.
     std::function<void(std::size_t subject, std::size_t frame)> before;
@@ -27,8 +28,8 @@ struct QueryTiming {
     std::function<bool()> step;
 };
 
-/// The processor time of every query in milliseconds, per subject and frame: the median of the
-/// repeats. On one thread. Nothing where it was ended.
+/// The processor time of every query in milliseconds, or the time that passes, per subject and
+/// frame: the median of the repeats. Nothing where it was ended.
 std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing);
 
 }  // namespace scb

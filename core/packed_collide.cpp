@@ -1,14 +1,88 @@
 #include "core/packed_collide.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cassert>
+
 #include "core/packed_query.h"
 #include "core/pair_sort.h"
 
 namespace scb {
 
-struct PackedWorkspace::Parts {
+namespace {
+
+/// What one thread needs.
+struct Work {
     PackedLists lists;
     OpenPairs open;
     PackedFindings found;
+};
+
+/// A query, but for the types of its hierarchies.
+struct AnyQuery {
+    AnyPackedQuery nodes;
+    LeafQuery leaves;
+    const Mesh &a, &b;
+    const Pose& b_to_a;
+    SimdLevel level;
+};
+
+/// Traverses what the lists have, and decides on every pair of triangles.
+void finish(const AnyQuery& query, Work& work) {
+    auto& [lists, open, found] = work;
+    while (!lists.empty()) {
+        divide_nodes(query.nodes, query.level, lists, found);
+        test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
+    }
+    decide_open(query.leaves, query.level, open, found);
+    for (const IndexPair& pair : found.undecided)
+        if (triangles_overlap(corners(query.a, pair.a),
+                              transform_corners(query.b_to_a, corners(query.b, pair.b))))
+            found.pairs.push_back(pair);
+}
+
+/// The share of `list` that is chunk `i` of `count`.
+void append_share(RefPairs& to, const RefPairs& list, std::size_t i, std::size_t count) {
+    const std::size_t first = list.size() * i / count, end = list.size() * (i + 1) / count;
+    to.append(list, first, end - first);
+}
+
+/// Divides the lists of `work` among threads, where there is enough to divide, and gathers what
+/// they find: the same in any order.
+void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads) {
+    // As many pairs of nodes as keep a thread busy for some ten microseconds, and the chunks so
+    // many that they end at about the same time.
+    constexpr std::size_t pairs_of_chunk = 32, chunks_of_thread = 8;
+    const std::size_t most = chunks_of_thread * static_cast<std::size_t>(threads);
+    while (work.lists.inner_size() != 0 && work.lists.size() < pairs_of_chunk * most)
+        divide_once(query.nodes, query.level, work.lists, work.found);
+    const std::size_t count = work.lists.size() / pairs_of_chunk;
+    if (count < 2) return finish(query, work);
+    chunks.resize(std::max(chunks.size(), std::min(count, most)));
+    const std::size_t used = std::min(count, most);
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, used, [&](std::size_t i) {
+            Work& chunk = chunks[i];
+            chunk.found.clear();
+            append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
+            append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
+            append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
+            append_share(chunk.lists.leaf_leaf, work.lists.leaf_leaf, i, used);
+            finish(query, chunk);
+        });
+    });
+    work.lists.clear();
+    for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
+}
+
+}  // namespace
+
+struct PackedWorkspace::Parts {
+    Work work;
+    std::vector<Work> chunks;  // of threads
     std::vector<IndexPair> room;
 };
 
@@ -21,27 +95,27 @@ template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options,
                                PackedWorkspace* workspace) {
+    assert(options.threads >= 1 && "somebody has to do it");
     if (workspace == nullptr) {
         PackedWorkspace own;
         return collide_packed(a, b, b_to_a, options, &own);
     }
-    auto& [lists, open, found, room] = workspace->parts();
+    auto& [work, chunks, room] = workspace->parts();
     // As in query_placement, for the margin is that of the reference's volumes.
     const Placement placed = placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
-    const AnyPackedQuery query = PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed};
-    const LeafQuery leaves = {a.hierarchy.leaves.data(), b.hierarchy.leaves.data(), &placed};
-    found.clear();
-    lists.add(a.hierarchy.root, b.hierarchy.root);
-    while (!lists.empty()) {
-        divide_nodes(query, options.level, lists, found);
-        test_leaves(leaves, options.level, lists.leaf_leaf, open, found);
-    }
-    decide_open(leaves, options.level, open, found);
-
-    for (const IndexPair& pair : found.undecided)
-        if (triangles_overlap(corners(a.mesh, pair.a),
-                              transform_corners(b_to_a, corners(b.mesh, pair.b))))
-            found.pairs.push_back(pair);
+    const AnyQuery query = {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed},
+                            {a.hierarchy.leaves.data(), b.hierarchy.leaves.data(), &placed},
+                            a.mesh,
+                            b.mesh,
+                            b_to_a,
+                            options.level};
+    work.found.clear();
+    work.lists.add(a.hierarchy.root, b.hierarchy.root);
+    if (options.threads > 1)
+        finish_in_threads(query, work, chunks, options.threads);
+    else
+        finish(query, work);
+    PackedFindings& found = work.found;
     sort_pairs(found.pairs, room);
     return {found.pairs, found.n_v, found.n_p, found.undecided.size()};
 }

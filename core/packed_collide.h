@@ -17,6 +17,8 @@ struct PackedCollider {
 
 struct PackedOptions {
     SimdLevel level = SimdLevel::best;
+    /// How many threads share a query, this one included; of a small query this one does all.
+    int threads = 1;
 };
 
 /// Memory that queries need while they run, kept from one to the next. For one query at a time.

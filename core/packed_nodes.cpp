@@ -19,6 +19,14 @@ void divide_nodes(const AnyPackedQuery& query, PackedLists& lists, PackedFinding
         query);
 }
 
+void divide_once(const AnyPackedQuery& query, PackedLists& lists, PackedFindings& found) {
+    std::visit(
+        [&]<class Codec>(const PackedQuery<Codec>& some) {
+            PackedTraversal<Codec>(some, lists, found).run_once();
+        },
+        query);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace scb
 HWY_AFTER_NAMESPACE();
@@ -27,10 +35,16 @@ HWY_AFTER_NAMESPACE();
 namespace scb {
 
 HWY_EXPORT(divide_nodes);
+HWY_EXPORT(divide_once);
 
 void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
                   PackedFindings& found) {
     SCB_AT_LEVEL(divide_nodes, level)(query, lists, found);
+}
+
+void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                 PackedFindings& found) {
+    SCB_AT_LEVEL(divide_once, level)(query, lists, found);
 }
 
 }  // namespace scb

@@ -50,6 +50,14 @@ class RefPairs {
         ++size_;
     }
 
+    /// Appends some of another list.
+    void append(const RefPairs& from, std::size_t first, std::size_t count) {
+        reserve(count);
+        std::copy_n(from.a_begin() + first, count, a_end());
+        std::copy_n(from.b_begin() + first, count, b_end());
+        size_ += count;
+    }
+
     /// Moves the last pairs, at most `most`, into the arrays.
     std::size_t take(std::uint32_t* a, std::uint32_t* b, std::size_t most) {
         const std::size_t count = std::min(most, size_);
@@ -74,8 +82,17 @@ struct PackedLists {
         leaf_inner.reserve(more);
         leaf_leaf.reserve(more);
     }
-    bool empty() const {
-        return inner_inner.empty() && inner_leaf.empty() && leaf_inner.empty() && leaf_leaf.empty();
+    bool empty() const { return size() == 0; }
+    std::size_t size() const { return inner_size() + leaf_leaf.size(); }
+    /// Of pairs that can be divided.
+    std::size_t inner_size() const {
+        return inner_inner.size() + inner_leaf.size() + leaf_inner.size();
+    }
+    void clear() {
+        inner_inner.clear();
+        inner_leaf.clear();
+        leaf_inner.clear();
+        leaf_leaf.clear();
     }
     void add(PackedRef a, PackedRef b) {
         RefPairs& list = a.is_leaf() ? (b.is_leaf() ? leaf_leaf : leaf_inner)
@@ -94,6 +111,12 @@ struct PackedFindings {
         pairs.clear();
         undecided.clear();
         n_v = n_p = 0;
+    }
+    void add(const PackedFindings& other) {
+        pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
+        undecided.insert(undecided.end(), other.undecided.begin(), other.undecided.end());
+        n_v += other.n_v;
+        n_p += other.n_p;
     }
 };
 
@@ -115,6 +138,10 @@ struct OpenPairs {
         return {std::bit_cast<std::uint32_t>(a[i]), std::bit_cast<std::uint32_t>(b[i])};
     }
 };
+
+/// Divides every pair that is not of leaves once.
+void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                 PackedFindings& found);
 
 /// Divides pairs until none are left but of leaves, or a good many of leaves wait.
 void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,

@@ -39,6 +39,24 @@ class PackedTraversal {
         }
     }
 
+    /// Divides every pair that is there, once.
+    void run_once() {
+        // What is added to the lists meanwhile is behind what was there.
+        const PackedLists before = lists_;
+        lists_.inner_inner.clear();
+        lists_.inner_leaf.clear();
+        lists_.leaf_inner.clear();
+        const auto each = [this](const RefPairs& list, auto divide_pair) {
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                lists_.reserve(W * W + 16);
+                divide_pair({list.a_begin()[i]}, {list.b_begin()[i]});
+            }
+        };
+        each(before.inner_leaf, [&](PackedRef i, PackedRef j) { inner_leaf(i, j); });
+        each(before.leaf_inner, [&](PackedRef i, PackedRef j) { leaf_inner(i, j); });
+        each(before.inner_inner, [&](PackedRef i, PackedRef j) { inner_inner(i, j); });
+    }
+
   private:
     using Node = PackedNode<Codec>;
     static constexpr int W = child_lanes<Codec::width>;

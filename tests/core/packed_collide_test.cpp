@@ -45,6 +45,10 @@ Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
             EXPECT_EQ(best.pairs, expected);
             asked.triangles += best.n_p;
             asked.open += best.n_exact;
+            for (const int threads : {2, 3})
+                expect_same(collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose,
+                                                  {SimdLevel::best, threads}, &workspace),
+                            best);
             for (const SimdLevel level : available_simd_levels()) {
                 SCOPED_TRACE(simd_level_name(level));
                 expect_same(found(level), best);
