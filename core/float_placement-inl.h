@@ -33,7 +33,7 @@ struct FloatPlacement {
 
 template <int n>
 HWY_INLINE Lanes3<n> rotate(const FloatPlacement& placed, Lanes3<n> p) {
-    const auto along = [&](const float* r) {
+    const auto along = [&](const float* r) HWY_ATTR {
         return Lanes<n>::all(r[0]) * p.x + Lanes<n>::all(r[1]) * p.y + Lanes<n>::all(r[2]) * p.z;
     };
     return {along(placed.row[0]), along(placed.row[1]), along(placed.row[2])};

@@ -1,11 +1,9 @@
 #include "core/packed_collide.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cassert>
 
+#include "core/in_threads.h"
 #include "core/packed_query.h"
 #include "core/pair_sort.h"
 
@@ -62,17 +60,14 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     if (count < 2) return finish(query, work);
     chunks.resize(std::max(chunks.size(), std::min(count, most)));
     const std::size_t used = std::min(count, most);
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, used, [&](std::size_t i) {
-            Work& chunk = chunks[i];
-            chunk.found.clear();
-            append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
-            append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
-            append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
-            append_share(chunk.lists.leaf_leaf, work.lists.leaf_leaf, i, used);
-            finish(query, chunk);
-        });
+    in_threads(threads, used, [&](std::size_t i) {
+        Work& chunk = chunks[i];
+        chunk.found.clear();
+        append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
+        append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
+        append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
+        append_share(chunk.lists.leaf_leaf, work.lists.leaf_leaf, i, used);
+        finish(query, chunk);
     });
     work.lists.clear();
     for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);

@@ -29,11 +29,14 @@ class PackedTraversal {
     void run() {
         while (lists_.leaf_leaf.size() < enough) {
             if (!lists_.inner_leaf.empty())
-                divide(lists_.inner_leaf, [&](PackedRef i, PackedRef j) { inner_leaf(i, j); });
+                divide(lists_.inner_leaf,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
             else if (!lists_.leaf_inner.empty())
-                divide(lists_.leaf_inner, [&](PackedRef i, PackedRef j) { leaf_inner(i, j); });
+                divide(lists_.leaf_inner,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
             else if (!lists_.inner_inner.empty())
-                divide(lists_.inner_inner, [&](PackedRef i, PackedRef j) { inner_inner(i, j); });
+                divide(lists_.inner_inner,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
             else
                 return;
         }
@@ -46,15 +49,15 @@ class PackedTraversal {
         lists_.inner_inner.clear();
         lists_.inner_leaf.clear();
         lists_.leaf_inner.clear();
-        const auto each = [this](const RefPairs& list, auto divide_pair) {
+        const auto each = [this](const RefPairs& list, auto divide_pair) HWY_ATTR {
             for (std::size_t i = 0; i < list.size(); ++i) {
                 lists_.reserve(W * W + 16);
                 divide_pair({list.a_begin()[i]}, {list.b_begin()[i]});
             }
         };
-        each(before.inner_leaf, [&](PackedRef i, PackedRef j) { inner_leaf(i, j); });
-        each(before.leaf_inner, [&](PackedRef i, PackedRef j) { leaf_inner(i, j); });
-        each(before.inner_inner, [&](PackedRef i, PackedRef j) { inner_inner(i, j); });
+        each(before.inner_leaf, [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
+        each(before.leaf_inner, [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
+        each(before.inner_inner, [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
     }
 
   private:

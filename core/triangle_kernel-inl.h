@@ -103,16 +103,18 @@ HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
     const Lanes3<n> moment_p = cross(t.p1, edge_p[1]);
     const Lanes3<n> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
                                    cross(t.q2, edge_q[2])};
-    Lanes<n> side[3][3];
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            side[i][j] = dot(edge_p[i], moment_q[j]);
-            if (i == 1) side[i][j] = side[i][j] + dot(edge_q[j], moment_p);
-        }
+    // On which side of each other lines of edges pass.
+    const auto product = [&](int i, int j) HWY_ATTR {
+        const Lanes<n> of_p = dot(edge_p[i], moment_q[j]);
+        return i == 1 ? of_p + dot(edge_q[j], moment_p) : of_p;
+    };
+    const Lanes<n> side[3][3] = {{product(0, 0), product(0, 1), product(0, 2)},
+                                 {product(1, 0), product(1, 1), product(1, 2)},
+                                 {product(2, 0), product(2, 1), product(2, 2)}};
 
     const LaneMask<n> none = t.error < t.error;
     Certainty<n> result{none, none};
-    const auto pass = [&](Lanes<n> from, Lanes<n> to, Lanes<n> x, Lanes<n> y, Lanes<n> z) {
+    const auto pass = [&](Lanes<n> from, Lanes<n> to, Lanes<n> x, Lanes<n> y, Lanes<n> z) HWY_ATTR {
         const LaneMask<n> sure = (bound < abs(from)) & (bound < abs(to));
         const Lanes<n> zero = Lanes<n>::all(0);
         const LaneMask<n> crosses = sure & ((from < zero) ^ (to < zero));

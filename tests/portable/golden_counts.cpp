@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/any_packed.h"
 #include "scenes/builtin.h"
 #include "tests/core/built_mesh.h"
 
@@ -153,6 +154,22 @@ std::string query_lines(const std::string& start, VolumeKind kind, const BuiltMe
     return lines;
 }
 
+/// The same queries on packed hierarchies.
+std::string packed_lines(const std::string& start, const BuiltMesh& a, const BuiltMesh& b,
+                         const Pose& b_to_a) {
+    std::string lines;
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        const auto packed = [&](const BuiltMesh& built) {
+            return pack_any(layout, std::get<Hierarchy<Scb>>(built.hierarchies[0]), built.mesh);
+        };
+        const PackedCollision found = collide_packed(packed(a), a.mesh, packed(b), b.mesh, b_to_a);
+        lines += start + " " + packed_layout_name(layout) + ":" + count("v", found.n_v) +
+                 count("p", found.n_p) + count("exact", found.n_exact) +
+                 count("pairs", found.pairs.size()) + " " + hash_of(found.pairs) + "\n";
+    }
+    return lines;
+}
+
 std::string scene_lines(const Frames& chosen) {
     const Scene scene = load_builtin(*find_builtin(chosen.scene));
     std::vector<BuiltMesh> models;
@@ -167,6 +184,8 @@ std::string scene_lines(const Frames& chosen) {
         for (const VolumeKind kind : all_volume_kinds())
             lines += query_lines(scene.name + " " + std::to_string(frame), kind, models[a.mesh],
                                  models[b.mesh], b_to_a);
+        lines += packed_lines(scene.name + " " + std::to_string(frame), models[a.mesh],
+                              models[b.mesh], b_to_a);
     }
     return lines;
 }
@@ -187,7 +206,9 @@ std::string golden_counts() {
         "# SCENE MODEL mesh: vertices, triangles, hash\n"
         "# SCENE MODEL KIND: nodes, hash of topology and volumes\n"
         "# SCENE FRAME KIND [TEST] RULE: N_v, N_p, N_u, depth, triangle pairs, their hash; tests "
-        "per stage\n";
+        "per stage\n"
+        "# SCENE FRAME LAYOUT: N_v, N_p, of these undecided by floats, triangle pairs, their "
+        "hash\n";
     for (const Frames& chosen : chosen_frames()) text += scene_lines(chosen);
     return text;
 }

@@ -1,0 +1,29 @@
+#include "core/in_threads.h"
+
+#ifndef SCB_WITHOUT_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace scb {
+
+#ifndef SCB_WITHOUT_TBB
+void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        // Each by itself: they are few, and of unlike size.
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+            },
+            tbb::simple_partitioner());
+    });
+}
+#else
+void in_threads(int, std::size_t count, const std::function<void(std::size_t)>& work) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+}
+#endif
+
+}  // namespace scb
