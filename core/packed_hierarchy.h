@@ -24,14 +24,15 @@ struct PackedRef {
 };
 
 /// A node with up to `width` children, and its own volume, whose center is the origin of theirs.
+/// Kernels load four numbers of an array of two: what is behind the arrays is theirs to read.
 template <class Codec>
 struct PackedNode {
     PackedScb own;
-    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
-    std::uint16_t count = 0;
-    std::uint16_t leaf_bits = 0;             ///< bit i: child i is a leaf
     std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
     Codec volumes;
+    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    std::uint16_t count = 0;
+    std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
 };
 
 /// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and the
