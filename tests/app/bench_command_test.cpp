@@ -46,6 +46,40 @@ TEST(BenchCommand, HasTable3BesideWhereAllFramesAreRun) {
     EXPECT_FALSE(rows[1].contains("table_3"));
 }
 
+TEST(BenchCommand, FindsTheSamePairsInEveryLayout) {
+    const std::string query = "bench spheres-l1 --frames 100,250 --repeat 1 --volume scb --json ";
+    const std::string layouts =
+        "--layout reference,float2,float4,float8,quantized2,quantized4,quantized8 ";
+    std::vector<json> answers;
+    for (const std::string& how : {std::string(), std::string("--simd base"),
+                                   std::string("--threads 2"), std::string("--leaf 1")}) {
+        const ProgramRun run = run_scb(query + layouts + how);
+        ASSERT_EQ(run.status, 0) << run.err;
+        answers.push_back(json::parse(run.out)["scenes"][0]["hierarchies"]);
+        ASSERT_EQ(answers.back().size(), 7u);
+        EXPECT_FALSE(answers.back()[0].contains("layout"));
+        for (const json& row : answers.back()) {
+            EXPECT_EQ(row["pairs"], answers[0][0]["pairs"]) << row << how;
+            EXPECT_GT(row["bytes_per_triangle"], 0);
+        }
+    }
+    for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(answers[1][i]["n_v"], answers[0][i]["n_v"]) << i;
+        EXPECT_EQ(answers[2][i]["n_v"], answers[0][i]["n_v"]) << i;
+    }
+    EXPECT_GT(answers[3][6]["n_v"], answers[0][6]["n_v"]) << "more leaves";
+    EXPECT_LT(answers[0][6]["bytes_per_triangle"], answers[0][3]["bytes_per_triangle"]);
+}
+
+TEST(BenchCommand, RefusesLayoutsAndLevelsThatAreNot) {
+    for (const char* arguments : {"--layout float3", "--simd avx3", "--leaf 5", "--leaf 0",
+                                  "--threads 0", "--threads 1000", "--layout reference,"}) {
+        const ProgramRun run = run_scb(std::string("bench soup --frames 0 ") + arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(std::string(arguments).substr(0, 6)), std::string::npos) << run.err;
+    }
+}
+
 TEST(BenchCommand, TakesTwoMeshFiles) {
     const TemporaryFolder folder;
     const std::string mesh = folder / "level.ply";
