@@ -182,7 +182,11 @@ int run(const Options& options, const Console& console) {
     options.picture.check();
     // Meshes first, see render_levels.cpp; and nothing is measured if one of them is refused.
     const std::vector<Entry> all = entries(options, console);
-    note_doubts(options.scene, options.query, options.hierarchy.kinds(), console);
+    // Two names are two bodies only where they are meshes.
+    if (all.size() == 1)
+        note_doubts(options.scene, options.query, options.hierarchy.kinds(), console);
+    else
+        note_doubts(options.query, options.hierarchy.kinds(), console);
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;

@@ -71,6 +71,12 @@ TEST(BenchCommand, FindsTheSamePairsInEveryLayout) {
     EXPECT_LT(answers[0][6]["bytes_per_triangle"], answers[0][3]["bytes_per_triangle"]);
 }
 
+TEST(BenchCommand, TwoScenesAreNotTwoBodies) {
+    const ProgramRun run = run_scb("bench soup cone --frames 0 --repeat 1 --volume scb");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err.find("same pose"), std::string::npos) << run.err;
+}
+
 TEST(BenchCommand, RefusesLayoutsAndLevelsThatAreNot) {
     for (const char* arguments : {"--layout float3", "--simd avx3", "--leaf 5", "--leaf 0",
                                   "--threads 0", "--threads 1000", "--layout reference,"}) {
