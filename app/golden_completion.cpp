@@ -13,11 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 /// Copies a picture that the run made for the report, where it is not there yet.
 void show(std::string& candidate, const fs::path& made, const fs::path& report,
           const std::string& name) {
