@@ -10,6 +10,7 @@
 #include "app/golden_report_folder.h"
 #include "app/options.h"
 #include "app/version.h"
+#include "golden/files_equal.h"
 #include "golden/github.h"
 #include "golden/junit.h"
 #include "golden/result_lines.h"
@@ -30,6 +31,12 @@ void tell_github(const SuiteResult& result) {
     if (environment_value("GITHUB_ACTIONS") == "true") print_result(github_annotations(result));
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
+    std::error_code ignored;
+    // A pipe would wait for a reader.
+    if (fs::exists(summary, ignored) && !is_there(summary))
+        throw OutputError("Cannot write \"" + summary +
+                          "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
+                          "one.");
     std::ofstream file(summary, std::ios::app | std::ios::binary);
     file << github_summary(result);
     if (!file.flush())

@@ -76,7 +76,12 @@ class Comparison {
     bool has(const fs::path& baseline, const char* what) {
         if (is_there(baseline)) return true;
         raise(Verdict::new_output);
-        said_.push_back("the baseline has no " + std::string(what) + ", and the run made some");
+        std::error_code ignored;
+        said_.push_back(fs::exists(baseline, ignored)
+                            ? baseline.filename().string() +
+                                  " of the baseline is no regular file, and the run made one"
+                            : "the baseline has no " + std::string(what) +
+                                  ", and the run made some");
         return false;
     }
 

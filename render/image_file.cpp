@@ -94,6 +94,10 @@ std::vector<std::uint8_t> encode_png(const IdImage& image) {
 }
 
 Image read_png(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw InputError("\"" + path.string() + "\" is not a regular file; save it to one first.");
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                          std::fclose);
     if (!file)

@@ -72,6 +72,9 @@ TEST_F(ImageFile, WhatIsNoPngIsRefused) {
     half.resize(half.size() / 2);
     write_file_whole(folder / "half.png", half);
     EXPECT_THROW(read_png(folder / "half.png"), InputError);
+    // Nobody writes into it, so reading would not end.
+    ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    EXPECT_THROW(read_png(folder / "pipe.png"), InputError);
 }
 
 TEST_F(ImageFile, AFileIsReplacedWhole) {
