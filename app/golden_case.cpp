@@ -21,7 +21,8 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 struct ChildEnd {
-    std::optional<ProcessEnd> end;  ///< nothing where it took too long
+    std::optional<ProcessEnd> end;  ///< nothing where it took too long or was stopped
+    bool stopped = false;
     std::string printed, last_line;
 };
 
@@ -33,7 +34,8 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     const UnnamedFile unused;
     ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
     ChildEnd result;
-    result.end = child.wait(settings.patience);
+    result.end = child.wait(settings.patience, settings.stopped);
+    result.stopped = !result.end && settings.stopped();
     result.printed = child.printed();
     result.last_line = child.last_line();
     return result;
@@ -41,6 +43,7 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
 
 /// Why it did not do what it should; empty where it did.
 std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings) {
+    if (child.stopped) return "It was interrupted.";
     if (!child.end)
         return "It took longer than " + std::to_string(settings.patience.count()) +
                " seconds and was ended.";
@@ -137,6 +140,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
         const ChildEnd child = run_child(settings, command);
         result.message = trouble(child, settings);
+        result.stopped = child.stopped;
         result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
         if (result.message.empty()) take_over(golden, child, made, folder);
         result.ran = result.message.empty();
@@ -164,15 +168,6 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
         trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
     add_models(command, settings);
     return trouble(run_child(settings, command), settings);
-}
-
-ProgramAnswer ask_program(const GoldenRunSettings& settings,
-                          const std::vector<std::string>& command) {
-    GoldenRunSettings here = settings;
-    here.folder.clear();
-    const ChildEnd child = run_child(here, command);
-    if (!trouble(child, settings).empty()) return {};
-    return {child.end->code, child.printed};
 }
 
 std::string typed(const std::vector<std::string>& command) {

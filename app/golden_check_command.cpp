@@ -7,6 +7,7 @@
 #include "app/golden_commands.h"
 #include "app/golden_completion.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
@@ -54,6 +55,7 @@ int run(const Options& options, const Console& console) {
     result.suite = options.suite;
     result.shard = options.shard;
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
     const CheckedCases checked = check_cases(check, [&] {
         progress.step("cases");
@@ -68,7 +70,6 @@ int run(const Options& options, const Console& console) {
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
-    print_result(results_text(result));
     write_results(result, options.files, work.report());
     if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");

@@ -1,8 +1,6 @@
 #include "app/golden_results.h"
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -45,22 +43,6 @@ void tell_github(const SuiteResult& result) {
 
 }  // namespace
 
-GoldenWork::GoldenWork() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "scb-golden-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr)
-        throw OutputError("There is no room for temporary files (" + name +
-                          "): " + std::strerror(errno) + "; name another folder with TMPDIR.");
-    path_ = name;
-    fs::create_directory(candidates());
-    fs::create_directory(report());
-}
-
-GoldenWork::~GoldenWork() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const GoldenRunSettings& settings) {
     const auto with_compiler = [](const GlInfo* info) {
@@ -94,7 +76,7 @@ void add_result_files(CLI::App& command, ResultFiles& files) {
 
 void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
     std::optional<OutputError> failed;
-    // Where one cannot be written, the others still can.
+    // Where one cannot be written, the others still can: the terminal may have gone.
     const auto attempt = [&](auto write) {
         try {
             write();
@@ -102,6 +84,7 @@ void write_results(const SuiteResult& result, const ResultFiles& files, const fs
             if (!failed) failed = error;
         }
     };
+    attempt([&] { print_result(results_text(result)); });
     if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
     if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
     if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });

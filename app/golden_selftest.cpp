@@ -5,6 +5,7 @@
 #include "app/exit_status.h"
 #include "app/golden_check.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/mutation.h"
 #include "app/progress.h"
@@ -122,6 +123,7 @@ int run(const GoldenOptions& options, const Console& console) {
     check.settings = options.settings();
     check.jobs = options.job_count();
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
     const auto results = [&](const std::string& mutation) {
         const GoldenWork work;

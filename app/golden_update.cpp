@@ -6,6 +6,7 @@
 #include "app/exit_status.h"
 #include "app/golden_check.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "core/error.h"
@@ -62,6 +63,7 @@ void update_case(const Options& options, const GoldenCheck& check, const GoldenC
     const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
     if (!broken && !options.takes(result.verdict)) return;
     const std::string trouble = record_trace(golden, check.settings, check.folders.candidates);
+    if (check.settings.stopped()) return;
     if (!trouble.empty())
         fail("its trace could not be recorded, and the old one stays as it is. " + trouble);
     const std::vector<std::string> files =
@@ -89,6 +91,7 @@ int run(const Options& options, const Console& console) {
     const BaselineLock lock(check.folders.baselines);
     if (lock.held()) remove_unfinished(check.folders.baselines);
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
     const std::vector<CaseResult> results = check_cases(check, [&] {
                                                 progress.step("cases");
