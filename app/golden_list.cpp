@@ -27,6 +27,7 @@ bool has_baseline(const GoldenCase& golden, const std::filesystem::path& folder)
 int run(const GoldenOptions& options) {
     const Suite suite = load_suite(options.suite);
     const std::filesystem::path folder = options.baselines_folder();
+    check_readable(folder);
     std::string text;
     for (const GoldenCase& golden : options.chosen(suite))
         text += format("%-36s %-18s %-9s ", golden.name.c_str(), compared(golden).c_str(),

@@ -11,6 +11,7 @@
 #include "app/progress.h"
 #include "app/text_format.h"
 #include "core/error.h"
+#include "golden/baseline.h"
 
 namespace scb {
 namespace {
@@ -118,6 +119,7 @@ Compared compared_by(const std::vector<GoldenCase>& cases, const std::vector<Cas
 int run(const GoldenOptions& options, const Console& console) {
     options.check();
     const Suite suite = load_suite(options.suite);
+    check_readable(options.baselines_folder());
     GoldenCheck check;
     check.cases = options.chosen(suite);
     check.settings = options.settings();

@@ -1,9 +1,12 @@
 #include "golden/baseline.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <set>
 #include <system_error>
 
+#include "core/error.h"
 #include "golden/file_replacement.h"
 #include "golden/files_equal.h"
 #include "render/output_file.h"
@@ -41,6 +44,18 @@ CaseFiles case_files(const fs::path& folder, const std::string& name) {
     return {folder / (name + ".counts.json"), folder / (name + ".ids.png"),
             folder / (name + ".png"), folder / (name + ".meta.json"),
             folder / (name + ".scbtrace")};
+}
+
+void check_readable(const fs::path& baselines) {
+    std::error_code error;
+    const fs::file_status status = fs::status(baselines, error);
+    if (status.type() == fs::file_type::not_found) return;
+    if (!error && !fs::is_directory(status))
+        throw InputError(baselines.string() +
+                         ": this is no folder; name that of the baselines with --baselines.");
+    if (error || ::access(baselines.c_str(), R_OK | X_OK) != 0)
+        throw InputError(baselines.string() +
+                         ": the baselines in this folder cannot be read; check its permissions.");
 }
 
 std::vector<fs::path> accepted_images(const fs::path& folder, const std::string& name) {

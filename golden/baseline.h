@@ -14,6 +14,10 @@ struct CaseFiles {
 };
 CaseFiles case_files(const std::filesystem::path& folder, const std::string& name);
 
+/// Throws InputError where the folder of baselines is there, but is no folder or one whose files
+/// cannot be read: they would count as missing.
+void check_readable(const std::filesystem::path& baselines);
+
 /// The pictures that are accepted: NAME.png, and NAME.2.png, NAME.3.png, ... as far as they follow
 /// each other.
 std::vector<std::filesystem::path> accepted_images(const std::filesystem::path& folder,
