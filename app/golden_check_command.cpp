@@ -12,6 +12,7 @@
 #include "app/options.h"
 #include "app/progress.h"
 #include "core/error.h"
+#include "golden/baseline.h"
 #include "golden/shard.h"
 
 namespace scb {
@@ -43,6 +44,8 @@ int run(const Options& options, const Console& console) {
         throw InputError(
             "--trace: traces are kept in the folder of the report; name one with --report DIR.");
     const Suite suite = load_suite(options.suite);
+    check_readable(options.baselines_folder());
+    options.files.check(options.suite, options.baselines_folder());
     const GoldenWork work;
     GoldenCheck check;
     check.cases = cases_of(options, suite);

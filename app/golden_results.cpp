@@ -8,6 +8,7 @@
 #include "app/golden_report_folder.h"
 #include "app/options.h"
 #include "app/version.h"
+#include "core/error.h"
 #include "golden/files_equal.h"
 #include "golden/github.h"
 #include "golden/junit.h"
@@ -23,6 +24,13 @@ namespace fs = std::filesystem;
 std::string environment_value(const char* name) {
     const char* value = std::getenv(name);
     return value == nullptr ? "" : value;
+}
+
+/// The same for every name of a file or folder, also of one that is not there yet.
+fs::path one_name(const fs::path& path) {
+    std::error_code ignored;
+    // With something behind it, a folder's name ends alike with and without a slash.
+    return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
 }
 
 void tell_github(const SuiteResult& result) {
@@ -57,6 +65,26 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
     } catch (const GlError&) {
         // Then the cases have said so.
         return with_compiler(nullptr);
+    }
+}
+
+void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const {
+    const fs::path folder(report);
+    if (!report.empty() && one_name(folder) == one_name(baselines))
+        throw InputError("--report " + report +
+                         ": this is the folder of the baselines, which only an update changes; "
+                         "name another.");
+    std::vector<std::pair<std::string, fs::path>> written = {{"--junit", junit}, {"--json", json}};
+    for (const char* name : {"report.html", "results.json"})
+        if (!report.empty()) written.emplace_back("--report", folder / name);
+    for (const auto& [option, file] : written) {
+        if (file.empty()) continue;
+        const fs::path name = one_name(file);
+        if (name == one_name(suite) || name.parent_path() == one_name(baselines))
+            throw InputError(option + " would write " + file.string() +
+                             (name == one_name(suite) ? ", which is the suite"
+                                                      : ", which is among the baselines") +
+                             "; name another place.");
     }
 }
 

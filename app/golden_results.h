@@ -16,6 +16,9 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
 /// Where results go; empty: nowhere.
 struct ResultFiles {
     std::string report, junit, json;
+
+    /// Throws InputError where they would come among the baselines, or over the suite.
+    void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
 };
 
 void add_result_files(CLI::App& command, ResultFiles& files);

@@ -1,4 +1,5 @@
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/app/golden_command.h"
 
@@ -58,6 +59,47 @@ TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
         // The result is told all the same.
         EXPECT_EQ(run.out, "1 case: 1 same\n");
     }
+}
+
+TEST_F(GoldenCommandFiles, AFolderThatCannotBeReadIsNotTakenForAnEmptyOne) {
+    if (::geteuid() != 0) GTEST_SKIP() << "needs to become another user";
+    fs::permissions(folder.path, fs::perms::all);
+    fs::permissions(folder / "baselines", fs::perms::none);
+    const std::string nobody = "env -u CI setpriv --reuid 65534 --clear-groups";
+    for (const char* command : {"check", "list", "selftest"}) {
+        const ProgramRun run = golden(command, nobody);
+        EXPECT_EQ(run.status, 2) << command << run.out;
+        EXPECT_NE(run.err.find("/baselines: the baselines in this folder cannot be read; "),
+                  std::string::npos)
+            << run.err;
+    }
+    EXPECT_EQ(golden("update --missing", nobody).status, 3);
+    fs::permissions(folder / "baselines", fs::perms::owner_all);
+    EXPECT_EQ(golden("check --baselines " + suite).status, 2);
+    EXPECT_EQ(golden("list --baselines " + (folder / "none")).status, 0);
+}
+
+TEST_F(GoldenCommandFiles, ResultsDoNotComeAmongTheBaselines) {
+    write_text(baseline("collide.counts.json"), "{}");
+    const auto before = baselines();
+    const std::string there = folder / "baselines", home = folder.path.string();
+    fs::create_directory_symlink(there, folder / "link");
+    for (const std::string& options : std::vector<std::string>{
+             "--report " + there, "--report " + there + "/",
+             "--report " + home + "/../" + folder.path.filename().string() + "/baselines",
+             "--report " + (folder / "link"), "--report . --baselines .",
+             "--report new --baselines new/", "--junit " + suite,
+             "--json " + there + "/collide.counts.json"}) {
+        const ProgramRun run = golden("check collide " + options, "cd " + home + " && env -u CI");
+        EXPECT_EQ(run.status, 2) << options << run.err;
+        EXPECT_EQ(run.out, "") << options;
+    }
+    EXPECT_EQ(baselines(), before);
+    fs::copy_file(suite, folder / "results.json");
+    EXPECT_EQ(
+        run_scb("golden check --report " + home + " --suite " + (folder / "results.json")).status,
+        2);
+    EXPECT_EQ(golden("check collide --report " + home).status, 1);
 }
 
 }  // namespace
