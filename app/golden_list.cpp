@@ -6,6 +6,7 @@
 #include "app/text_format.h"
 #include "golden/baseline.h"
 #include "golden/files_equal.h"
+#include "golden/plain_text.h"
 
 namespace scb {
 namespace {
@@ -32,9 +33,9 @@ int run(const GoldenOptions& options) {
     for (const GoldenCase& golden : options.chosen(suite))
         text += format("%-36s %-18s %-9s ", golden.name.c_str(), compared(golden).c_str(),
                        has_baseline(golden, folder) ? "" : "MISSING") +
-                typed(command_of(golden, "DIR")) + "\n";
+                plain_text(typed(command_of(golden, "DIR"))) + "\n";
     for (const std::string& file : stray_files(folder, suite))
-        text += (folder / file).string() + " belongs to no case.\n";
+        text += plain_text((folder / file).string()) + " belongs to no case.\n";
     print_result(text);
     return exit_done;
 }

@@ -12,6 +12,7 @@
 #include "golden/files_equal.h"
 #include "golden/github.h"
 #include "golden/junit.h"
+#include "golden/plain_text.h"
 #include "golden/result_lines.h"
 #include "render/context.h"
 #include "render/output_file.h"
@@ -128,17 +129,17 @@ std::string results_text(const SuiteResult& result) {
         ++counts[c.verdict];
         tolerated += is_tolerated(c);
         if (c.verdict == Verdict::same) continue;
-        text += printable(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
-                printable(c.message) + "\n";
-        for (const std::string& line : result_lines(c)) text += "    " + printable(line) + "\n";
-        if (!c.reproduce.empty()) text += "    " + printable(c.reproduce) + "\n";
-        if (!c.diff.empty()) text += "    " + printable(c.diff) + "\n";
-        if (!c.update.empty()) text += "    " + printable(c.update) + "\n";
+        text += plain_text(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
+                plain_text(c.message) + "\n";
+        for (const std::string& line : result_lines(c)) text += "    " + line + "\n";
+        if (!c.reproduce.empty()) text += "    " + plain_text(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + plain_text(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + plain_text(c.update) + "\n";
     }
-    if (!result.incomplete.empty()) text += "incomplete. " + printable(result.incomplete) + "\n";
+    if (!result.incomplete.empty()) text += "incomplete. " + plain_text(result.incomplete) + "\n";
     text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
     if (result.cases.empty() && !result.shard.empty())
-        text += "; none are left for shard " + printable(result.shard);
+        text += "; none are left for shard " + plain_text(result.shard);
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));

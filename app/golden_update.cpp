@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "golden/baseline.h"
 #include "golden/baseline_lock.h"
+#include "golden/plain_text.h"
 
 namespace scb {
 namespace {
@@ -52,7 +53,7 @@ struct Updated {
 void update_case(const Options& options, const GoldenCheck& check, const GoldenCase& golden,
                  const CaseResult& result, Updated& updated) {
     const auto fail = [&](const std::string& sentence) {
-        updated.text += result.name + ": " + sentence + "\n";
+        updated.text += plain_text(result.name + ": " + sentence) + "\n";
         ++updated.failed;
     };
     if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders))
@@ -71,7 +72,7 @@ void update_case(const Options& options, const GoldenCheck& check, const GoldenC
                          trouble.empty() ? OldTrace::removed : OldTrace::kept);
     if (files.empty()) return;
     ++updated.cases;
-    for (const std::string& file : files) updated.text += file + "\n";
+    for (const std::string& file : files) updated.text += plain_text(file) + "\n";
 }
 
 void print(const Updated& updated, std::size_t cases) {
@@ -113,7 +114,8 @@ int run(const Options& options, const Console& console) {
     }
     if (options.all)
         for (const std::string& file : stray_files(check.folders.baselines, suite))
-            updated.text += file + ": belongs to no case; remove it by hand if it is not needed.\n";
+            updated.text +=
+                plain_text(file) + ": belongs to no case; remove it by hand if it is not needed.\n";
     print(updated, results.size());
     if (watch.signal() != 0) {
         console.note("scb: interrupted; what is listed was updated, the rest is as it was.");

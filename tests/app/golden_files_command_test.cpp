@@ -1,6 +1,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <sstream>
+
 #include "tests/app/golden_command.h"
 
 namespace scb {
@@ -100,6 +102,27 @@ TEST_F(GoldenCommandFiles, ResultsDoNotComeAmongTheBaselines) {
         run_scb("golden check --report " + home + " --suite " + (folder / "results.json")).status,
         2);
     EXPECT_EQ(golden("check collide --report " + home).status, 1);
+}
+
+TEST_F(GoldenCommandFiles, NamesInThemForgeNoOutput) {
+    nlohmann::json counts = nlohmann::json::parse(file_text(baseline("collide.counts.json")));
+    for (const char* key : {"::add-mask::1", "a\n::stop-commands::x", "b\x1b[2J", "##[error]c"})
+        counts[key] = 1;
+    write_text(baseline("collide.counts.json"), counts.dump());
+    write_text(baseline("gone\n\x1b[31m.png"), "");
+    const ProgramRun run = golden("check collide", "env GITHUB_ACTIONS=true");
+    EXPECT_EQ(run.status, 1);
+    for (const ProgramRun& said : {run, golden("list"), golden("update --all")}) {
+        std::istringstream lines(said.out);
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_FALSE(line.find_first_not_of(' ') == line.find("::") &&
+                         !line.starts_with("::error title=collide"))
+                << line;
+            EXPECT_EQ(line.find_first_of("\x1b\r"), std::string::npos) << line;
+            EXPECT_TRUE(line.starts_with("::") || line.find("##[") == std::string::npos) << line;
+        }
+    }
+    EXPECT_NE(run.out.find("    \\x3a:add-mask::1: 1 -> none\n"), std::string::npos) << run.out;
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST_F(CaseComparison, AFolderIsNoPicture) {
     fs::create_directory(baselines.path / "case.png");
     const CaseResult result = compare();
     EXPECT_EQ(result.verdict, Verdict::new_output);
-    expect_said(result, "the baseline has no picture");
+    expect_said(result, "case.png of the baseline is no regular file");
 }
 
 TEST_F(CaseComparison, ComparesOnlyWhatTheCaseSays) {
