@@ -47,11 +47,12 @@ struct Caught {
 
     void add(const CaseResult& result) {
         if (!is_failure(result.verdict)) return;
+        // What crashed has compared nothing.
+        if (result.verdict == Verdict::could_not_run) return could_not_run.push_back(result.name);
         ++cases;
         if (!result.counts.empty()) counts.push_back(result.name);
         if (result.ids) ids.push_back(result.name);
         if (result.colors) colors.push_back(result.name);
-        if (result.verdict != Verdict::different) could_not_run.push_back(result.name);
     }
 };
 
@@ -86,7 +87,7 @@ Judgement judgement(const Expected& expected, const Compared& compared, const Ca
     judge("ids", compared.ids, expected.ids, caught.ids);
     judge("colors", compared.colors, expected.colors, caught.colors);
     if (!caught.could_not_run.empty())
-        lines += "    other   " + some_of(caught.could_not_run) + "\n";
+        lines += "    could not run " + some_of(caught.could_not_run) + "\n";
     judged.caught = lacking.empty();
     judged.text =
         format("%-16s caught by %zu of %zu cases",
