@@ -27,9 +27,7 @@ Cases failing_cases(const SuiteResult& result) {
     return failing;
 }
 
-std::string cases_text(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " case" : " cases");
-}
+std::string cases_text(std::size_t count) { return words::counted(count, "case", "cases"); }
 
 /// The text, cut before a character where it is long.
 std::string shortened(std::string_view text, std::size_t most = longest_text) {

@@ -245,6 +245,11 @@ bool has_ids(GoldenRun run) {
     return run == GoldenRun::levels || run == GoldenRun::pairs || run == GoldenRun::rejections;
 }
 
-Suite load_suite(const std::filesystem::path& file) { return Reader(file).take(); }
+Suite load_suite(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw InputError(file.string() + ": there is no such file; name your suite with --suite.");
+    return Reader(file).take();
+}
 
 }  // namespace scb

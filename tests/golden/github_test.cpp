@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "golden/words.h"
 #include "tests/golden/sample_result.h"
 
 namespace scb {
@@ -152,8 +153,7 @@ TEST(GithubSummary, StaysWithinTheLimitAndSaysWhatIsLeftOut) {
                 const std::string text = github_summary(failing_suite(cases, lines), largest);
                 ASSERT_LE(text.size(), largest);
                 const std::size_t shown = occurrences(text, "### case-");
-                const std::string rest = std::to_string(cases - shown) +
-                                         (cases - shown == 1 ? " case" : " cases") +
+                const std::string rest = words::counted(cases - shown, "case", "cases") +
                                          " more failed; the report has all of them.\n";
                 EXPECT_EQ(text.ends_with(rest), shown < cases) << text.substr(text.size() - 100);
                 EXPECT_GT(shown, 0u);
