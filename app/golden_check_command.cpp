@@ -74,6 +74,8 @@ int run(const Options& options, const Console& console) {
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
     write_results(result, options.files, work.report());
+    for (const std::string& file : uncompared_images(check.folders.baselines, suite))
+        console.note("scb: " + (check.folders.baselines / file).string() + " " + why_uncompared);
     if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
     if (!options.files.report.empty())

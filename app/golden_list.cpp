@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/golden_options.h"
+#include "app/golden_results.h"
 #include "app/text_format.h"
 #include "golden/baseline.h"
 #include "golden/files_equal.h"
@@ -36,6 +37,8 @@ int run(const GoldenOptions& options) {
                 plain_text(typed(command_of(golden, "DIR"))) + "\n";
     for (const std::string& file : stray_files(folder, suite))
         text += plain_text((folder / file).string()) + " belongs to no case.\n";
+    for (const std::string& file : uncompared_images(folder, suite))
+        text += plain_text((folder / file).string()) + " " + why_uncompared + "\n";
     print_result(text);
     return exit_done;
 }

@@ -14,6 +14,7 @@
 #include "golden/junit.h"
 #include "golden/plain_text.h"
 #include "golden/result_lines.h"
+#include "golden/words.h"
 #include "render/context.h"
 #include "render/output_file.h"
 
@@ -137,7 +138,7 @@ std::string results_text(const SuiteResult& result) {
         if (!c.update.empty()) text += "    " + plain_text(c.update) + "\n";
     }
     if (!result.incomplete.empty()) text += "incomplete. " + plain_text(result.incomplete) + "\n";
-    text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
+    text += words::counted(result.cases.size(), "case", "cases");
     if (result.cases.empty() && !result.shard.empty())
         text += "; none are left for shard " + plain_text(result.shard);
     const char* separator = ": ";

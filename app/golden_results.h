@@ -13,6 +13,10 @@ namespace scb {
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const GoldenRunSettings& settings);
 
+/// Behind the name of one of uncompared_images.
+inline constexpr const char* why_uncompared =
+    "is never compared: accepted pictures are numbered from 2, without a gap.";
+
 /// Where results go; empty: nowhere.
 struct ResultFiles {
     std::string report, junit, json;

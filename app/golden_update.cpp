@@ -13,6 +13,7 @@
 #include "golden/baseline.h"
 #include "golden/baseline_lock.h"
 #include "golden/plain_text.h"
+#include "golden/words.h"
 
 namespace scb {
 namespace {
@@ -76,8 +77,8 @@ void update_case(const Options& options, const GoldenCheck& check, const GoldenC
 }
 
 void print(const Updated& updated, std::size_t cases) {
-    print_result(updated.text + std::to_string(updated.cases) + " of " + std::to_string(cases) +
-                 (cases == 1 ? " case" : " cases") + " updated\n");
+    print_result(updated.text + words::grouped(updated.cases) + " of " +
+                 words::counted(cases, "case", "cases") + " updated\n");
 }
 
 int run(const Options& options, const Console& console) {

@@ -36,10 +36,14 @@ namespace fs = std::filesystem;
 
 GoldenWork::GoldenWork() {
     std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "scb-golden-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr)
-        throw OutputError("There is no room for temporary files (" + name +
-                          "): " + std::strerror(errno) + "; name another folder with TMPDIR.");
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error)
+        throw OutputError("There is no folder for temporary files (" + error.message() +
+                          "); name one with TMPDIR.");
+    std::string name = (folder / "scb-golden-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+        throw OutputError(folder.string() + ": no temporary files can be made there (" +
+                          std::strerror(errno) + "); name another folder with TMPDIR.");
     path_ = name;
     start_remover();
     fs::create_directory(candidates());

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -107,6 +108,27 @@ void remove_unfinished(const fs::path& baselines) {
     for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored))
         if (entry.path().filename().string().starts_with(replacement_prefix)) left.push_back(entry);
     for (const fs::path& path : left) fs::remove_all(path, ignored);
+}
+
+std::vector<std::string> uncompared_images(const fs::path& baselines, const Suite& suite) {
+    std::map<std::string, std::vector<fs::path>> accepted;
+    for (const GoldenCase& golden : suite.cases)
+        accepted[golden.name] = accepted_images(baselines, golden.name);
+    std::vector<std::string> uncompared;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored)) {
+        const std::string file = entry.path().filename().string();
+        const auto of_case = accepted.find(case_of(file));
+        const bool is_variant = of_case != accepted.end() && file.ends_with(".png") &&
+                                file != of_case->first + ".png" &&
+                                file != of_case->first + ".ids.png";
+        if (!is_variant) continue;
+        const std::vector<fs::path>& images = of_case->second;
+        if (std::find(images.begin(), images.end(), entry.path()) == images.end())
+            uncompared.push_back(file);
+    }
+    std::sort(uncompared.begin(), uncompared.end());
+    return uncompared;
 }
 
 std::vector<std::string> stray_files(const fs::path& baselines, const Suite& suite) {

@@ -40,6 +40,11 @@ std::vector<std::string> replace_baseline(const std::filesystem::path& baselines
 /// while another update may run, see BaselineLock.
 void remove_unfinished(const std::filesystem::path& baselines);
 
+/// Pictures of the suite's cases, NAME.3.png, that are never compared, since accepted_images ends
+/// before them.
+std::vector<std::string> uncompared_images(const std::filesystem::path& baselines,
+                                           const Suite& suite);
+
 /// Files in the folder of baselines that belong to no case of the suite.
 std::vector<std::string> stray_files(const std::filesystem::path& baselines, const Suite& suite);
 

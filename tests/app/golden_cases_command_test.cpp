@@ -168,6 +168,57 @@ TEST_F(GoldenCommandCases, AreAskedForNoMoreThanTheyCompare) {
     EXPECT_EQ(run.out.find("NOT CAUGHT"), std::string::npos) << run.out;
 }
 
+TEST_F(GoldenCommandCases, ThatCrashCatchNothing) {
+    write_cases({{{"name", "levels"},
+                  {"run", "levels"},
+                  {"scene", "spheres-l1"},
+                  {"arguments", {"--levels", "5"}}}});
+    ASSERT_EQ(golden("update --all").status, 0);
+    const std::string runner = folder / "runner";
+    write_text(runner, "#!/bin/sh\ncase \"$*\" in *--mutation*) exit 2;; esac\nexec \"$@\"\n");
+    fs::permissions(runner, fs::perms::owner_all);
+    const ProgramRun run = golden("selftest --runner " + runner);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.out.find("nudge-radius     caught by 0 of 1 cases: NOT CAUGHT by ids, colors\n"),
+              std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("    could not run 1: levels\n"), std::string::npos) << run.out;
+}
+
+TEST_F(GoldenCommandCases, SayHowTheirRunnerEnded) {
+    write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}},
+                 {{"name", "summary"}, {"run", "inspect"}, {"scene", "cone"}},
+                 {{"name", "counts"}, {"run", "collide"}, {"scene", "cone"}}});
+    const ProgramRun failed = golden("check --runner false"), idle = golden("check --runner true");
+    EXPECT_NE(failed.out.find("front: could not run. It ended with status 1.\n"), std::string::npos)
+        << failed.out;
+    EXPECT_NE(failed.out.find("counts: could not run. It ended with status 1.\n"),
+              std::string::npos);
+    // Of which it is no trouble.
+    EXPECT_NE(failed.out.find(
+                  "summary: could not run. It ended with status 1 and has made no index.json.\n"),
+              std::string::npos)
+        << failed.out;
+    EXPECT_NE(
+        idle.out.find("front: could not run. It ended with status 0 and has made no index.json.\n"),
+        std::string::npos)
+        << idle.out;
+}
+
+TEST_F(GoldenCommandCases, NeedASuiteAndRoom) {
+    const ProgramRun none = run_scb("golden check", "cd / && env -u CI");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("there is no such file; name your suite with --suite."),
+              std::string::npos)
+        << none.err;
+    write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}}});
+    const ProgramRun roomless = golden("check", "env TMPDIR=" + suite);
+    EXPECT_EQ(roomless.status, 3);
+    EXPECT_NE(roomless.err.find("There is no folder for temporary files (Not a directory)"),
+              std::string::npos)
+        << roomless.err;
+}
+
 TEST_F(GoldenCommandCases, ThatCatchNothingAreToldWhatWould) {
     write_cases({{{"name", "top"},
                   {"run", "levels"},

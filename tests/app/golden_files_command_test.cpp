@@ -104,6 +104,31 @@ TEST_F(GoldenCommandFiles, ResultsDoNotComeAmongTheBaselines) {
     EXPECT_EQ(golden("check collide --report " + home).status, 1);
 }
 
+TEST_F(GoldenCommandFiles, AcceptedPicturesBehindAGapAreNamed) {
+    for (const char* file : {"levels.2.png", "levels.4.png", "levels.1.png"})
+        fs::copy_file(baseline("levels.png"), baseline(file));
+    const ProgramRun list = golden("list"), run = golden("check levels");
+    for (const std::string& said : {list.out, run.err}) {
+        for (const char* file : {"/levels.1.png", "/levels.4.png"})
+            EXPECT_NE(said.find(std::string(file) + " is never compared"), std::string::npos)
+                << said;
+        EXPECT_EQ(said.find("levels.2.png"), std::string::npos) << said;
+    }
+    EXPECT_EQ(run.out, "1 case: 1 same\n");
+}
+
+TEST_F(GoldenCommandFiles, OfSixteenBitsAreNotCompared) {
+    // The header of a picture, whose ninth byte is the depth, and its checksum.
+    std::string png = file_text(baseline("levels.png"));
+    png[24] = 16;
+    write_text(baseline("levels.png"), png);
+    const ProgramRun run = golden("check levels");
+    EXPECT_NE(run.out.find("levels: could not run. \"" + baseline("levels.png").string() +
+                           "\" has 16 bits a channel"),
+              std::string::npos)
+        << run.out;
+}
+
 TEST_F(GoldenCommandFiles, NamesInThemForgeNoOutput) {
     nlohmann::json counts = nlohmann::json::parse(file_text(baseline("collide.counts.json")));
     for (const char* key : {"::add-mask::1", "a\n::stop-commands::x", "b\x1b[2J", "##[error]c"})
