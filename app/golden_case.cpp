@@ -69,7 +69,7 @@ bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
 
 std::string meta_text(const GoldenCase& golden, const Json& document) {
     Json meta = {{"command", typed(command_of(in_own_folder(golden), "DIR"))}};
-    for (const char* key : {"versions", "scb_version"})
+    for (const char* key : {"bodies", "versions"})
         if (document.contains(key)) meta[key] = document[key];
     return meta.dump(2) + "\n";
 }

@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "tests/app/golden_command.h"
 
 namespace scb {
@@ -71,6 +73,49 @@ TEST_F(GoldenCommandCases, FindOtherPairsThatAreAsMany) {
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("frames/0/pairs_hash"), std::string::npos) << run.out;
     EXPECT_EQ(run.out.find("frames/0/pairs:"), std::string::npos) << run.out;
+}
+
+TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
+    write_text(folder / "my/a.obj", two_triangles(false));
+    write_text(folder / "my/b.obj", cutting_triangle);
+    write_cases({{{"name", "front"},
+                  {"run", "levels"},
+                  {"scene", {"a.obj", "b.obj"}},
+                  {"arguments", {"--levels", "0"}}},
+                 {{"name", "pair"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
+                 {{"name", "sum"}, {"run", "inspect"}, {"scene", {"a.obj", "b.obj"}}}});
+    ASSERT_EQ(golden("update --all").status, 0);
+    const std::string trace = folder / "my/baselines/pair.scbtrace";
+    EXPECT_EQ(
+        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&")
+            .status,
+        0);
+    // As many triangles and vertices, elsewhere.
+    std::string moved = two_triangles(true);
+    moved.replace(moved.find("0 0 0"), 5, "3 0 0");
+    write_text(folder / "my/a.obj", moved);
+    const ProgramRun run = golden("check");
+    for (const char* name : {"front", "pair", "sum"})
+        EXPECT_TRUE(std::regex_search(
+            run.out,
+            std::regex(
+                std::string(name) +
+                ": different\\. The mesh of A is another: 2 triangles, 6 vertices, hash "
+                "[0-9a-f]{16} instead of 2 triangles, 6 vertices, hash [0-9a-f]{16}\\. These "
+                "differ: ")))
+            << run.out;
+    EXPECT_EQ(run.out.find("The mesh of B"), std::string::npos);
+    EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
+    const ProgramRun inspected =
+        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
+    EXPECT_NE(
+        inspected.err.find("with another mesh of A: it had 2 triangles and 6 vertices as that of "),
+        std::string::npos)
+        << inspected.err;
+    EXPECT_NE(inspected.err.find("other coordinates or indices; it is a baseline, and `scb golden "
+                                 "check` says what differs from it."),
+              std::string::npos)
+        << inspected.err;
 }
 
 TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {
