@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "app/scene_query.h"
 #include "app/text_format.h"
+#include "app/trace_report.h"
 #include "core/error.h"
 #include "render/output_file.h"
 
@@ -73,8 +74,7 @@ std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
 
 Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, Json frames) {
     const auto body = [&](std::size_t i) -> Json {
-        return {{"name", query.scene.bodies[i].name},
-                {"triangles", query.mesh(i).triangles.size()}};
+        return body_json({query.scene.bodies[i].name, fingerprint(query.mesh(i))});
     };
     Json result = {{"version", SCB_VERSION},
                    {"scene", query.scene.name},

@@ -11,7 +11,8 @@ enum ExitStatus {
     exit_no_gl = 77,       ///< no OpenGL context
 };
 
-/// 130 for Ctrl-C, 143 for SIGTERM: what was finished by then is printed and written.
+/// 130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP: what was finished by then is printed and
+/// written.
 inline int exit_interrupted(int signal) { return 128 + signal; }
 
 }  // namespace scb

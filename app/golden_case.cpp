@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "golden/baseline.h"
 #include "golden/case_counts.h"
+#include "golden/files_equal.h"
 #include "golden/shell_word.h"
 #include "render/child_process.h"
 #include "render/output_file.h"
@@ -21,7 +22,8 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 struct ChildEnd {
-    std::optional<ProcessEnd> end;  ///< nothing where it took too long
+    std::optional<ProcessEnd> end;  ///< nothing where it took too long or was stopped
+    bool stopped = false;
     std::string printed, last_line;
 };
 
@@ -33,26 +35,30 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     const UnnamedFile unused;
     ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
     ChildEnd result;
-    result.end = child.wait(settings.patience);
+    result.end = child.wait(settings.patience, settings.stopped);
+    result.stopped = !result.end && settings.stopped();
     result.printed = child.printed();
     result.last_line = child.last_line();
     return result;
 }
 
-/// Why it did not do what it should; empty where it did.
-std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings) {
+std::string ended_with(int status) { return "It ended with status " + std::to_string(status); }
+
+/// Why it did not do what it should; empty where it did. `inspect` ends with 1 where it has found
+/// wrong rejections, which are what the case is about.
+std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings, bool is_inspect) {
+    if (child.stopped) return "It was interrupted.";
     if (!child.end)
         return "It took longer than " + std::to_string(settings.patience.count()) +
                " seconds and was ended.";
     if (child.end->by_signal)
         return "It was ended by signal " + std::to_string(child.end->code) + ".";
     const int status = child.end->code;
-    // 1: `inspect` has found wrong rejections, which are what the case is about.
-    if (status == exit_done || status == exit_different) return "";
+    if (status == exit_done || (status == exit_different && is_inspect)) return "";
     constexpr std::string_view start = "scb: error: ";
     std::string said = child.last_line;
     if (said.starts_with(start)) said.erase(0, start.size());
-    return said.empty() ? "It ended with status " + std::to_string(status) + "." : said;
+    return said.empty() ? ended_with(status) + "." : said;
 }
 
 /// Whether the scene is a built-in one whose meshes are not here.
@@ -63,7 +69,7 @@ bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
 
 std::string meta_text(const GoldenCase& golden, const Json& document) {
     Json meta = {{"command", typed(command_of(in_own_folder(golden), "DIR"))}};
-    for (const char* key : {"versions", "scb_version"})
+    for (const char* key : {"bodies", "versions"})
         if (document.contains(key)) meta[key] = document[key];
     return meta.dump(2) + "\n";
 }
@@ -97,6 +103,8 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
     Json document;
     if (has_picture(golden.run)) {
         const fs::path index = made / "index.json";
+        if (!is_there(index))
+            throw InputError(ended_with(child.end->code) + " and has made no index.json.");
         document = parse_json(read_text_file(index.string()), index.string());
         const Json& drawn = only_picture(golden, document);
         move_file(made / drawn.at("file").get<std::string>(), files.image);
@@ -136,7 +144,8 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         add_models(command, settings);
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
         const ChildEnd child = run_child(settings, command);
-        result.message = trouble(child, settings);
+        result.message = trouble(child, settings, golden.run == GoldenRun::inspect);
+        result.stopped = child.stopped;
         result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
         if (result.message.empty()) take_over(golden, child, made, folder);
         result.ran = result.message.empty();
@@ -163,16 +172,7 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
     std::vector<std::string> command =
         trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
     add_models(command, settings);
-    return trouble(run_child(settings, command), settings);
-}
-
-ProgramAnswer ask_program(const GoldenRunSettings& settings,
-                          const std::vector<std::string>& command) {
-    GoldenRunSettings here = settings;
-    here.folder.clear();
-    const ChildEnd child = run_child(here, command);
-    if (!trouble(child, settings).empty()) return {};
-    return {child.end->code, child.printed};
+    return trouble(run_child(settings, command), settings, false);
 }
 
 std::string typed(const std::vector<std::string>& command) {

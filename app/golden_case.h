@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct GoldenRunSettings {
     std::string gl;                     ///< --gl
     std::string mutation{};             ///< of the runs, see Mutation; empty: none
     std::chrono::seconds patience{300};
+    /// Asked while a case runs; where it says true, that is ended.
+    std::function<bool()> stopped = [] { return false; };
 };
 
 /// How a run of a case ended.
@@ -26,6 +29,7 @@ struct GoldenRunEnd {
     bool ran = false;
     bool skipped = false;    ///< a mesh file that the scene needs is not here
     bool lacked_gl = false;  ///< there is no OpenGL context
+    bool stopped = false;    ///< it was ended before its time, see GoldenRunSettings
     std::string message;     ///< why it did not run: a sentence
     double seconds = 0;
 };
@@ -41,17 +45,6 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
 /// large to be kept. Returns why it could not be recorded, a sentence; else nothing.
 std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
                          const std::filesystem::path& folder);
-
-/// What the program said.
-struct ProgramAnswer {
-    int status = -1;
-    std::string text;
-};
-
-/// What the program says to that command line, here; nothing where it could not be run, or failed
-/// with a status other than 0 and 1.
-ProgramAnswer ask_program(const GoldenRunSettings& settings,
-                          const std::vector<std::string>& command);
 
 /// The command line of a case as a user would type it.
 std::string typed(const std::vector<std::string>& command);

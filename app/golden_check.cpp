@@ -31,8 +31,10 @@ struct CheckedCase {
     bool lacked_gl = false;
 };
 
-CheckedCase check_case(const GoldenCase& golden, const GoldenCheck& check) {
+/// Nothing where it was stopped.
+std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenCheck& check) {
     const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
+    if (run.stopped) return std::nullopt;
     CheckedCase checked{{}, run.lacked_gl};
     CaseResult& result = checked.result;
     if (run.ran) {

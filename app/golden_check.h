@@ -25,7 +25,7 @@ struct CheckedCases {
 
 /// Runs all cases and compares each with its baseline, whatever the number of jobs. `step` is
 /// called after each, by one thread at a time, and ends the run by returning false; then the cases
-/// that were not run are left out.
+/// that were not run, or were stopped, are left out.
 CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step);
 
 /// Whether the run of the case has left everything that is compared.

@@ -7,10 +7,12 @@
 #include "app/golden_commands.h"
 #include "app/golden_completion.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "core/error.h"
+#include "golden/baseline.h"
 #include "golden/shard.h"
 
 namespace scb {
@@ -42,6 +44,8 @@ int run(const Options& options, const Console& console) {
         throw InputError(
             "--trace: traces are kept in the folder of the report; name one with --report DIR.");
     const Suite suite = load_suite(options.suite);
+    check_readable(options.baselines_folder());
+    options.files.check(options.suite, options.baselines_folder());
     const GoldenWork work;
     GoldenCheck check;
     check.cases = cases_of(options, suite);
@@ -54,6 +58,7 @@ int run(const Options& options, const Console& console) {
     result.suite = options.suite;
     result.shard = options.shard;
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
     const CheckedCases checked = check_cases(check, [&] {
         progress.step("cases");
@@ -68,8 +73,9 @@ int run(const Options& options, const Console& console) {
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
-    print_result(results_text(result));
     write_results(result, options.files, work.report());
+    for (const std::string& file : uncompared_images(check.folders.baselines, suite))
+        console.note("scb: " + (check.folders.baselines / file).string() + " " + why_uncompared);
     if (has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
     if (!options.files.report.empty())

@@ -7,6 +7,7 @@
 #include "app/golden_trace_lines.h"
 #include "core/error.h"
 #include "golden/baseline.h"
+#include "golden/mesh_difference.h"
 #include "golden/words.h"
 #include "render/image_file.h"
 
@@ -76,13 +77,29 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
                                               "more things have other colors."));
 }
 
+/// Says in front which meshes are others; false where none is.
+bool says_meshes(CaseResult& result, const ComparisonFolders& folders) {
+    try {
+        const std::string meshes = mesh_sentences(case_files(folders.baselines, result.name).meta,
+                                                  case_files(folders.candidates, result.name).meta);
+        if (meshes.empty()) return false;
+        result.message = meshes + " " + result.message;
+        return true;
+    } catch (const InputError& error) {
+        // Of a file that is not compared: the others still tell.
+        result.lines.push_back(error.what());
+        return false;
+    }
+}
+
 }  // namespace
 
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders) {
     if (result.verdict != Verdict::different) return;
+    const bool other_meshes = says_meshes(result, folders);
     try {
-        const bool same_meshes = add_trace_lines(result, folders);
+        const bool same_meshes = add_trace_lines(result, folders, !other_meshes) && !other_meshes;
         if (!result.ids && !(result.colors && golden.ids)) return;
         const Owners owners(golden, settings, folders.candidates / (result.name + ".index.json"),
                             same_meshes);

@@ -3,9 +3,11 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/golden_options.h"
+#include "app/golden_results.h"
 #include "app/text_format.h"
 #include "golden/baseline.h"
 #include "golden/files_equal.h"
+#include "golden/plain_text.h"
 
 namespace scb {
 namespace {
@@ -27,13 +29,16 @@ bool has_baseline(const GoldenCase& golden, const std::filesystem::path& folder)
 int run(const GoldenOptions& options) {
     const Suite suite = load_suite(options.suite);
     const std::filesystem::path folder = options.baselines_folder();
+    check_readable(folder);
     std::string text;
     for (const GoldenCase& golden : options.chosen(suite))
         text += format("%-36s %-18s %-9s ", golden.name.c_str(), compared(golden).c_str(),
                        has_baseline(golden, folder) ? "" : "MISSING") +
-                typed(command_of(golden, "DIR")) + "\n";
+                plain_text(typed(command_of(golden, "DIR"))) + "\n";
     for (const std::string& file : stray_files(folder, suite))
-        text += (folder / file).string() + " belongs to no case.\n";
+        text += plain_text((folder / file).string()) + " belongs to no case.\n";
+    for (const std::string& file : uncompared_images(folder, suite))
+        text += plain_text((folder / file).string()) + " " + why_uncompared + "\n";
     print_result(text);
     return exit_done;
 }

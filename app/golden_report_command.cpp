@@ -4,6 +4,7 @@
 #include "app/exit_status.h"
 #include "app/golden_commands.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/options.h"
 #include "core/error.h"
 #include "golden/merge.h"
@@ -46,7 +47,6 @@ int run(const Options& options, const Console& console) {
     for (const ResultPart& part : parts)
         for (const CaseResult& c : part.result.cases)
             gather(c, fs::path(part.file).parent_path(), work.report());
-    print_result(results_text(merged));
     write_results(merged, options.files, work.report());
     if (!options.files.report.empty())
         console.note("scb: the report is " +

@@ -1,6 +1,7 @@
 #include "app/golden_report_folder.h"
 
 #include "core/error.h"
+#include "golden/files_equal.h"
 #include "golden/report.h"
 #include "render/output_file.h"
 #include "scenes/file_bytes.h"
@@ -28,6 +29,17 @@ void clear_report(const fs::path& folder) {
     fs::remove(list, ignored);
 }
 
+/// The place of a file of the report. Not a pipe: it would wait for a reader.
+fs::path place_of(const fs::path& folder, const fs::path& name) {
+    const fs::path place = folder / name;
+    std::error_code ignored;
+    if (fs::exists(place, ignored) && !is_there(place))
+        throw OutputError(place.string() +
+                          ": there is something of that name that is no file; remove it, or name "
+                          "another folder with --report.");
+    return place;
+}
+
 }  // namespace
 
 void write_report_folder(const SuiteResult& result, const fs::path& folder, const fs::path& work) {
@@ -38,9 +50,10 @@ void write_report_folder(const SuiteResult& result, const fs::path& folder, cons
                           "); name another with --report.");
     clear_report(folder);
     for (const fs::directory_entry& entry : fs::directory_iterator(work))
-        write_file_whole(folder / entry.path().filename(), file_bytes(entry.path().string()));
-    write_file_whole(folder / "report.html", report_html(result, work));
-    write_file_whole(folder / "results.json", results_json(result));
+        write_file_whole(place_of(folder, entry.path().filename()),
+                         file_bytes(entry.path().string()));
+    write_file_whole(place_of(folder, "report.html"), report_html(result, work));
+    write_file_whole(place_of(folder, "results.json"), results_json(result));
 }
 
 std::string results_json(const SuiteResult& result) {

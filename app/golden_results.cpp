@@ -1,8 +1,6 @@
 #include "app/golden_results.h"
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -10,9 +8,13 @@
 #include "app/golden_report_folder.h"
 #include "app/options.h"
 #include "app/version.h"
+#include "core/error.h"
+#include "golden/files_equal.h"
 #include "golden/github.h"
 #include "golden/junit.h"
+#include "golden/plain_text.h"
 #include "golden/result_lines.h"
+#include "golden/words.h"
 #include "render/context.h"
 #include "render/output_file.h"
 
@@ -26,10 +28,23 @@ std::string environment_value(const char* name) {
     return value == nullptr ? "" : value;
 }
 
+/// The same for every name of a file or folder, also of one that is not there yet.
+fs::path one_name(const fs::path& path) {
+    std::error_code ignored;
+    // With something behind it, a folder's name ends alike with and without a slash.
+    return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
+}
+
 void tell_github(const SuiteResult& result) {
     if (environment_value("GITHUB_ACTIONS") == "true") print_result(github_annotations(result));
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
+    std::error_code ignored;
+    // A pipe would wait for a reader.
+    if (fs::exists(summary, ignored) && !is_there(summary))
+        throw OutputError("Cannot write \"" + summary +
+                          "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
+                          "one.");
     std::ofstream file(summary, std::ios::app | std::ios::binary);
     file << github_summary(result);
     if (!file.flush())
@@ -37,22 +52,6 @@ void tell_github(const SuiteResult& result) {
 }
 
 }  // namespace
-
-GoldenWork::GoldenWork() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "scb-golden-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr)
-        throw OutputError("There is no room for temporary files (" + name +
-                          "): " + std::strerror(errno) + "; name another folder with TMPDIR.");
-    path_ = name;
-    fs::create_directory(candidates());
-    fs::create_directory(report());
-}
-
-GoldenWork::~GoldenWork() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
 
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const GoldenRunSettings& settings) {
@@ -68,6 +67,26 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
     } catch (const GlError&) {
         // Then the cases have said so.
         return with_compiler(nullptr);
+    }
+}
+
+void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const {
+    const fs::path folder(report);
+    if (!report.empty() && one_name(folder) == one_name(baselines))
+        throw InputError("--report " + report +
+                         ": this is the folder of the baselines, which only an update changes; "
+                         "name another.");
+    std::vector<std::pair<std::string, fs::path>> written = {{"--junit", junit}, {"--json", json}};
+    for (const char* name : {"report.html", "results.json"})
+        if (!report.empty()) written.emplace_back("--report", folder / name);
+    for (const auto& [option, file] : written) {
+        if (file.empty()) continue;
+        const fs::path name = one_name(file);
+        if (name == one_name(suite) || name.parent_path() == one_name(baselines))
+            throw InputError(option + " would write " + file.string() +
+                             (name == one_name(suite) ? ", which is the suite"
+                                                      : ", which is among the baselines") +
+                             "; name another place.");
     }
 }
 
@@ -87,7 +106,7 @@ void add_result_files(CLI::App& command, ResultFiles& files) {
 
 void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
     std::optional<OutputError> failed;
-    // Where one cannot be written, the others still can.
+    // Where one cannot be written, the others still can: the terminal may have gone.
     const auto attempt = [&](auto write) {
         try {
             write();
@@ -95,6 +114,7 @@ void write_results(const SuiteResult& result, const ResultFiles& files, const fs
             if (!failed) failed = error;
         }
     };
+    attempt([&] { print_result(results_text(result)); });
     if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
     if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
     if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });
@@ -110,17 +130,17 @@ std::string results_text(const SuiteResult& result) {
         ++counts[c.verdict];
         tolerated += is_tolerated(c);
         if (c.verdict == Verdict::same) continue;
-        text += printable(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
-                printable(c.message) + "\n";
-        for (const std::string& line : result_lines(c)) text += "    " + printable(line) + "\n";
-        if (!c.reproduce.empty()) text += "    " + printable(c.reproduce) + "\n";
-        if (!c.diff.empty()) text += "    " + printable(c.diff) + "\n";
-        if (!c.update.empty()) text += "    " + printable(c.update) + "\n";
+        text += plain_text(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
+                plain_text(c.message) + "\n";
+        for (const std::string& line : result_lines(c)) text += "    " + line + "\n";
+        if (!c.reproduce.empty()) text += "    " + plain_text(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + plain_text(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + plain_text(c.update) + "\n";
     }
-    if (!result.incomplete.empty()) text += "incomplete. " + printable(result.incomplete) + "\n";
-    text += std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
+    if (!result.incomplete.empty()) text += "incomplete. " + plain_text(result.incomplete) + "\n";
+    text += words::counted(result.cases.size(), "case", "cases");
     if (result.cases.empty() && !result.shard.empty())
-        text += "; none are left for shard " + printable(result.shard);
+        text += "; none are left for shard " + plain_text(result.shard);
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));

@@ -5,11 +5,13 @@
 #include "app/exit_status.h"
 #include "app/golden_check.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/mutation.h"
 #include "app/progress.h"
 #include "app/text_format.h"
 #include "core/error.h"
+#include "golden/baseline.h"
 
 namespace scb {
 namespace {
@@ -45,11 +47,12 @@ struct Caught {
 
     void add(const CaseResult& result) {
         if (!is_failure(result.verdict)) return;
+        // What crashed has compared nothing.
+        if (result.verdict == Verdict::could_not_run) return could_not_run.push_back(result.name);
         ++cases;
         if (!result.counts.empty()) counts.push_back(result.name);
         if (result.ids) ids.push_back(result.name);
         if (result.colors) colors.push_back(result.name);
-        if (result.verdict != Verdict::different) could_not_run.push_back(result.name);
     }
 };
 
@@ -84,7 +87,7 @@ Judgement judgement(const Expected& expected, const Compared& compared, const Ca
     judge("ids", compared.ids, expected.ids, caught.ids);
     judge("colors", compared.colors, expected.colors, caught.colors);
     if (!caught.could_not_run.empty())
-        lines += "    other   " + some_of(caught.could_not_run) + "\n";
+        lines += "    could not run " + some_of(caught.could_not_run) + "\n";
     judged.caught = lacking.empty();
     judged.text =
         format("%-16s caught by %zu of %zu cases",
@@ -117,11 +120,13 @@ Compared compared_by(const std::vector<GoldenCase>& cases, const std::vector<Cas
 int run(const GoldenOptions& options, const Console& console) {
     options.check();
     const Suite suite = load_suite(options.suite);
+    check_readable(options.baselines_folder());
     GoldenCheck check;
     check.cases = options.chosen(suite);
     check.settings = options.settings();
     check.jobs = options.job_count();
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
     const auto results = [&](const std::string& mutation) {
         const GoldenWork work;

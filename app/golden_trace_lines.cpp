@@ -38,10 +38,12 @@ std::string joined(const std::string& text) {
     return line;
 }
 
-std::vector<std::string> conclusions(const TraceDiff& d) {
+std::vector<std::string> conclusions(const TraceDiff& d, bool names_meshes) {
     std::vector<std::string> lines;
     for (const FieldDifference& field : d.asked)
-        lines.push_back("Another " + field.name + ": " + field.a + " before, " + field.b + " now.");
+        if (names_meshes || !field.name.starts_with("mesh of "))
+            lines.push_back("Another " + field.name + ": " + field.a + " before, " + field.b +
+                            " now.");
     if (const std::string lost = lost_pairs_text(d, names); !lost.empty())
         lines.push_back(lost + ".");
     if (d.first)
@@ -51,7 +53,7 @@ std::vector<std::string> conclusions(const TraceDiff& d) {
 
 }  // namespace
 
-bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders) {
+bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool names_meshes) {
     const std::filesystem::path before = case_files(folders.baselines, result.name).trace,
                                 after = case_files(folders.candidates, result.name).trace;
     std::error_code ignored;
@@ -64,7 +66,7 @@ bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders) {
     for (CountChange& change : counts_difference(tests_by_depth(before), tests_by_depth(after)))
         result.counts.push_back(std::move(change));
     if (d.equal()) return true;
-    for (std::string& line : conclusions(d)) result.lines.push_back(std::move(line));
+    for (std::string& line : conclusions(d, names_meshes)) result.lines.push_back(std::move(line));
     result.trace_difference = trace_diff_text(d, names);
     return d.nodes_comparable;
 }

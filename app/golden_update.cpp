@@ -6,11 +6,14 @@
 #include "app/exit_status.h"
 #include "app/golden_check.h"
 #include "app/golden_results.h"
+#include "app/golden_work.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "core/error.h"
 #include "golden/baseline.h"
 #include "golden/baseline_lock.h"
+#include "golden/plain_text.h"
+#include "golden/words.h"
 
 namespace scb {
 namespace {
@@ -51,7 +54,7 @@ struct Updated {
 void update_case(const Options& options, const GoldenCheck& check, const GoldenCase& golden,
                  const CaseResult& result, Updated& updated) {
     const auto fail = [&](const std::string& sentence) {
-        updated.text += result.name + ": " + sentence + "\n";
+        updated.text += plain_text(result.name + ": " + sentence) + "\n";
         ++updated.failed;
     };
     if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders))
@@ -62,6 +65,7 @@ void update_case(const Options& options, const GoldenCheck& check, const GoldenC
     const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
     if (!broken && !options.takes(result.verdict)) return;
     const std::string trouble = record_trace(golden, check.settings, check.folders.candidates);
+    if (check.settings.stopped()) return;
     if (!trouble.empty())
         fail("its trace could not be recorded, and the old one stays as it is. " + trouble);
     const std::vector<std::string> files =
@@ -69,12 +73,12 @@ void update_case(const Options& options, const GoldenCheck& check, const GoldenC
                          trouble.empty() ? OldTrace::removed : OldTrace::kept);
     if (files.empty()) return;
     ++updated.cases;
-    for (const std::string& file : files) updated.text += file + "\n";
+    for (const std::string& file : files) updated.text += plain_text(file) + "\n";
 }
 
 void print(const Updated& updated, std::size_t cases) {
-    print_result(updated.text + std::to_string(updated.cases) + " of " + std::to_string(cases) +
-                 (cases == 1 ? " case" : " cases") + " updated\n");
+    print_result(updated.text + words::grouped(updated.cases) + " of " +
+                 words::counted(cases, "case", "cases") + " updated\n");
 }
 
 int run(const Options& options, const Console& console) {
@@ -89,6 +93,7 @@ int run(const Options& options, const Console& console) {
     const BaselineLock lock(check.folders.baselines);
     if (lock.held()) remove_unfinished(check.folders.baselines);
     const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
     const std::vector<CaseResult> results = check_cases(check, [&] {
                                                 progress.step("cases");
@@ -110,7 +115,8 @@ int run(const Options& options, const Console& console) {
     }
     if (options.all)
         for (const std::string& file : stray_files(check.folders.baselines, suite))
-            updated.text += file + ": belongs to no case; remove it by hand if it is not needed.\n";
+            updated.text +=
+                plain_text(file) + ": belongs to no case; remove it by hand if it is not needed.\n";
     print(updated, results.size());
     if (watch.signal() != 0) {
         console.note("scb: interrupted; what is listed was updated, the rest is as it was.");

@@ -30,7 +30,7 @@ void remember(int signal) {
     std::raise(signal);
 }
 
-constexpr int signals[] = {SIGINT, SIGTERM};
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 
 namespace scb {
 
-/// While one of these exists, Ctrl-C (SIGINT) and SIGTERM do not end the program but are
+/// While one of these exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the program but are
 /// remembered, so that a long run can stop between two results and leave what it has finished. A
 /// second one, 0.3 s later or more, ends the program.
 class InterruptWatch {
@@ -20,7 +20,7 @@ class InterruptWatch {
     int signal() const;
 
   private:
-    std::array<struct sigaction, 2> before_{};
+    std::array<struct sigaction, 3> before_{};
 };
 
 }  // namespace scb

@@ -1,5 +1,7 @@
 #include "app/level_index.h"
 
+#include "app/trace_report.h"
+
 namespace scb {
 namespace {
 
@@ -34,8 +36,12 @@ Json level_head(const LevelOptions& options, const Scene& scene, int frame,
     Json levels_json = Json::array(), kinds = Json::array();
     for (const int level : levels) levels_json.push_back(level_json(level));
     for (const VolumeKind kind : options.hierarchy.kinds()) kinds.push_back(volume_kind_name(kind));
+    Json bodies = Json::array();
+    for (const Body& body : scene.bodies)
+        bodies.push_back(body_json({body.name, fingerprint(scene.meshes[body.mesh].mesh)}));
     return {{"command", "render levels"},
             {"scene", scene.name},
+            {"bodies", std::move(bodies)},
             {"frame", frame},
             {"options",
              {{"volume", kinds},

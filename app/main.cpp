@@ -85,8 +85,8 @@ int run(int argc, char** argv) {
     program.footer(
         "Exit status: 0 done, 2 bad usage or input, 3 the environment failed (disk full, cannot "
         "write),\n"
-        "77 no OpenGL context, 130 and 143 interrupted by Ctrl-C and SIGTERM; 1 a comparison found "
-        "differences.\n\n"
+        "77 no OpenGL context, 130, 143 and 129 interrupted by Ctrl-C, SIGTERM and SIGHUP; 1 a "
+        "comparison found\ndifferences.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     Console console;

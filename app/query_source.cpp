@@ -4,6 +4,8 @@
 
 #include "app/number_list.h"
 #include "core/error.h"
+#include "golden/baseline.h"
+#include "golden/files_equal.h"
 
 namespace scb {
 namespace {
@@ -37,6 +39,25 @@ std::string text_of(const MeshFingerprint& mesh) {
            " vertices";
 }
 
+/// "when the mesh of A had ..., and cone has another of ..."
+std::string mesh_words(const TraceBody& then, const MeshFingerprint& now,
+                       const std::string& scene) {
+    if (text_of(then.mesh) == text_of(now))
+        return "with another mesh of " + then.name + ": it had " + text_of(now) + " as that of " +
+               scene + " has, but other coordinates or indices";
+    return "when the mesh of " + then.name + " had " + text_of(then.mesh) + ", and " + scene +
+           " has another of " + text_of(now);
+}
+
+/// A baseline is what was right once, which its suite must be asked about.
+std::string advice(const std::string& path) {
+    const std::filesystem::path trace(path);
+    const bool is_baseline =
+        is_there(case_files(trace.parent_path(), trace.stem().string()).counts);
+    return is_baseline ? "it is a baseline, and `scb golden check` says what differs from it"
+                       : "record it again";
+}
+
 }  // namespace
 
 QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -56,7 +77,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     header_ = trace_->reader.header();
     if (header_.scb_version != SCB_VERSION)
         throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
-                         SCB_VERSION + ", whose nodes may be others; record it again.");
+                         SCB_VERSION + ", whose nodes may be others; " + advice(path) + ".");
     RecordedOptions recorded = recorded_options(header_, scene);
     if (header_.source.size() == 2) {
         // Two meshes: the first is at the identity pose, and the second was where the frame says.
@@ -75,9 +96,8 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
         const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));
         const TraceBody& then = header_.bodies[side];
         if (now != then.mesh)
-            throw InputError(path + " was recorded when the mesh of " + then.name + " had " +
-                             text_of(then.mesh) + ", and " + query_.scene.name +
-                             " has another of " + text_of(now) + "; record it again.");
+            throw InputError(path + " was recorded " + mesh_words(then, now, query_.scene.name) +
+                             "; " + advice(path) + ".");
     }
     if (frames == auto_frames) {
         const int own = query_.scene.default_frame;

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/text_format.h"
+#include "core/pairs_hash.h"
 #include "core/trace_words.h"
 
 namespace scb {
@@ -29,14 +30,16 @@ std::string trace_header_text(const TraceHeader& header) {
     return text + "recorded by scb " + printable(header.scb_version) + "\n";
 }
 
+Json body_json(const TraceBody& body) {
+    return {{"name", body.name},
+            {"triangles", body.mesh.triangles},
+            {"vertices", body.mesh.vertices},
+            {"hash", hash_text(body.mesh.hash)}};
+}
+
 Json trace_header_json(const TraceHeader& header) {
     Json bodies = Json::array();
-    for (const TraceBody& body : header.bodies)
-        bodies.push_back(
-            {{"name", body.name},
-             {"triangles", body.mesh.triangles},
-             {"vertices", body.mesh.vertices},
-             {"hash", format("%016llx", static_cast<unsigned long long>(body.mesh.hash))}});
+    for (const TraceBody& body : header.bodies) bodies.push_back(body_json(body));
     Json result = {{"version", header.scb_version},
                    {"source", header.source},
                    {"scene", header.scene},

@@ -9,6 +9,8 @@ namespace scb {
 
 /// What was asked, as lines, and as JSON.
 std::string trace_header_text(const TraceHeader& header);
+/// A body and what tells its mesh from others.
+nlohmann::ordered_json body_json(const TraceBody& body);
 nlohmann::ordered_json trace_header_json(const TraceHeader& header);
 
 /// One test: nodes, depths, stage, and what follows from it.

@@ -1,9 +1,13 @@
 #include "golden/baseline.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <map>
 #include <set>
 #include <system_error>
 
+#include "core/error.h"
 #include "golden/file_replacement.h"
 #include "golden/files_equal.h"
 #include "render/output_file.h"
@@ -41,6 +45,18 @@ CaseFiles case_files(const fs::path& folder, const std::string& name) {
     return {folder / (name + ".counts.json"), folder / (name + ".ids.png"),
             folder / (name + ".png"), folder / (name + ".meta.json"),
             folder / (name + ".scbtrace")};
+}
+
+void check_readable(const fs::path& baselines) {
+    std::error_code error;
+    const fs::file_status status = fs::status(baselines, error);
+    if (status.type() == fs::file_type::not_found) return;
+    if (!error && !fs::is_directory(status))
+        throw InputError(baselines.string() +
+                         ": this is no folder; name that of the baselines with --baselines.");
+    if (error || ::access(baselines.c_str(), R_OK | X_OK) != 0)
+        throw InputError(baselines.string() +
+                         ": the baselines in this folder cannot be read; check its permissions.");
 }
 
 std::vector<fs::path> accepted_images(const fs::path& folder, const std::string& name) {
@@ -92,6 +108,27 @@ void remove_unfinished(const fs::path& baselines) {
     for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored))
         if (entry.path().filename().string().starts_with(replacement_prefix)) left.push_back(entry);
     for (const fs::path& path : left) fs::remove_all(path, ignored);
+}
+
+std::vector<std::string> uncompared_images(const fs::path& baselines, const Suite& suite) {
+    std::map<std::string, std::vector<fs::path>> accepted;
+    for (const GoldenCase& golden : suite.cases)
+        accepted[golden.name] = accepted_images(baselines, golden.name);
+    std::vector<std::string> uncompared;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(baselines, ignored)) {
+        const std::string file = entry.path().filename().string();
+        const auto of_case = accepted.find(case_of(file));
+        const bool is_variant = of_case != accepted.end() && file.ends_with(".png") &&
+                                file != of_case->first + ".png" &&
+                                file != of_case->first + ".ids.png";
+        if (!is_variant) continue;
+        const std::vector<fs::path>& images = of_case->second;
+        if (std::find(images.begin(), images.end(), entry.path()) == images.end())
+            uncompared.push_back(file);
+    }
+    std::sort(uncompared.begin(), uncompared.end());
+    return uncompared;
 }
 
 std::vector<std::string> stray_files(const fs::path& baselines, const Suite& suite) {

@@ -14,6 +14,10 @@ struct CaseFiles {
 };
 CaseFiles case_files(const std::filesystem::path& folder, const std::string& name);
 
+/// Throws InputError where the folder of baselines is there, but is no folder or one whose files
+/// cannot be read: they would count as missing.
+void check_readable(const std::filesystem::path& baselines);
+
 /// The pictures that are accepted: NAME.png, and NAME.2.png, NAME.3.png, ... as far as they follow
 /// each other.
 std::vector<std::filesystem::path> accepted_images(const std::filesystem::path& folder,
@@ -35,6 +39,11 @@ std::vector<std::string> replace_baseline(const std::filesystem::path& baselines
 /// Removes what an update that was killed has left: files that never came to their places. Not
 /// while another update may run, see BaselineLock.
 void remove_unfinished(const std::filesystem::path& baselines);
+
+/// Pictures of the suite's cases, NAME.3.png, that are never compared, since accepted_images ends
+/// before them.
+std::vector<std::string> uncompared_images(const std::filesystem::path& baselines,
+                                           const Suite& suite);
 
 /// Files in the folder of baselines that belong to no case of the suite.
 std::vector<std::string> stray_files(const std::filesystem::path& baselines, const Suite& suite);

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "golden/baseline.h"
 #include "golden/files_equal.h"
+#include "golden/words.h"
 #include "render/image_file.h"
 #include "render/output_file.h"
 #include "scenes/file_bytes.h"
@@ -15,13 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-std::string box_words(const PixelBox& box) {
-    return "in the box from (" + std::to_string(box.left) + ", " + std::to_string(box.top) +
-           ") to (" + std::to_string(box.right - 1) + ", " + std::to_string(box.bottom - 1) + ")";
+/// "19 pixels in the box from (1, 2) to (3, 4)", "1 pixel at (1, 2)"
+std::string pixels_words(std::size_t pixels, const PixelBox& box) {
+    const std::string where = words::box_words(box);
+    return words::counted(pixels, "pixel", "pixels") +
+           (where.starts_with("from") ? " in the box " : " ") + where;
 }
 
 std::string size_words(const Image& image) {
@@ -76,7 +75,12 @@ class Comparison {
     bool has(const fs::path& baseline, const char* what) {
         if (is_there(baseline)) return true;
         raise(Verdict::new_output);
-        said_.push_back("the baseline has no " + std::string(what) + ", and the run made some");
+        std::error_code ignored;
+        said_.push_back(fs::exists(baseline, ignored)
+                            ? baseline.filename().string() +
+                                  " of the baseline is no regular file, and the run made one"
+                            : "the baseline has no " + std::string(what) +
+                                  ", and the run made some");
         return false;
     }
 
@@ -125,7 +129,7 @@ class Comparison {
         result_.counts = counts_difference(read(baseline_.counts), read(candidate_.counts));
         if (result_.counts.empty()) return;
         raise(Verdict::different);
-        said_.push_back(counted(result_.counts.size(), "count", "counts"));
+        said_.push_back(words::counted(result_.counts.size(), "count", "counts"));
     }
 
     void compare_ids() {
@@ -139,8 +143,7 @@ class Comparison {
         IdDifference difference = id_difference(unpack_ids(before), unpack_ids(after));
         if (difference.pixels == 0) return;
         raise(Verdict::different);
-        said_.push_back("the owners of " + counted(difference.pixels, "pixel", "pixels") + " " +
-                        box_words(difference.box));
+        said_.push_back("the owners of " + pixels_words(difference.pixels, difference.box));
         result_.id_picture = {copied(baseline_.ids, "baseline"), copied(candidate_.ids, "new"), ""};
         result_.ids = std::move(difference);
     }
@@ -175,9 +178,8 @@ class Comparison {
         if (!closest && closest_image.width > 0) size_differs(closest_image, after);
         if (!closest) return;
         raise(Verdict::different);
-        said_.push_back("the colors of " + counted(closest->pixels, "pixel", "pixels") + " " +
-                        box_words(closest->box) + ", by up to " + std::to_string(closest->largest) +
-                        " of 255");
+        said_.push_back("the colors of " + pixels_words(closest->pixels, closest->box) +
+                        ", by up to " + std::to_string(closest->largest) + " of 255");
         result_.colors = closest;
         copy_pictures(&closest_image, after);
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "golden/plain_text.h"
 #include "golden/result_lines.h"
 #include "golden/words.h"
 
@@ -26,9 +27,7 @@ Cases failing_cases(const SuiteResult& result) {
     return failing;
 }
 
-std::string cases_text(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " case" : " cases");
-}
+std::string cases_text(std::size_t count) { return words::counted(count, "case", "cases"); }
 
 /// The text, cut before a character where it is long.
 std::string shortened(std::string_view text, std::size_t most = longest_text) {
@@ -58,8 +57,8 @@ std::string command_data(std::string_view text) { return escaped(text, "%\r\n");
 std::string command_property(std::string_view text) { return escaped(text, "%\r\n:,"); }
 
 std::string annotation(const std::string& title, const std::string& message) {
-    return "::error title=" + command_property(shortened(title)) + "::" + command_data(message) +
-           "\n";
+    return "::error title=" + command_property(shortened(plain_text(title))) +
+           "::" + command_data(message) + "\n";
 }
 
 /// At most that many of the lines of a case, each behind a line end, and how many more there are.
@@ -73,16 +72,17 @@ std::string lines_text(const CaseResult& result, std::size_t most) {
 }
 
 std::string annotation_of(const CaseResult& result) {
-    return annotation(result.name + " (" + std::string(verdict_name(result.verdict)) + ")",
-                      shortened(result.message) + lines_text(result, most_annotated_lines));
+    return annotation(
+        result.name + " (" + std::string(verdict_name(result.verdict)) + ")",
+        shortened(plain_text(result.message)) + lines_text(result, most_annotated_lines));
 }
 
 /// Text that Markdown shows as it is, on one line, cut where it is long.
 std::string markdown(std::string_view text, std::size_t most) {
     std::string result;
-    for (const char c : shortened(text, most)) {
+    for (const char c : shortened(plain_text(text), most)) {
         if (std::string_view("\\`*_[]<>|~#&$!").find(c) != std::string_view::npos) result += '\\';
-        result += c == '\n' || c == '\r' ? ' ' : c;
+        result += c;
     }
     return result;
 }
@@ -106,7 +106,7 @@ std::string section_of(const CaseResult& result) {
     if (!lines.empty()) section += code_block("", lines.substr(1) + "\n");
     std::string commands;
     for (const std::string& command : {result.reproduce, result.diff, result.update})
-        if (!command.empty()) commands += command + "\n";
+        if (!command.empty()) commands += plain_text(command) + "\n";
     return commands.empty() ? section : section + code_block("sh", commands);
 }
 
@@ -128,7 +128,7 @@ std::string github_annotations(const SuiteResult& result) {
     std::string text;
     std::size_t most = most_annotations;
     if (!result.incomplete.empty()) {
-        text += annotation("incomplete", shortened(result.incomplete));
+        text += annotation("incomplete", shortened(plain_text(result.incomplete)));
         --most;
     }
     const std::size_t shown = failing.size() > most ? most - 1 : failing.size();
@@ -137,8 +137,8 @@ std::string github_annotations(const SuiteResult& result) {
     std::string names;
     for (std::size_t i = shown; i < failing.size(); ++i)
         names += (names.empty() ? "" : ", ") + failing[i]->name;
-    return text +
-           annotation(std::to_string(failing.size() - shown) + " more cases", shortened(names));
+    return text + annotation(std::to_string(failing.size() - shown) + " more cases",
+                             shortened(plain_text(names)));
 }
 
 std::string github_summary(const SuiteResult& result, std::size_t largest) {

@@ -1,5 +1,6 @@
 #include "golden/result_lines.h"
 
+#include "golden/plain_text.h"
 #include "golden/words.h"
 
 namespace scb {
@@ -28,7 +29,7 @@ std::vector<std::string> count_lines(const CaseResult& result, std::size_t most)
     for (const CountChange& change : result.counts) {
         if (is_of_trace(change)) continue;
         if (lines.size() < most)
-            lines.push_back(line_of(change));
+            lines.push_back(plain_text(line_of(change)));
         else
             ++more;
     }
@@ -38,7 +39,7 @@ std::vector<std::string> count_lines(const CaseResult& result, std::size_t most)
 
 std::vector<std::string> result_lines(const CaseResult& result) {
     std::vector<std::string> lines = count_lines(result);
-    lines.insert(lines.end(), result.lines.begin(), result.lines.end());
+    for (const std::string& line : result.lines) lines.push_back(plain_text(line));
     return lines;
 }
 

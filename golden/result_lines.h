@@ -12,7 +12,7 @@ namespace scb {
 std::vector<std::string> count_lines(const CaseResult& result, std::size_t most = 10);
 
 /// What a case has to say below its message, in a terminal as in the logs of CI: the first counts
-/// that differ, then its lines.
+/// that differ, then its lines. All as plain_text.
 std::vector<std::string> result_lines(const CaseResult& result);
 
 }  // namespace scb

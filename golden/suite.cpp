@@ -21,6 +21,9 @@ constexpr std::pair<GoldenRun, std::string_view> runs[] = {
 /// Larger pictures make large repositories.
 constexpr int largest_side = 512;
 
+/// That follow each other.
+constexpr std::size_t most_presets = 16;
+
 constexpr std::string_view refused_arguments[] = {
     "--output",    "--json",    "--csv",      "--ids",   "--jobs",    "--video",
     "--fps",       "--sheet",   "--no-sheet", "--pick",  "--compare", "--steps",
@@ -201,6 +204,10 @@ class Reader {
             if (preset == presets_.end())
                 refuse(at, "there is no preset " + name + "; see `presets`.");
             if (!seen.insert(name).second) refuse(at, "the preset " + name + " inherits itself.");
+            if (seen.size() > most_presets)
+                refuse(at, "more than " + std::to_string(most_presets) +
+                               " presets take fields over from each other; make the chain "
+                               "shorter.");
             apply(preset->second, golden, seen, given);
         }
         for (const auto& item : place.value->items()) given.insert(item.key());
@@ -238,6 +245,11 @@ bool has_ids(GoldenRun run) {
     return run == GoldenRun::levels || run == GoldenRun::pairs || run == GoldenRun::rejections;
 }
 
-Suite load_suite(const std::filesystem::path& file) { return Reader(file).take(); }
+Suite load_suite(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw InputError(file.string() + ": there is no such file; name your suite with --suite.");
+    return Reader(file).take();
+}
 
 }  // namespace scb

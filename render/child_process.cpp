@@ -149,7 +149,8 @@ void ChildProcess::kill() {
     ::shutdown(input_, SHUT_RDWR);
 }
 
-std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most) {
+std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most,
+                                             const std::function<bool()>& stopped) {
     if (id_ < 0) return std::nullopt;
     ::shutdown(input_, SHUT_WR);
     using Clock = std::chrono::steady_clock;
@@ -160,7 +161,7 @@ std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most) {
         ended = ::waitpid(id_, &status, killed ? 0 : WNOHANG);
         forgotten = ended < 0 && errno == ECHILD;  // SIGCHLD is ignored
         if (ended != 0) continue;
-        if (Clock::now() < end) {
+        if (Clock::now() < end && !(stopped && stopped())) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         } else {
             kill();

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,9 +54,10 @@ class ChildProcess {
     void kill();
 
     /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
-    /// and was killed; where it was waited for before; and where SIGCHLD is ignored, as then nobody
-    /// learns how it ended.
-    std::optional<ProcessEnd> wait(std::chrono::milliseconds most);
+    /// or when `stopped`, which is asked all the while, says true, and was killed; where it was
+    /// waited for before; and where SIGCHLD is ignored, as then nobody learns how it ended.
+    std::optional<ProcessEnd> wait(std::chrono::milliseconds most,
+                                   const std::function<bool()>& stopped = {});
 
     /// All of its standard output so far.
     std::string printed() const;

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -94,18 +95,34 @@ std::vector<std::uint8_t> encode_png(const IdImage& image) {
 }
 
 Image read_png(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw InputError("\"" + path.string() + "\" is not a regular file; save it to one first.");
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                          std::fclose);
     if (!file)
         throw InputError("Cannot read \"" + path.string() + "\": " + std::strerror(errno) + ".");
+    // The header is the first chunk, in which the ninth byte is the depth.
+    std::array<unsigned char, 25> start{};
+    const bool has_header = std::fread(start.data(), 1, start.size(), file.get()) == start.size() &&
+                            std::memcmp(&start[12], "IHDR", 4) == 0;
+    if (const int depth = start[24]; has_header && depth != 8)
+        throw InputError("\"" + path.string() + "\" has " + std::to_string(depth) +
+                         " bits a channel, of which 8 would be compared; save it with 8.");
+    std::rewind(file.get());
     Image image;
     int channels = 0;
     std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_file(file.get(), &image.width, &image.height, &channels, 4),
         stbi_image_free);
-    if (!pixels)
-        throw InputError("\"" + path.string() + "\" is not a PNG file: " + stbi_failure_reason() +
-                         ".");
+    if (!pixels) {
+        // The decoder takes what is behind the end for a chunk without a name.
+        const std::string reason = stbi_failure_reason();
+        throw InputError("\"" + path.string() + "\" is not a " +
+                         (reason.empty() || reason[0] == ' ' ? "whole PNG file: it ends too early."
+                                                             : "PNG file: " + reason + "."));
+    }
     const std::size_t size =
         4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.rgba.assign(pixels.get(), pixels.get() + size);

@@ -16,7 +16,8 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 /// lowest first.
 std::vector<std::uint8_t> encode_png(const IdImage& image);
 
-/// Reads a picture from a PNG file. Throws InputError where there is no such file or it is no PNG.
+/// Reads a picture from a PNG file. Throws InputError where there is no such file, it is no PNG of
+/// 8 bits a channel, or none at all but a pipe or a device, which need not end.
 Image read_png(const std::filesystem::path& path);
 
 /// The ids of a picture as encode_png(IdImage) packs them.

@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "tests/app/golden_command.h"
 
 namespace scb {
@@ -71,6 +73,49 @@ TEST_F(GoldenCommandCases, FindOtherPairsThatAreAsMany) {
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("frames/0/pairs_hash"), std::string::npos) << run.out;
     EXPECT_EQ(run.out.find("frames/0/pairs:"), std::string::npos) << run.out;
+}
+
+TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
+    write_text(folder / "my/a.obj", two_triangles(false));
+    write_text(folder / "my/b.obj", cutting_triangle);
+    write_cases({{{"name", "front"},
+                  {"run", "levels"},
+                  {"scene", {"a.obj", "b.obj"}},
+                  {"arguments", {"--levels", "0"}}},
+                 {{"name", "pair"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
+                 {{"name", "sum"}, {"run", "inspect"}, {"scene", {"a.obj", "b.obj"}}}});
+    ASSERT_EQ(golden("update --all").status, 0);
+    const std::string trace = folder / "my/baselines/pair.scbtrace";
+    EXPECT_EQ(
+        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&")
+            .status,
+        0);
+    // As many triangles and vertices, elsewhere.
+    std::string moved = two_triangles(true);
+    moved.replace(moved.find("0 0 0"), 5, "3 0 0");
+    write_text(folder / "my/a.obj", moved);
+    const ProgramRun run = golden("check");
+    for (const char* name : {"front", "pair", "sum"})
+        EXPECT_TRUE(std::regex_search(
+            run.out,
+            std::regex(
+                std::string(name) +
+                ": different\\. The mesh of A is another: 2 triangles, 6 vertices, hash "
+                "[0-9a-f]{16} instead of 2 triangles, 6 vertices, hash [0-9a-f]{16}\\. These "
+                "differ: ")))
+            << run.out;
+    EXPECT_EQ(run.out.find("The mesh of B"), std::string::npos);
+    EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
+    const ProgramRun inspected =
+        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
+    EXPECT_NE(
+        inspected.err.find("with another mesh of A: it had 2 triangles and 6 vertices as that of "),
+        std::string::npos)
+        << inspected.err;
+    EXPECT_NE(inspected.err.find("other coordinates or indices; it is a baseline, and `scb golden "
+                                 "check` says what differs from it."),
+              std::string::npos)
+        << inspected.err;
 }
 
 TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {
@@ -166,6 +211,57 @@ TEST_F(GoldenCommandCases, AreAskedForNoMoreThanTheyCompare) {
     EXPECT_EQ(run.status, 0) << run.out;
     EXPECT_NE(run.out.find("ids     not compared"), std::string::npos) << run.out;
     EXPECT_EQ(run.out.find("NOT CAUGHT"), std::string::npos) << run.out;
+}
+
+TEST_F(GoldenCommandCases, ThatCrashCatchNothing) {
+    write_cases({{{"name", "levels"},
+                  {"run", "levels"},
+                  {"scene", "spheres-l1"},
+                  {"arguments", {"--levels", "5"}}}});
+    ASSERT_EQ(golden("update --all").status, 0);
+    const std::string runner = folder / "runner";
+    write_text(runner, "#!/bin/sh\ncase \"$*\" in *--mutation*) exit 2;; esac\nexec \"$@\"\n");
+    fs::permissions(runner, fs::perms::owner_all);
+    const ProgramRun run = golden("selftest --runner " + runner);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.out.find("nudge-radius     caught by 0 of 1 cases: NOT CAUGHT by ids, colors\n"),
+              std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("    could not run 1: levels\n"), std::string::npos) << run.out;
+}
+
+TEST_F(GoldenCommandCases, SayHowTheirRunnerEnded) {
+    write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}},
+                 {{"name", "summary"}, {"run", "inspect"}, {"scene", "cone"}},
+                 {{"name", "counts"}, {"run", "collide"}, {"scene", "cone"}}});
+    const ProgramRun failed = golden("check --runner false"), idle = golden("check --runner true");
+    EXPECT_NE(failed.out.find("front: could not run. It ended with status 1.\n"), std::string::npos)
+        << failed.out;
+    EXPECT_NE(failed.out.find("counts: could not run. It ended with status 1.\n"),
+              std::string::npos);
+    // Of which it is no trouble.
+    EXPECT_NE(failed.out.find(
+                  "summary: could not run. It ended with status 1 and has made no index.json.\n"),
+              std::string::npos)
+        << failed.out;
+    EXPECT_NE(
+        idle.out.find("front: could not run. It ended with status 0 and has made no index.json.\n"),
+        std::string::npos)
+        << idle.out;
+}
+
+TEST_F(GoldenCommandCases, NeedASuiteAndRoom) {
+    const ProgramRun none = run_scb("golden check", "cd / && env -u CI");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("there is no such file; name your suite with --suite."),
+              std::string::npos)
+        << none.err;
+    write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}}});
+    const ProgramRun roomless = golden("check", "env TMPDIR=" + suite);
+    EXPECT_EQ(roomless.status, 3);
+    EXPECT_NE(roomless.err.find("There is no folder for temporary files (Not a directory)"),
+              std::string::npos)
+        << roomless.err;
 }
 
 TEST_F(GoldenCommandCases, ThatCatchNothingAreToldWhatWould) {

@@ -18,13 +18,17 @@ struct ProgramRun {
 /// an environment, a limit.
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
 
-/// A prefix for a run that is interrupted, as by Ctrl-C, once it has begun to give results: after a
-/// time that is enough for that on a busy machine, with sanitizers too.
+/// A prefix for a run that gets a signal once it has begun to give results: after a time that is
+/// enough for that on a busy machine, with sanitizers too.
+inline std::string interrupted_by(const std::string& signal) {
 #ifdef SCB_SANITIZED
-inline const std::string interrupted = "timeout --preserve-status -s INT 20";
+    return "timeout --preserve-status -s " + signal + " 20";
 #else
-inline const std::string interrupted = "timeout --preserve-status -s INT 3";
+    return "timeout --preserve-status -s " + signal + " 3";
 #endif
+}
+/// As by Ctrl-C.
+inline const std::string interrupted = interrupted_by("INT");
 
 /// The whole file, as bytes.
 std::string file_text(const std::filesystem::path& path);

@@ -75,8 +75,8 @@ TEST_F(CaseComparison, SaysWhatDiffersInEach) {
     EXPECT_EQ(result.ids->pixels, 1u);
     EXPECT_EQ(result.colors->largest, 1);
     EXPECT_EQ(result.message,
-              "These differ: 1 count; the owners of 1 pixel in the box from (3, 0) to (3, 0); the "
-              "colors of 1 pixel in the box from (1, 2) to (1, 2), by up to 1 of 255.");
+              "These differ: 1 count; the owners of 1 pixel at (3, 0); the "
+              "colors of 1 pixel at (1, 2), by up to 1 of 255.");
     EXPECT_TRUE(in_report(result.picture.baseline) && in_report(result.picture.candidate) &&
                 in_report(result.picture.difference) && in_report(result.id_picture.candidate));
 }
@@ -156,7 +156,7 @@ TEST_F(CaseComparison, AFolderIsNoPicture) {
     fs::create_directory(baselines.path / "case.png");
     const CaseResult result = compare();
     EXPECT_EQ(result.verdict, Verdict::new_output);
-    expect_said(result, "the baseline has no picture");
+    expect_said(result, "case.png of the baseline is no regular file");
 }
 
 TEST_F(CaseComparison, ComparesOnlyWhatTheCaseSays) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "golden/words.h"
 #include "tests/golden/sample_result.h"
 
 namespace scb {
@@ -63,8 +64,8 @@ TEST(GithubAnnotations, EscapeWhatGithubWouldRead) {
     result.cases = {failing_case("a:b,c%d\r\n::error::e", 0)};
     result.cases[0].message = "50% of a:b,c\r\n::warning::no%0A";
     EXPECT_EQ(github_annotations(result),
-              "::error title=a%3Ab%2Cc%25d%0D%0A%3A%3Aerror%3A%3Ae (different)::"
-              "50%25 of a:b,c%0D%0A::warning::no%250A\n");
+              "::error title=a%3Ab%2Cc%25d\\r\\n%3A%3Aerror%3A%3Ae (different)::"
+              "50%25 of a:b,c\\r\\n::warning::no%250A\n");
 }
 
 TEST(GithubAnnotations, AreAsManyAsGithubShows) {
@@ -137,7 +138,8 @@ TEST(GithubSummary, ShowsTextAsItIs) {
     result.cases[0].lines = {"````sh", "<b> & |"};
     const std::string text = github_summary(result);
     EXPECT_NE(
-        text.find("### a\\|b \\<script\\> \\`c\\` \\*d\\* \\_e\\_ \\[f\\](g) \\#h \\#\\#\\# i\n"),
+        text.find(
+            "### a\\|b \\<script\\> \\`c\\` \\*d\\* \\_e\\_ \\[f\\](g) \\#h\\\\n\\#\\#\\# i\n"),
         std::string::npos)
         << text;
     EXPECT_NE(text.find("\n`````\n````sh\n<b> & |\n`````\n"), std::string::npos) << text;
@@ -151,8 +153,7 @@ TEST(GithubSummary, StaysWithinTheLimitAndSaysWhatIsLeftOut) {
                 const std::string text = github_summary(failing_suite(cases, lines), largest);
                 ASSERT_LE(text.size(), largest);
                 const std::size_t shown = occurrences(text, "### case-");
-                const std::string rest = std::to_string(cases - shown) +
-                                         (cases - shown == 1 ? " case" : " cases") +
+                const std::string rest = words::counted(cases - shown, "case", "cases") +
                                          " more failed; the report has all of them.\n";
                 EXPECT_EQ(text.ends_with(rest), shown < cases) << text.substr(text.size() - 100);
                 EXPECT_GT(shown, 0u);

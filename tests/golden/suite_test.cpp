@@ -87,6 +87,22 @@ TEST_F(SuiteFile, RefusesWhatIsNoSuite) {
     expect_refused("/scb_golden", 2, "scb_golden");
 }
 
+TEST_F(SuiteFile, RefusesLongChainsOfPresets) {
+    json document = json::parse(text);
+    const auto use_chain_of = [&](int presets) {
+        document["presets"]["p1"] = document["presets"]["picture"];
+        for (int i = 2; i <= presets; ++i)
+            document["presets"]["p" + std::to_string(i)] = {
+                {"preset", "p" + std::to_string(i - 1)}};
+        document["cases"][0]["preset"] = "p" + std::to_string(presets);
+    };
+    use_chain_of(16);
+    EXPECT_EQ(load(document).cases.size(), 3u);
+    // As many as would take all of the stack.
+    use_chain_of(30000);
+    EXPECT_THROW(load(document), InputError);
+}
+
 TEST_F(SuiteFile, RefusesNamesThatOtherFilesOfABaselineCouldHave) {
     for (const char* name : {"margin-0.2", "levels.ids", "a.b", ".hidden", "-o", "a/b", "", "a b"})
         expect_refused("/cases/0/name", name, "cases[0].name");

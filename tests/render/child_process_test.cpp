@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <thread>
 
@@ -47,6 +48,20 @@ TEST_F(ChildProcessTest, EndsWithAStatusOrByASignal) {
         EXPECT_EQ(end_of("kill -" + std::to_string(signal) + " $$"), (ProcessEnd{true, signal}));
     EXPECT_EQ(end_of("sleep 600", milliseconds(50)), std::nullopt);
     EXPECT_TRUE(no_child_is_left());
+}
+
+TEST_F(ChildProcessTest, IsKilledWithItsChildrenWhereItsWaitIsStopped) {
+    ChildProcess child({"sh", "-c", "sleep 600 & echo $!; wait"}, output, seconds(60));
+    EXPECT_EQ(child.wait(seconds(600), [&] { return !child.printed().empty(); }), std::nullopt);
+    EXPECT_TRUE(no_child_is_left());
+    const pid_t its_child = std::stoi(child.printed());
+    EXPECT_TRUE(soon([&] {
+        // Where nobody waits for it, it stays as a zombie.
+        std::ifstream status("/proc/" + std::to_string(its_child) + "/stat");
+        std::string text;
+        std::getline(status, text);
+        return !status || text.find(") Z ") != std::string::npos;
+    }));
 }
 
 TEST_F(ChildProcessTest, RunsInTheFolderThatItIsGiven) {

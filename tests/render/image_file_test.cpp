@@ -72,6 +72,38 @@ TEST_F(ImageFile, WhatIsNoPngIsRefused) {
     half.resize(half.size() / 2);
     write_file_whole(folder / "half.png", half);
     EXPECT_THROW(read_png(folder / "half.png"), InputError);
+    std::vector<std::uint8_t> endless = encode_png(gradient(true));
+    constexpr std::size_t end_chunk = 12;
+    endless.resize(endless.size() - end_chunk);
+    write_file_whole(folder / "endless.png", endless);
+    try {
+        read_png(folder / "endless.png");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("it ends too early."), std::string::npos)
+            << error.what();
+    }
+    // Nobody writes into it, so reading would not end.
+    ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    EXPECT_THROW(read_png(folder / "pipe.png"), InputError);
+}
+
+// Two grey pixels of 16 bits, 0x8000 and 0x80ff: of 8 bits they would be the same.
+TEST_F(ImageFile, OfAnotherDepthIsRefused) {
+    constexpr std::uint8_t sixteen[] = {
+        0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+        0x44, 0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x10, 0x00, 0x00, 0x00,
+        0x00, 0x81, 0xd9, 0xfc, 0x15, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x44, 0x41, 0x54, 0x78,
+        0x9c, 0x63, 0x68, 0x60, 0x68, 0xf8, 0x0f, 0x00, 0x04, 0x04, 0x02, 0x00, 0x83, 0x24,
+        0x3b, 0xfb, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    write_file_whole(folder / "sixteen.png", sixteen);
+    try {
+        read_png(folder / "sixteen.png");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("has 16 bits a channel"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST_F(ImageFile, AFileIsReplacedWhole) {

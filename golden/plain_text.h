@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace scb {
+
+/// Text from a file, fit for a line of a terminal or of a log of CI: control characters and those
+/// that turn the direction of writing become "\n", "\x1b", "\u202e", what is not UTF-8 '?', and
+/// neither form of a command of GitHub Actions, "::" in front or "##[" anywhere, is left.
+std::string plain_text(std::string_view text);
+
+}  // namespace scb
