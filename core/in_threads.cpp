@@ -2,6 +2,7 @@
 
 #ifndef SCB_WITHOUT_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -20,9 +21,25 @@ void in_threads(int threads, std::size_t count, const std::function<void(std::si
             tbb::simple_partitioner());
     });
 }
+
+void with_threads(int threads, const std::function<void()>& work) {
+    if (threads == 1) return work();
+    tbb::task_arena(threads).execute(work);
+}
+
+void both(const std::function<void()>& first, const std::function<void()>& second) {
+    tbb::parallel_invoke(first, second);
+}
 #else
 void in_threads(int, std::size_t count, const std::function<void(std::size_t)>& work) {
     for (std::size_t i = 0; i < count; ++i) work(i);
+}
+
+void with_threads(int, const std::function<void()>& work) { work(); }
+
+void both(const std::function<void()>& first, const std::function<void()>& second) {
+    first();
+    second();
 }
 #endif
 

@@ -9,4 +9,10 @@ namespace scb {
 /// this one included. Where the library was built without TBB, one after the other.
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// Runs `work`, in so many threads at most where it calls `both`.
+void with_threads(int threads, const std::function<void()>& work);
+
+/// Calls both, at the same time where a thread is free.
+void both(const std::function<void()>& first, const std::function<void()>& second);
+
 }  // namespace scb

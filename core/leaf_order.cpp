@@ -43,7 +43,9 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
     LeafOrder result;
     result.points.reserve(mesh.vertices.size());
     result.corners.reserve(mesh.triangles.size());
+    result.own_first.reserve(mesh.triangles.size() + 1);
     for (const std::uint32_t t : topology.order) {
+        result.own_first.push_back(static_cast<std::uint32_t>(result.points.size()));
         std::array<std::uint32_t, 3>& corners = result.corners.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t vertex = first[mesh.triangles[t][i]];
@@ -54,6 +56,7 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
             corners[i] = id[vertex];
         }
     }
+    result.own_first.push_back(static_cast<std::uint32_t>(result.points.size()));
     return result;
 }
 

@@ -17,6 +17,9 @@ struct LeafOrder {
     PointArrays points;  ///< by point id
     std::vector<std::array<std::uint32_t, 3>>
         corners;  ///< point ids per position in Topology::order
+    /// Per position in Topology::order, and behind the last: how many points the leaves before it
+    /// have. A node's own points are those from own_first[first] to own_first[first + count].
+    std::vector<std::uint32_t> own_first;
 };
 
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology);
