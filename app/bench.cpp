@@ -174,7 +174,7 @@ int run(const Options& options, const Console& console) {
     bench_options.packed.level = simd_level(options);
     if (options.threads < 1 || options.threads > 256)
         throw InputError("--threads " + std::to_string(options.threads) + ": give 1 to 256.");
-    bench_options.packed.threads = options.threads;
+    bench_options.packed.threads = bench_options.fit.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -272,7 +272,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->type_name("LEVEL")
         ->capture_default_str();
     command
-        ->add_option("--threads", options->threads, "Threads that share a query of packed layouts")
+        ->add_option("--threads", options->threads,
+                     "Threads that share a query of packed layouts, and each build")
         ->check(decimal_number())
         ->type_name("N")
         ->capture_default_str();

@@ -159,8 +159,8 @@ class BottomUpFit {
         const PointsView all = points_.points.view();
         const std::span<const std::uint32_t> shared(shared_.end() - top.shared_count,
                                                     shared_.end());
-        const PointsView own = all.sub(
-            top.own_first, points_.own_first[node.first + node.count] - top.own_first);
+        const PointsView own =
+            all.sub(top.own_first, points_.own_first[node.first + node.count] - top.own_first);
         FitInput input{{}, &few_, &pairs_, &top.dop, needs_moments ? &top.moments : nullptr};
         if (shared.size() + own.size <= FewPoints::capacity) {
             gather_few(shared, own, top.own_first);

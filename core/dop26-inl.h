@@ -36,10 +36,10 @@ struct DopLanes {
     }
     /// Of two sets; of values that are equal, the smaller id.
     friend HWY_INLINE DopLanes merge(const DopLanes& a, const DopLanes& b) {
-        const auto b_upper = hn::Or(
-            a.upper < b.upper, hn::And(a.upper == b.upper, b.upper_id < a.upper_id));
-        const auto b_lower = hn::Or(
-            b.lower < a.lower, hn::And(a.lower == b.lower, b.lower_id < a.lower_id));
+        const auto b_upper =
+            hn::Or(a.upper < b.upper, hn::And(a.upper == b.upper, b.upper_id < a.upper_id));
+        const auto b_lower =
+            hn::Or(b.lower < a.lower, hn::And(a.lower == b.lower, b.lower_id < a.lower_id));
         return {select(b_upper, b.upper, a.upper), select(b_lower, b.lower, a.lower),
                 select(b_upper, b.upper_id, a.upper_id), select(b_lower, b.lower_id, a.lower_id)};
     }

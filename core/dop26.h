@@ -32,8 +32,8 @@ struct Dop26Directions {
     alignas(64) Dop26::Numbers x = {1, 0, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1};
     alignas(64) Dop26::Numbers y = {0, 1, 0, 1, -1, 0, 0, 1, 1, 1, 1, -1, -1, -1, -1, -1};
     alignas(64) Dop26::Numbers z = {0, 0, 1, 0, 0, 1, -1, 1, -1, 1, -1, 1, -1, -1, -1, -1};
-    alignas(64) Dop26::Numbers inverse_length = {
-        1, 1, 1, s2, s2, s2, s2, s2, s2, s3, s3, s3, s3, s3, s3, s3};
+    alignas(64) Dop26::Numbers inverse_length = {1,  1,  1,  s2, s2, s2, s2, s2,
+                                                 s2, s3, s3, s3, s3, s3, s3, s3};
 
     Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 

@@ -44,7 +44,7 @@ struct FitOptions {
     double margin = 0;
     /// Where to add the work of the fits; nowhere by default.
     FitCounts* counts = nullptr;
-    /// How many threads fit a hierarchy's volumes; they are the same for any number.
+    /// How many threads build a hierarchy; it is the same for any number.
     int threads = 1;
     /// Which vector instructions to use; volumes are the same for any.
     SimdLevel simd = SimdLevel::best;

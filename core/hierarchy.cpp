@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/in_threads.h"
 
 namespace scb {
 namespace {
@@ -24,8 +25,14 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
     if (!(options.margin >= 0))
         throw InputError(std::string(name) +
                          ": the margin is below 0 or not a number; give a share of the radius.");
-    auto topology = std::make_shared<const Topology>(build_topology(mesh));
-    std::vector<V> volumes = fit_volumes<V>(*topology, leaf_order(mesh, *topology), options);
+    std::shared_ptr<const Topology> topology;
+    std::vector<std::uint32_t> welded;
+    with_threads(options.threads, [&] {
+        both([&] { topology = std::make_shared<Topology>(build_topology(mesh, options.threads)); },
+             [&] { welded = weld(mesh); });
+    });
+    std::vector<V> volumes =
+        fit_volumes<V>(*topology, leaf_order(mesh, *topology, welded), options);
     return {std::move(topology), std::move(volumes)};
 }
 

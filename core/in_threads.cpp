@@ -1,5 +1,7 @@
 #include "core/in_threads.h"
 
+#include <algorithm>
+
 #ifndef SCB_WITHOUT_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -42,5 +44,13 @@ void both(const std::function<void()>& first, const std::function<void()>& secon
     second();
 }
 #endif
+
+void in_blocks(int threads, std::size_t count,
+               const std::function<void(std::size_t, std::size_t)>& work) {
+    constexpr std::size_t block = 8192;
+    if (threads == 1 || count <= block) return work(0, count);
+    in_threads(threads, (count + block - 1) / block,
+               [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });
+}
 
 }  // namespace scb

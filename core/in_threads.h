@@ -9,6 +9,10 @@ namespace scb {
 /// this one included. Where the library was built without TBB, one after the other.
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// Calls `work(first, end)` for ranges that make up 0 to count - 1, as in_threads does.
+void in_blocks(int threads, std::size_t count,
+               const std::function<void(std::size_t, std::size_t)>& work);
+
 /// Runs `work`, in so many threads at most where it calls `both`.
 void with_threads(int threads, const std::function<void()>& work);
 

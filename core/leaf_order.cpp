@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-// For every vertex, the first vertex at the same position.
+}  // namespace
+
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
     struct Located {
         double x, y, z;
@@ -35,10 +36,12 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
     return first;
 }
 
-}  // namespace
-
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
-    const std::vector<std::uint32_t> first = weld(mesh);
+    return leaf_order(mesh, topology, weld(mesh));
+}
+
+LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
+                     const std::vector<std::uint32_t>& welded) {
     std::vector<std::uint32_t> id(mesh.vertices.size(), none);
     LeafOrder result;
     result.points.reserve(mesh.vertices.size());
@@ -48,7 +51,7 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
         result.own_first.push_back(static_cast<std::uint32_t>(result.points.size()));
         std::array<std::uint32_t, 3>& corners = result.corners.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t vertex = first[mesh.triangles[t][i]];
+            const std::uint32_t vertex = welded[mesh.triangles[t][i]];
             if (id[vertex] == none) {
                 id[vertex] = static_cast<std::uint32_t>(result.points.size());
                 result.points.push_back(mesh.vertices[vertex]);

@@ -45,7 +45,8 @@ HWY_INLINE bool ball_of_three(const Vec3& a, const Vec3& b, const Vec3& c, Candi
 }
 
 // The circumcenter of a tetrahedron; false where the four are coplanar.
-HWY_INLINE bool ball_of_four(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Candidate& result) {
+HWY_INLINE bool ball_of_four(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                             Candidate& result) {
     const Vec3 u = b - a, v = c - a, w = d - a;
     const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
     const double det = dot(u, vw);
@@ -133,8 +134,7 @@ HWY_INLINE Ball min_ball_of(const Points& points, std::size_t size, std::uint64_
     // rounding alone.
     Largest far = farthest_point(points, center);
     std::uint64_t passes = 3;
-    for (int pivot = 0; pivot < 256 && far.value > squared_radius * equal_squares;
-         ++pivot) {
+    for (int pivot = 0; pivot < 256 && far.value > squared_radius * equal_squares; ++pivot) {
         support[static_cast<std::size_t>(count++)] = points[far.index];
         SupportSolver solver{support, count};
         solver.enumerate();
@@ -142,9 +142,7 @@ HWY_INLINE Ball min_ball_of(const Points& points, std::size_t size, std::uint64_
         ++passes;
         // Where the gain in radius is lost in rounding, the center may still have moved to
         // advantage: the third corner of a nearly right-angled triangle.
-        if (solver.squared_radius <= squared_radius &&
-            next.value >= far.value)
-            break;
+        if (solver.squared_radius <= squared_radius && next.value >= far.value) break;
         solver.keep_chosen();
         center = solver.center;
         squared_radius = solver.squared_radius;

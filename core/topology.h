@@ -49,9 +49,9 @@ struct Topology {
 /// that fails too (centroids that coincide), at the middle index, so the depth is at most some 6.6
 /// log2 n whatever the input. The random numbers depend on the range alone.
 ///
-/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide; no
-/// recursion.
-Topology build_topology(const Mesh& mesh);
+/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide. The
+/// same for any number of threads.
+Topology build_topology(const Mesh& mesh, int threads = 1);
 
 /// The depth of every node; the root has 0.
 std::vector<std::uint16_t> node_depths(const Topology& topology);
