@@ -28,7 +28,7 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
     std::shared_ptr<const Topology> topology;
     std::vector<std::uint32_t> welded;
     with_threads(options.threads, [&] {
-        both([&] { topology = std::make_shared<Topology>(build_topology(mesh, options.threads)); },
+        both([&] { topology = std::make_shared<Topology>(build_topology(mesh, {.threads = options.threads})); },
              [&] { welded = weld(mesh); });
     });
     std::vector<V> volumes =

@@ -4,31 +4,15 @@
 #include <span>
 #include <utility>
 
+#include "core/cost_split.h"
 #include "core/in_threads.h"
+#include "core/primitives.h"
 #include "core/random.h"
 
 namespace scb {
 namespace {
 
 constexpr std::uint32_t sort_below = 8;
-
-struct Primitives {
-    std::vector<Box> boxes;
-    std::vector<Vec3> centroids;
-
-    Primitives(const Mesh& mesh, int threads)
-        : boxes(mesh.triangles.size()), centroids(mesh.triangles.size()) {
-        in_blocks(threads, mesh.triangles.size(), [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i) {
-                const Triangle& t = mesh.triangles[i];
-                const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]],
-                           &c = mesh.vertices[t[2]];
-                boxes[i] = {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-                centroids[i] = (a + b + c) / 3;
-            }
-        });
-    }
-};
 
 using Range = std::span<std::uint32_t>;
 
@@ -116,7 +100,7 @@ struct Split {
     SplitRule rule;
 };
 
-Split split(Range range, std::uint32_t first, const Primitives& primitives) {
+Split split_by_section_3(Range range, std::uint32_t first, const Primitives& primitives) {
     const auto count = static_cast<std::uint32_t>(range.size());
     if (count == 2) {
         // Half of all inner nodes: the same as below without the loops.
@@ -155,7 +139,8 @@ Split split(Range range, std::uint32_t first, const Primitives& primitives) {
 
 std::string_view split_rule_name(SplitRule rule) {
     constexpr std::array<std::string_view, split_rule_count> names = {
-        "leaf", "longest side", "second side", "third side", "median of 7", "sorted", "index"};
+        "leaf",        "longest side", "second side", "third side",
+        "median of 7", "sorted",       "index",       "least cost"};
     return names[static_cast<std::size_t>(rule)];
 }
 
@@ -163,7 +148,8 @@ namespace {
 
 class Builder {
   public:
-    Builder(const Mesh& mesh, int threads) : primitives_(mesh, threads), threads_(threads) {
+    Builder(const Mesh& mesh, const TopologyOptions& options)
+        : primitives_(mesh, options.threads), options_(options) {
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
         topology_.order.resize(count);
         for (std::uint32_t t = 0; t < count; ++t) topology_.order[t] = t;
@@ -187,7 +173,7 @@ class Builder {
     void divide(Open root) {
         // Above some thousand triangles, the two halves at once.
         constexpr std::uint32_t divided_from = 4096;
-        if (threads_ > 1 && topology_.nodes[root.index].count >= divided_from) {
+        if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
             const auto [left, right] = children(root);
             both([&] { divide(left); }, [&] { divide(right); });
             return;
@@ -206,7 +192,7 @@ class Builder {
     std::pair<Open, Open> children(Open open) {
         TopologyNode& node = topology_.nodes[open.index];
         const Split division =
-            split(Range(topology_.order.data() + node.first, node.count), node.first, primitives_);
+            split(Range(topology_.order.data() + node.first, node.count), node.first);
         node.left = open.next;
         topology_.rules[open.index] = division.rule;
         topology_.nodes[open.next] = {node.first, division.left, 0};
@@ -215,16 +201,23 @@ class Builder {
         return {{open.next, open.next + 2}, {open.next + 1, open.next + 2 * division.left}};
     }
 
+    Split split(Range range, std::uint32_t first) const {
+        if (options_.split == SplitMethod::cost)
+            if (const std::uint32_t left = split_at_least_cost(range, primitives_); left != 0)
+                return {left, SplitRule::least_cost};
+        return split_by_section_3(range, first, primitives_);
+    }
+
     Primitives primitives_;
-    int threads_;
+    TopologyOptions options_;
     Topology topology_;
 };
 
 }  // namespace
 
-Topology build_topology(const Mesh& mesh, int threads) {
+Topology build_topology(const Mesh& mesh, const TopologyOptions& options) {
     Topology result;
-    with_threads(threads, [&] { result = Builder(mesh, threads).build(); });
+    with_threads(options.threads, [&] { result = Builder(mesh, options).build(); });
     return result;
 }
 

@@ -20,8 +20,9 @@ enum class SplitRule : std::uint8_t {
     sorted,        ///< fewer than 8 triangles: insertion sort along the longest side, halved
     index,  ///< all of the above were worse than 10 : 90: halved in the order of centroid, then
             ///< index
+    least_cost,  ///< not of Section 3: see SplitMethod::cost
 };
-inline constexpr std::size_t split_rule_count = 7;
+inline constexpr std::size_t split_rule_count = 8;
 
 /// The rule in words, fit for a table: "longest side".
 std::string_view split_rule_name(SplitRule rule);
@@ -43,15 +44,26 @@ struct Topology {
     std::vector<std::uint32_t> order;  ///< triangle indices, permuted
 };
 
-/// Builds the tree top down by the rules of Section 3: the primitives' box is divided through its
+/// How nodes are divided.
+enum class SplitMethod {
+    section_3,  ///< by the rules of Section 3
+    cost,       ///< where the halves, weighed by their volumes, cost least; see split_at_least_cost
+};
+
+struct TopologyOptions {
+    SplitMethod split = SplitMethod::section_3;
+    /// How many threads; the result is the same for any number.
+    int threads = 1;
+};
+
+/// Builds the tree top down. By the rules of Section 3, the primitives' box is divided through its
 /// centroid across the longest side, by the centroids of the triangles; where a side gets less than
 /// 10 %, across the other sides in turn, then at the median of 7 randomly selected centroids. Where
 /// that fails too (centroids that coincide), at the middle index, so the depth is at most some 6.6
 /// log2 n whatever the input. The random numbers depend on the range alone.
 ///
-/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide. The
-/// same for any number of threads.
-Topology build_topology(const Mesh& mesh, int threads = 1);
+/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide.
+Topology build_topology(const Mesh& mesh, const TopologyOptions& options = {});
 
 /// The depth of every node; the root has 0.
 std::vector<std::uint16_t> node_depths(const Topology& topology);
