@@ -61,7 +61,8 @@ class BottomUpFit {
             return;
         }
         BottomUpFit right(topology_, points_, options_, volumes_);
-        both([&] { run(node.left); }, [&] { right.run(node.left + 1); });
+        both(
+            options_.threads, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
         append(right);
         merge_top_two();
         fit_top(node, volumes_[root]);

@@ -61,9 +61,7 @@ std::uint32_t split_few(std::span<std::uint32_t> range, const Primitives& primit
 struct Bins {
     double lower, scale;
 
-    int of(double x) const {
-        return std::min(bins - 1, static_cast<int>((x - lower) * scale));
-    }
+    int of(double x) const { return std::min(bins - 1, static_cast<int>((x - lower) * scale)); }
 };
 
 std::uint32_t split_many(std::span<std::uint32_t> range, const Primitives& primitives) {
@@ -119,8 +117,7 @@ std::uint32_t split_many(std::span<std::uint32_t> range, const Primitives& primi
 }  // namespace
 
 std::uint32_t split_at_least_cost(std::span<std::uint32_t> range, const Primitives& primitives) {
-    return range.size() <= tried_all ? split_few(range, primitives)
-                                     : split_many(range, primitives);
+    return range.size() <= tried_all ? split_few(range, primitives) : split_many(range, primitives);
 }
 
 }  // namespace scb

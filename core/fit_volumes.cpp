@@ -15,7 +15,7 @@ template <class V>
 void fit_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
               std::span<V> volumes) {
     BottomUpFit<V> fit(topology, points, options, volumes);
-    with_threads(options.threads, [&] { fit.run(0); });
+    fit.run(0);
     if (options.counts == nullptr) return;
     options.counts->point_visits += fit.counts().point_visits;
     options.counts->candidate_slabs += fit.counts().candidate_slabs;

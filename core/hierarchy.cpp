@@ -27,12 +27,15 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
                          ": the margin is below 0 or not a number; give a share of the radius.");
     std::shared_ptr<const Topology> topology;
     std::vector<std::uint32_t> welded;
-    with_threads(options.threads, [&] {
-        both([&] { topology = std::make_shared<Topology>(build_topology(mesh, {.threads = options.threads})); },
-             [&] { welded = weld(mesh); });
-    });
+    both(
+        options.threads,
+        [&] {
+            topology =
+                std::make_shared<Topology>(build_topology(mesh, {.threads = options.threads}));
+        },
+        [&] { welded = weld(mesh); });
     std::vector<V> volumes =
-        fit_volumes<V>(*topology, leaf_order(mesh, *topology, welded), options);
+        fit_volumes<V>(*topology, leaf_order(mesh, *topology, welded, options.threads), options);
     return {std::move(topology), std::move(volumes)};
 }
 
@@ -64,6 +67,9 @@ std::string validate(const Topology& topology, const Mesh& mesh) {
         if (l.count == 0 || r.count == 0 || l.first != node.first || r.first != l.first + l.count ||
             l.count + r.count != node.count)
             return sentence("the children of node ", i, " do not make up its range.");
+        if ((!l.is_leaf() && l.left != node.left + 2) ||
+            (!r.is_leaf() && r.left != node.left + 2 * l.count))
+            return sentence("what is below node ", i, " does not follow it.");
     }
     return {};
 }

@@ -1,6 +1,8 @@
 #include "core/in_threads.h"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 #ifndef SCB_WITHOUT_TBB
 #include <tbb/parallel_for.h>
@@ -11,9 +13,21 @@
 namespace scb {
 
 #ifndef SCB_WITHOUT_TBB
+namespace {
+
+// One for each number of threads, kept: it takes workers some fifty microseconds to come to an
+// arena that was just made.
+tbb::task_arena& arena_of(int threads) {
+    static std::mutex mutex;
+    static std::map<int, tbb::task_arena> arenas;
+    const std::lock_guard lock(mutex);
+    return arenas.try_emplace(threads, threads).first->second;
+}
+
+}  // namespace
+
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    arena_of(threads).execute([&] {
         // Each by itself: they are few, and of unlike size.
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, 1),
@@ -24,22 +38,20 @@ void in_threads(int threads, std::size_t count, const std::function<void(std::si
     });
 }
 
-void with_threads(int threads, const std::function<void()>& work) {
-    if (threads == 1) return work();
-    tbb::task_arena(threads).execute(work);
-}
-
-void both(const std::function<void()>& first, const std::function<void()>& second) {
-    tbb::parallel_invoke(first, second);
+void both(int threads, const std::function<void()>& first, const std::function<void()>& second) {
+    if (threads == 1) {
+        first();
+        second();
+        return;
+    }
+    arena_of(threads).execute([&] { tbb::parallel_invoke(first, second); });
 }
 #else
 void in_threads(int, std::size_t count, const std::function<void(std::size_t)>& work) {
     for (std::size_t i = 0; i < count; ++i) work(i);
 }
 
-void with_threads(int, const std::function<void()>& work) { work(); }
-
-void both(const std::function<void()>& first, const std::function<void()>& second) {
+void both(int, const std::function<void()>& first, const std::function<void()>& second) {
     first();
     second();
 }

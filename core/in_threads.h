@@ -13,10 +13,7 @@ void in_threads(int threads, std::size_t count, const std::function<void(std::si
 void in_blocks(int threads, std::size_t count,
                const std::function<void(std::size_t, std::size_t)>& work);
 
-/// Runs `work`, in so many threads at most where it calls `both`.
-void with_threads(int threads, const std::function<void()>& work);
-
-/// Calls both, at the same time where a thread is free.
-void both(const std::function<void()>& first, const std::function<void()>& second);
+/// Calls both, at the same time where one of so many threads is free. May be called within either.
+void both(int threads, const std::function<void()>& first, const std::function<void()>& second);
 
 }  // namespace scb

@@ -4,6 +4,8 @@
 #include <limits>
 #include <tuple>
 
+#include "core/in_threads.h"
+
 namespace scb {
 namespace {
 
@@ -41,25 +43,36 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
 }
 
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
-                     const std::vector<std::uint32_t>& welded) {
-    std::vector<std::uint32_t> id(mesh.vertices.size(), none);
+                     const std::vector<std::uint32_t>& welded, int threads) {
+    const std::size_t count = mesh.triangles.size();
     LeafOrder result;
-    result.points.reserve(mesh.vertices.size());
-    result.corners.reserve(mesh.triangles.size());
-    result.own_first.reserve(mesh.triangles.size() + 1);
-    for (const std::uint32_t t : topology.order) {
-        result.own_first.push_back(static_cast<std::uint32_t>(result.points.size()));
-        std::array<std::uint32_t, 3>& corners = result.corners.emplace_back();
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t vertex = welded[mesh.triangles[t][i]];
-            if (id[vertex] == none) {
-                id[vertex] = static_cast<std::uint32_t>(result.points.size());
-                result.points.push_back(mesh.vertices[vertex]);
+    // Vertices at first, then points. What waits for memory is in threads; the rest is one pass.
+    result.corners.resize(count);
+    in_blocks(threads, count, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k)
+            for (std::size_t i = 0; i < 3; ++i)
+                result.corners[k][i] = welded[mesh.triangles[topology.order[k]][i]];
+    });
+    std::vector<std::uint32_t> id(mesh.vertices.size(), none), vertex_of;
+    vertex_of.reserve(mesh.vertices.size());
+    result.own_first.reserve(count + 1);
+    for (auto& corners : result.corners) {
+        result.own_first.push_back(static_cast<std::uint32_t>(vertex_of.size()));
+        for (std::uint32_t& corner : corners) {
+            std::uint32_t& point = id[corner];
+            if (point == none) {
+                point = static_cast<std::uint32_t>(vertex_of.size());
+                vertex_of.push_back(corner);
             }
-            corners[i] = id[vertex];
+            corner = point;
         }
     }
-    result.own_first.push_back(static_cast<std::uint32_t>(result.points.size()));
+    result.own_first.push_back(static_cast<std::uint32_t>(vertex_of.size()));
+    PointArrays& points = result.points;
+    points.resize(vertex_of.size());
+    in_blocks(threads, vertex_of.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t p = first; p < end; ++p) points.set(p, mesh.vertices[vertex_of[p]]);
+    });
     return result;
 }
 

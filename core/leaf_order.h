@@ -28,6 +28,6 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology);
 /// use. The part of leaf_order that needs no topology.
 std::vector<std::uint32_t> weld(const Mesh& mesh);
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
-                     const std::vector<std::uint32_t>& welded);
+                     const std::vector<std::uint32_t>& welded, int threads = 1);
 
 }  // namespace scb

@@ -44,7 +44,7 @@ class Packing {
         in_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) cost[i] = surface_area(volumes_[i]);
         });
-        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles);
+        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
         packed_.nodes.resize(wide.nodes.size());
         place_leaves(wide);

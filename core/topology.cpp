@@ -175,7 +175,8 @@ class Builder {
         constexpr std::uint32_t divided_from = 4096;
         if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
             const auto [left, right] = children(root);
-            both([&] { divide(left); }, [&] { divide(right); });
+            both(
+                options_.threads, [&] { divide(left); }, [&] { divide(right); });
             return;
         }
         std::vector<Open> open = {root};
@@ -216,9 +217,7 @@ class Builder {
 }  // namespace
 
 Topology build_topology(const Mesh& mesh, const TopologyOptions& options) {
-    Topology result;
-    with_threads(options.threads, [&] { result = Builder(mesh, options).build(); });
-    return result;
+    return Builder(mesh, options).build();
 }
 
 std::vector<std::uint16_t> node_depths(const Topology& topology) {

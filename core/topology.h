@@ -37,7 +37,9 @@ struct TopologyNode {
 };
 
 /// The shape of a hierarchy, without volumes: a binary tree of ranges, one triangle per leaf.
-/// nodes[0] is the root; parents come before their children; 2 n - 1 nodes for n triangles.
+/// nodes[0] is the root; 2 n - 1 nodes for n triangles, and the 2 n - 2 below a node of n triangles
+/// are those from its left child on: first the children, then all below the left one, then all
+/// below the right one.
 struct Topology {
     std::vector<TopologyNode> nodes;
     std::vector<SplitRule> rules;      ///< per node
