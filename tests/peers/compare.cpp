@@ -125,7 +125,7 @@ int compare(const Options& options) {
         scenes.push_back(compare_peers(scene, frames_of(options.frames, scene), kinds,
                                        options.compared_frames, timing));
         for (std::size_t p = 0; p < kinds.size(); ++p) {
-            if (!kinds[p].exact || scenes.back().peers[p].difference.none()) continue;
+            if (!kinds[p].own || scenes.back().peers[p].difference.none()) continue;
             same = false;
             note(kinds[p].name + " finds other pairs on " + scene.name +
                  " than the reference, which is an error of this project.");

@@ -50,7 +50,7 @@ struct PeerKind {
     std::string name;    ///< for --peers: "fcl"
     std::string title;   ///< in tables: "FCL 0.7.0, OBB"
     std::string method;  ///< what is called and timed, and what it cannot do; sentences
-    bool exact = false;  ///< whether it must find the pairs of the reference, all and no others
+    bool own = false;    ///< of this project: it must find the pairs of the reference, no others
     /// Builds both trees. The meshes outlive the peer.
     std::function<std::unique_ptr<Peer>(const PeerMesh& a, const PeerMesh& b)> prepare;
 };

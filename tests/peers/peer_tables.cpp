@@ -119,14 +119,14 @@ std::string build_table(std::span<const PeerKind> kinds, std::span<const SceneCo
                  });
 }
 
-/// How many times as quick as another peer the exact ones are: the least and most over all scenes.
+/// How many times as quick as other peers the layouts are: the least and most over all scenes.
 std::string summary(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
     std::string text;
     for (const std::string& name : {std::string(baseline_name), std::string(reference_name)}) {
         const std::optional<std::size_t> other = find_peer(kinds, name);
         if (!other) continue;
         for (std::size_t p = 0; p < kinds.size(); ++p) {
-            if (!kinds[p].exact || kinds[p].name == reference_name) continue;
+            if (!kinds[p].own || kinds[p].name == reference_name) continue;
             text += "- " + kinds[p].title + " is quicker than " + kinds[*other].title + ",";
             for (const auto& [times, order] :
                  {std::pair{&PeerTimes::cold, "cold"}, std::pair{&PeerTimes::warm, "warm"}}) {

@@ -80,7 +80,7 @@ PeerKind reference_peer() {
     kind.method = "`collide` with the overlap test `" +
                   std::string(overlap_test_name(OverlapOptions{}.test)) +
                   "`, doubles, binary trees; its pairs are sorted within the time.";
-    kind.exact = true;
+    kind.own = true;
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<ReferencePeer>(a, b);
     };
@@ -93,7 +93,7 @@ PeerKind packed_peer(const PackedLayout& layout, int threads) {
     kind.title = "SCB, " + kind.name;
     kind.method = "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
                   "the time, and its memory has the triangles' corners.";
-    kind.exact = true;
+    kind.own = true;
     kind.prepare = [layout, threads](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<PackedPeer>(a, b, layout, threads);
     };
