@@ -109,21 +109,28 @@ int compare(const Options& options) {
     const std::vector<PeerKind> kinds = peers_of(names, options.threads);
     if (!options.output.empty()) make_folder(options.output);
 
-    std::vector<SceneComparison> scenes;
-    bool same = true;
+    // All at once, so that what is wrong with the last is said before the first is measured.
+    std::vector<Scene> loaded;
+    std::vector<std::vector<int>> frames;
     for (const std::string& name : scene_names(options)) {
-        const Scene scene = load_scene({name}, {.models_dir = options.models_dir, .pose = {}});
+        loaded.push_back(load_scene({name}, {.models_dir = options.models_dir, .pose = {}}));
+        const Scene& scene = loaded.back();
         if (scene.bodies.size() != 2)
             throw InputError("the scene '" + scene.name + "' has " +
-                             std::to_string(scene.bodies.size()) +
-                             " bodies; give one with two.");
+                             std::to_string(scene.bodies.size()) + " bodies; give one with two.");
+        frames.push_back(frames_of(options.frames, scene));
+    }
+
+    std::vector<SceneComparison> scenes;
+    bool same = true;
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        const Scene& scene = loaded[i];
         PeerTiming timing;
         timing.rounds = options.rounds;
         timing.budget = options.budget;
         timing.wall = options.threads > 1;
         timing.progress = [&](const std::string& what) { note(scene.name + ": " + what); };
-        scenes.push_back(compare_peers(scene, frames_of(options.frames, scene), kinds,
-                                       options.compared_frames, timing));
+        scenes.push_back(compare_peers(scene, frames[i], kinds, options.compared_frames, timing));
         for (std::size_t p = 0; p < kinds.size(); ++p) {
             if (!kinds[p].own || scenes.back().peers[p].difference.none()) continue;
             same = false;
