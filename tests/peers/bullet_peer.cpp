@@ -43,8 +43,8 @@ btTransform transform(const PeerPose& pose) {
     const auto& r = pose.rotation;
     return btTransform(
         btMatrix3x3(x(r[0][0]), x(r[0][1]), x(r[0][2]), x(r[1][0]), x(r[1][1]), x(r[1][2]),
-                        x(r[2][0]), x(r[2][1]), x(r[2][2])),
-            btVector3(x(pose.translation[0]), x(pose.translation[1]), x(pose.translation[2])));
+                    x(r[2][0]), x(r[2][1]), x(r[2][2])),
+        btVector3(x(pose.translation[0]), x(pose.translation[1]), x(pose.translation[2])));
 }
 
 class BulletPeer : public Peer {
@@ -100,9 +100,10 @@ PeerKind bullet_peer() {
     const int version = btGetVersion();
     kind.title = "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100) +
                  ", GImpact";
-    kind.method = "`btGImpactBoxSet::find_collision`, then GImpact's test of two triangles, in "
-                  "floats and without a margin; that test finds contacts, so it takes some pairs "
-                  "that only pass near each other for pairs that meet.";
+    kind.method =
+        "`btGImpactBoxSet::find_collision`, then GImpact's test of two triangles, in "
+        "floats and without a margin; that test finds contacts, so it takes some pairs "
+        "that only pass near each other for pairs that meet.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<BulletPeer>(a, b);
     };

@@ -38,9 +38,10 @@ void note(const std::string& line) { std::cerr << "scb_peers: " << line << std::
 /// "all", or FIRST:LAST[:STEP].
 std::vector<int> frames_of(const std::string& text, const Scene& scene) {
     const auto refuse = [&]() -> InputError {
-        return InputError("--frames " + text + ": give all, or FIRST:LAST[:STEP] with frames from " +
-                          "0 to " + std::to_string(scene.frames - 1) + ", which the scene '" +
-                          scene.name + "' has, and STEP >= 1.");
+        return InputError("--frames " + text +
+                          ": give all, or FIRST:LAST[:STEP] with frames from " + "0 to " +
+                          std::to_string(scene.frames - 1) + ", which the scene '" + scene.name +
+                          "' has, and STEP >= 1.");
     };
     int numbers[3] = {0, scene.frames - 1, 1};
     if (text != "all") {

@@ -35,8 +35,8 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
 
     std::vector<PeerPoses> poses;
     for (const int frame : frames)
-        poses.push_back({peer_pose(pose_at(body_a.motion, frame)),
-                         peer_pose(pose_at(body_b.motion, frame))});
+        poses.push_back(
+            {peer_pose(pose_at(body_a.motion, frame)), peer_pose(pose_at(body_b.motion, frame))});
 
     say("compares pairs");
     const Box box = bounding_box(mesh_a);
@@ -44,10 +44,10 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
     std::vector<double> estimates(kinds.size());
     const std::size_t step = (frames.size() + compared_frames - 1) / compared_frames;
     for (std::size_t i = 0; i < frames.size(); i += step) {
-        const PairScene at{mesh_a, mesh_b,
-                           relative_pose(pose_at(body_a.motion, frames[i]),
-                                         pose_at(body_b.motion, frames[i])),
-                           closeness};
+        const PairScene at{
+            mesh_a, mesh_b,
+            relative_pose(pose_at(body_a.motion, frames[i]), pose_at(body_b.motion, frames[i])),
+            closeness};
         peers[reference]->query(poses[i].a, poses[i].b);
         const std::vector<IndexPair> expected = peers[reference]->pairs();
         for (std::size_t p = 0; p < peers.size(); ++p) {

@@ -53,10 +53,9 @@ struct Body {
         const TriangleCorners t = body.triangle(arguments->primID);
         const Vec3 lower = t[0].cwiseMin(t[1]).cwiseMin(t[2]),
                    upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-        *arguments->bounds_o = {rounded_down(lower[0]), rounded_down(lower[1]),
-                                rounded_down(lower[2]), 0,
-                                rounded_up(upper[0]),   rounded_up(upper[1]),
-                                rounded_up(upper[2]),   0};
+        *arguments->bounds_o = {
+            rounded_down(lower[0]), rounded_down(lower[1]), rounded_down(lower[2]), 0,
+            rounded_up(upper[0]),   rounded_up(upper[1]),   rounded_up(upper[2]),   0};
     }
 
     TriangleCorners triangle(std::uint32_t i) const {
@@ -132,9 +131,10 @@ PeerKind embree_peer() {
     PeerKind kind;
     kind.name = "embree";
     kind.title = "Embree " RTC_VERSION_STRING ", rtcCollide";
-    kind.method = "`rtcCollide`, which needs both bodies in one frame: B's vertices are moved and "
-                  "its tree's boxes are fitted again in every query; pairs of boxes are decided by this "
-                  "project's exact test of two triangles, as Embree has none.";
+    kind.method =
+        "`rtcCollide`, which needs both bodies in one frame: B's vertices are moved and "
+        "its tree's boxes are fitted again in every query; pairs of boxes are decided by this "
+        "project's exact test of two triangles, as Embree has none.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<EmbreePeer>(a, b);
     };

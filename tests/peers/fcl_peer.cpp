@@ -80,8 +80,9 @@ PeerKind fcl_peer() {
     PeerKind kind;
     kind.name = "fcl";
     kind.title = "FCL " FCL_VERSION ", OBB";
-    kind.method = "`fcl::collide` of two `BVHModel<OBB<double>>`, all contacts, without points and "
-                  "normals.";
+    kind.method =
+        "`fcl::collide` of two `BVHModel<OBB<double>>`, all contacts, without points and "
+        "normals.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<FclPeer>(a, b);
     };

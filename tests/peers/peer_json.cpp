@@ -13,16 +13,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const UnsharedPairs& unshared) {
-    return {{"count", unshared.count},
-            {"degenerate", unshared.degenerate},
-            {"close", unshared.close}};
+    return {
+        {"count", unshared.count}, {"degenerate", unshared.degenerate}, {"close", unshared.close}};
 }
 
 Json json_of(const std::vector<double>& times, std::size_t stride, const std::vector<double>* other,
              std::size_t other_stride) {
     Json json = {{"mean_ms", mean(times)}};
-    if (other) json["speedup_over_" + std::string(baseline_name)] =
-        speedup(times, stride, *other, other_stride);
+    if (other)
+        json["speedup_over_" + std::string(baseline_name)] =
+            speedup(times, stride, *other, other_stride);
     json["ms"] = times;
     return json;
 }

@@ -102,7 +102,8 @@ std::string time_table(std::span<const PeerKind> kinds, std::span<const SceneCom
         if (own.stride > 1) text += "†";
         if (baseline && *baseline != p) {
             const PeerTimes& other = scene.peers[*baseline].times;
-            text += " (" + factor(speedup(own.*times, own.stride, other.*times, other.stride)) + ")";
+            text +=
+                " (" + factor(speedup(own.*times, own.stride, other.*times, other.stride)) + ")";
         }
         return text;
     };
@@ -110,13 +111,13 @@ std::string time_table(std::span<const PeerKind> kinds, std::span<const SceneCom
 }
 
 std::string build_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
-    return table(kinds, scenes, "build both trees, ms; bytes per triangle",
-                 [](const SceneComparison& scene, std::size_t p) {
-                     const PeerResult& peer = scene.peers[p];
-                     return number(peer.build_ms) + "; " +
-                            (std::isfinite(peer.bytes) ? std::to_string(std::lround(peer.bytes))
-                                                       : "-");
-                 });
+    return table(
+        kinds, scenes, "build both trees, ms; bytes per triangle",
+        [](const SceneComparison& scene, std::size_t p) {
+            const PeerResult& peer = scene.peers[p];
+            return number(peer.build_ms) + "; " +
+                   (std::isfinite(peer.bytes) ? std::to_string(std::lround(peer.bytes)) : "-");
+        });
 }
 
 /// How many times as quick as other peers the layouts are: the least and most over all scenes.
@@ -135,8 +136,7 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
                 for (const SceneComparison& scene : scenes) {
                     const PeerTimes &own = scene.peers[p].times,
                                     &others = scene.peers[*other].times;
-                    const double by =
-                        speedup(own.*times, own.stride, others.*times, others.stride);
+                    const double by = speedup(own.*times, own.stride, others.*times, others.stride);
                     if (by < least) where = scene.scene;
                     least = std::min(least, by);
                     most = std::max(most, by);
@@ -154,10 +154,10 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
 std::string frame_list(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
     std::string text;
     for (const SceneComparison& scene : scenes) {
-        text += "- " + scene.scene + ": " + std::to_string(scene.triangles) + " triangles, frames " +
-                std::to_string(scene.frames.front()) + " to " + std::to_string(scene.frames.back()) +
-                ", " + std::to_string(scene.frames.size()) + " of them; pairs compared in " +
-                std::to_string(scene.peers[0].difference.frames);
+        text += "- " + scene.scene + ": " + std::to_string(scene.triangles) +
+                " triangles, frames " + std::to_string(scene.frames.front()) + " to " +
+                std::to_string(scene.frames.back()) + ", " + std::to_string(scene.frames.size()) +
+                " of them; pairs compared in " + std::to_string(scene.peers[0].difference.frames);
         for (std::size_t p = 0; p < kinds.size(); ++p)
             if (const PeerTimes& times = scene.peers[p].times; times.stride > 1)
                 text += "; " + kinds[p].name + " timed in " + std::to_string(times.warm.size()) +

@@ -91,8 +91,9 @@ PeerKind packed_peer(const PackedLayout& layout, int threads) {
     PeerKind kind;
     kind.name = packed_layout_name(layout);
     kind.title = "SCB, " + kind.name;
-    kind.method = "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
-                  "the time, and its memory has the triangles' corners.";
+    kind.method =
+        "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
+        "the time, and its memory has the triangles' corners.";
     kind.own = true;
     kind.prepare = [layout, threads](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<PackedPeer>(a, b, layout, threads);
