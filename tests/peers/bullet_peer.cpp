@@ -27,9 +27,7 @@ class Body {
     }
 
     const btGImpactMeshShapePart& part() const { return *shape_->getMeshPart(0); }
-    const btGImpactBoxSet& boxes() const {
-        return *const_cast<btGImpactMeshShapePart*>(shape_->getMeshPart(0))->getBoxSet();
-    }
+    const btGImpactBoxSet& boxes() const { return *shape_->getMeshPart(0)->getBoxSet(); }
 
   private:
     std::vector<btScalar> vertices_;

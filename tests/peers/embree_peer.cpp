@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/collide.h"
+#include "core/error.h"
 #include "tests/peers/adapters.h"
 #include "tests/peers/core_mesh.h"
 
@@ -85,6 +86,9 @@ bool count_memory(void* bytes, ssize_t change, bool) {
 class EmbreePeer : public Peer {
   public:
     EmbreePeer(const PeerMesh& a, const PeerMesh& b) : device_(rtcNewDevice("threads=1")) {
+        if (!device_)
+            throw InputError(
+                "--peers embree: Embree does not start on this machine; leave it out.");
         rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &bytes_);
         a_ = std::make_unique<Body>(device_, a, false);
         b_ = std::make_unique<Body>(device_, b, true);

@@ -57,7 +57,7 @@ std::string pair_table(std::span<const PeerKind> kinds, std::span<const SceneCom
             text += (text.empty() ? "+" : " +") + std::to_string(difference.extra.count);
         return text;
     };
-    return table(kinds, scenes, "pairs", cell);
+    return table(kinds, scenes, "pairs, of the frames compared", cell);
 }
 
 std::string reasons_of(const UnsharedPairs& unshared, const std::string& what) {
@@ -167,6 +167,20 @@ std::string frame_list(std::span<const PeerKind> kinds, std::span<const SceneCom
     return text + "\n";
 }
 
+/// What the marks in the tables of times mean, where there are any.
+std::string marks(std::span<const SceneComparison> scenes) {
+    bool other_pairs = false, fewer_frames = false;
+    for (const SceneComparison& scene : scenes)
+        for (const PeerResult& peer : scene.peers) {
+            other_pairs |= !peer.difference.none();
+            fewer_frames |= peer.times.stride > 1;
+        }
+    std::string text;
+    if (other_pairs) text += "\\* other pairs than the reference's. ";
+    if (fewer_frames) text += "† fewer frames; what is in brackets is over those that both took.";
+    return text.empty() ? text : text + "\n\n";
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_peer(std::span<const PeerKind> kinds, const std::string& name) {
@@ -181,9 +195,7 @@ std::string peer_tables(std::span<const PeerKind> kinds, std::span<const SceneCo
     std::string text = pair_table(kinds, scenes) + difference_list(kinds, scenes) +
                        time_table(kinds, scenes, "warm, ms" + by, &PeerTimes::warm) +
                        time_table(kinds, scenes, "cold, ms" + by, &PeerTimes::cold) +
-                       "\\* other pairs than the reference's. † fewer frames; what is in brackets "
-                       "is over those that both took.\n\n" +
-                       build_table(kinds, scenes) + summary(kinds, scenes) +
+                       marks(scenes) + build_table(kinds, scenes) + summary(kinds, scenes) +
                        frame_list(kinds, scenes);
     for (const PeerKind& kind : kinds) text += "- " + kind.title + ": " + kind.method + "\n";
     return text;
