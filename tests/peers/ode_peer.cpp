@@ -18,7 +18,7 @@ void start_ode() {
     static const bool started = [] {
         dInitODE2(0);
         dSetMessageHandler(ignore_message);
-        dAllocateODEDataForThread(dAllocateMaskAll);
+        dAllocateODEDataForThread(static_cast<unsigned int>(dAllocateMaskAll));
         return true;
     }();
     (void)started;
