@@ -2,6 +2,7 @@
 // times second. See run for the one command that builds and runs it.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
@@ -26,7 +27,7 @@ struct Options {
     std::string models_dir, frames = "all", output, json;
     int rounds = 3, threads = 1;
     std::size_t compared_frames = 25;
-    double budget = 2;
+    double budget = 3;
 };
 
 /// The scenes of Section 5, and the large one.

@@ -34,6 +34,7 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
     }
 
     std::vector<PeerPoses> poses;
+    poses.reserve(frames.size());
     for (const int frame : frames)
         poses.push_back(
             {peer_pose(pose_at(body_a.motion, frame)), peer_pose(pose_at(body_b.motion, frame))});
@@ -59,6 +60,11 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
     }
     for (std::size_t p = 0; p < peers.size(); ++p)
         estimates[p] /= static_cast<double>(result.peers[p].difference.frames);
+    // No peer takes more frames than the one that all are compared with: with frames closer to each
+    // other, it would be the warmer.
+    for (std::size_t p = 0; p < peers.size(); ++p)
+        if (kinds[p].name == baseline_name)
+            for (double& estimate : estimates) estimate = std::max(estimate, estimates[p]);
 
     std::vector<PeerTimes> times = time_peers(peers, estimates, poses, timing);
     for (std::size_t p = 0; p < peers.size(); ++p) result.peers[p].times = std::move(times[p]);

@@ -115,7 +115,7 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneCo
         text += "$panel" + std::to_string(i) + " << END\n" +
                 data_block(scenes, baseline, panels[i].times) + "END\n";
     text +=
-        "set multiplot title 'All pairs of triangles that intersect: queries on one thread, by "
+        "set multiplot title 'All pairs of triangles that intersect: speed of a query, by "
         "scene' "
         "font ',23' textcolor rgb '#1C2026'\n"
         "set logscale y\n"

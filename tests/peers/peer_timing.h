@@ -18,7 +18,7 @@ struct PeerTiming {
     int rounds = 3;
     /// Of one pass of a peer over its frames, in seconds: one that is slower takes every second
     /// frame, every fourth, and so on.
-    double budget = 2;
+    double budget = 3;
     bool wall = false;  ///< the time that passes, where threads share a query
     /// Told what is done; may be empty.
     std::function<void(const std::string& what)> progress;
