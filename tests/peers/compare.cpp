@@ -85,7 +85,9 @@ void write_files(const Options& options, std::span<const PeerKind> kinds,
     const std::filesystem::path folder = options.output;
     write_file_whole(folder / "peers.md", tables);
     write_file_whole(folder / "peers.json", peer_json(kinds, scenes));
-    if (!find_peer(kinds, baseline_name)) return;
+    if (!find_peer(kinds, baseline_name))
+        return note(std::string("there is no plot: it compares with ") + baseline_name +
+                    ", which does not take part.");
     write_file_whole(folder / "peers.gnuplot", plot_script(kinds, scenes));
     if (is_on_path("gnuplot"))
         run_gnuplot(folder, "peers.gnuplot");

@@ -142,7 +142,8 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
                     most = std::max(most, by);
                 }
                 text += std::string(times == &PeerTimes::cold ? " " : ", ") + order + " " +
-                        factor(least) + " (" + where + ") to " + factor(most);
+                        factor(least) +
+                        (scenes.size() > 1 ? " (" + where + ") to " + factor(most) : "");
             }
             text += ".\n";
         }
@@ -176,8 +177,10 @@ std::string marks(std::span<const SceneComparison> scenes) {
             fewer_frames |= peer.times.stride > 1;
         }
     std::string text;
-    if (other_pairs) text += "\\* other pairs than the reference's. ";
-    if (fewer_frames) text += "† fewer frames; what is in brackets is over those that both took.";
+    if (other_pairs) text += "\\* other pairs than the reference's.";
+    if (fewer_frames)
+        text += std::string(text.empty() ? "" : " ") +
+                "† fewer frames; what is in brackets is over those that both took.";
     return text.empty() ? text : text + "\n\n";
 }
 
