@@ -17,7 +17,7 @@ double SubjectBench::mean_ms() const { return mean(ms); }
 std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    const std::vector<MeshTopology> topologies = build_topologies(scene, options.fit.threads);
+    const std::vector<MeshTopology> topologies = build_topologies(scene, options.fit.topology());
     std::vector<VolumeKind> kinds;
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     std::vector<std::size_t> kind_of;                    // per subject: index of `kinds`

@@ -29,10 +29,7 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
     std::vector<std::uint32_t> welded;
     both(
         options.threads,
-        [&] {
-            topology =
-                std::make_shared<Topology>(build_topology(mesh, {.threads = options.threads}));
-        },
+        [&] { topology = std::make_shared<Topology>(build_topology(mesh, options.topology())); },
         [&] { welded = weld(mesh); });
     std::vector<V> volumes =
         fit_volumes<V>(*topology, leaf_order(mesh, *topology, welded, options.threads), options);

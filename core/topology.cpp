@@ -216,6 +216,16 @@ class Builder {
 
 }  // namespace
 
+std::string_view split_method_name(SplitMethod method) {
+    return method == SplitMethod::cost ? "cost" : "paper";
+}
+
+std::optional<SplitMethod> split_method_of(std::string_view name) {
+    for (const SplitMethod method : {SplitMethod::section_3, SplitMethod::cost})
+        if (split_method_name(method) == name) return method;
+    return std::nullopt;
+}
+
 Topology build_topology(const Mesh& mesh, const TopologyOptions& options) {
     return Builder(mesh, options).build();
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +52,10 @@ enum class SplitMethod {
     section_3,  ///< by the rules of Section 3
     cost,       ///< where the halves, weighed by their volumes, cost least; see split_at_least_cost
 };
+
+/// "paper", "cost": the names of the command line.
+std::string_view split_method_name(SplitMethod method);
+std::optional<SplitMethod> split_method_of(std::string_view name);
 
 struct TopologyOptions {
     SplitMethod split = SplitMethod::section_3;
