@@ -17,7 +17,13 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
         throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +
                          std::to_string(most_leaf_triangles) + ".");
     std::vector<std::optional<PackedLayout>> result;
-    for (const std::string& name : split_list(list)) {
+    std::vector<std::string> names = split_list(list);
+    if (list.empty()) {
+        names.clear();
+        for (const PackedLayout& layout : all_packed_layouts())
+            names.push_back(packed_layout_name(layout));
+    }
+    for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);
         if (!layout && name != "reference")
             throw InputError("--layout " + list + ": '" + name +

@@ -12,7 +12,7 @@ namespace scb {
 std::string layout_names();
 
 /// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
-/// reference. Throws InputError for an unknown name or another number than 1 to 4.
+/// reference, and an empty list for all packed ones. Throws InputError for an unknown name or another number than 1 to 4.
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
 
 /// Throws InputError, naming --threads, where it is not 1 to 256.

@@ -57,8 +57,7 @@ void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& m
     const auto* scbs = std::get_if<Hierarchy<Scb>>(&hierarchy);
     if (scbs == nullptr) return;
     try {
-        const std::string names = options.layouts.empty() ? layout_names() : options.layouts;
-        for (const auto& layout : layouts_of(names, options.leaf_triangles)) {
+        for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
             if (!layout) continue;
             const auto start = Clock::now();
             const AnyPacked packed = pack_any(*layout, *scbs, mesh, measured.mesh, options.threads);
@@ -79,7 +78,7 @@ std::vector<Measured> measure(const Options& options) {
     check_threads(options.threads);
     fit_options.threads = options.threads;
     // Before anything is built.
-    layouts_of(options.layouts.empty() ? layout_names() : options.layouts, options.leaf_triangles);
+    layouts_of(options.layouts, options.leaf_triangles);
     const Scene scene = options.scene.load();
     std::vector<Measured> result;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
