@@ -126,9 +126,11 @@ std::string conditions(const Options& options) {
 struct Report {
     std::string table, csv = bench_csv_header;
     Json scenes = Json::array();
+    BenchCosts costs;
 
     std::string json(const Options& options) const {
         const Json document = {{"scenes", scenes},
+                               {"equation_1", costs.json()},
                                {"options",
                                 {{"threshold", options.query.threshold},
                                  {"descent", options.query.descent},
@@ -193,6 +195,7 @@ int run(const Options& options, const Console& console) {
         if (!bench) break;
         bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
+        report.costs.add(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) continue;
@@ -210,7 +213,8 @@ int run(const Options& options, const Console& console) {
     if (options.json)
         print_result(report.json(options));
     else if (!report.table.empty())
-        print_result(report.table + "\n" + conditions(options) + "\n");
+        print_result(report.table + "\n" + report.costs.table() + "\n" + conditions(options) +
+                     "\n");
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");
