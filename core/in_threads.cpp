@@ -1,13 +1,17 @@
 #include "core/in_threads.h"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 
-#ifndef SCB_WITHOUT_TBB
+#ifdef SCB_WITHOUT_TBB
+#include <atomic>
+#include <thread>
+#else
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+
+#include <map>
+#include <mutex>
 #endif
 
 namespace scb {
@@ -47,13 +51,43 @@ void both(int threads, const std::function<void()>& first, const std::function<v
     arena_of(threads).execute([&] { tbb::parallel_invoke(first, second); });
 }
 #else
-void in_threads(int, std::size_t count, const std::function<void(std::size_t)>& work) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
+namespace {
+
+// Threads beside the first, in the whole program.
+std::atomic<int> others = 0;
+
+// Runs `work` in another thread while this one does `own`, if there are not enough already.
+void beside(int threads, const std::function<void()>& work, const std::function<void()>& own) {
+    if (others.fetch_add(1) >= threads - 1) {
+        others.fetch_sub(1);
+        own();
+        work();
+        return;
+    }
+    std::thread other(work);
+    own();
+    other.join();
+    others.fetch_sub(1);
 }
 
-void both(int, const std::function<void()>& first, const std::function<void()>& second) {
-    first();
-    second();
+}  // namespace
+
+void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    const std::function<void()> some = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    const std::function<void(int)> run = [&](int more) {
+        if (more == 0)
+            some();
+        else
+            beside(threads, some, [&] { run(more - 1); });
+    };
+    run(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(threads), count)) - 1);
+}
+
+void both(int threads, const std::function<void()>& first, const std::function<void()>& second) {
+    beside(threads, second, first);
 }
 #endif
 
