@@ -9,7 +9,7 @@ namespace scb {
 // peers.cpp.
 
 PeerKind reference_peer();
-PeerKind packed_peer(const PackedLayout& layout, int threads);
+PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads);
 PeerKind fcl_peer();
 PeerKind bullet_peer();
 PeerKind ode_peer();

@@ -161,7 +161,8 @@ int run(int argc, char** argv) {
         ->capture_default_str();
     program
         .add_option("--peers", options.peers,
-                    "which take part: reference, float2 to quantized8, fcl, bullet, ode, embree, "
+                    "which take part: reference, a layout as of scb bench, or one with -cost, fcl, "
+                    "bullet, ode, embree, "
                     "cgal")
         ->delimiter(',');
     program.add_option("--rounds", options.rounds, "how many times each query is timed")

@@ -38,17 +38,27 @@ std::vector<Library> libraries() {
     return all;
 }
 
+/// Behind the name of a layout: its hierarchy is split at least cost.
+constexpr std::string_view cost_suffix = "-cost";
+
 std::string known_names() {
     std::string names = reference_name;
     for (const PackedLayout& layout : all_packed_layouts())
-        names += ", " + packed_layout_name(layout);
+        names += ", " + packed_layout_name(layout) + "[-cost]";
     for (const Library& library : libraries()) names += ", " + library.name;
     return names;
 }
 
 PeerKind peer_of(const std::string& name, int threads) {
     if (name == reference_name) return reference_peer();
-    if (const auto layout = packed_layout_of(name)) return packed_peer(*layout, threads);
+    const bool by_cost = name.ends_with(cost_suffix);
+    if (const auto layout =
+            packed_layout_of(name.substr(0, name.size() - (by_cost ? cost_suffix.size() : 0)))) {
+        PeerKind kind =
+            packed_peer(*layout, by_cost ? SplitMethod::cost : SplitMethod::section_3, threads);
+        kind.name = name;
+        return kind;
+    }
     for (const Library& library : libraries()) {
         if (library.name != name) continue;
         if (library.adapter) return library.adapter();
@@ -61,7 +71,7 @@ PeerKind peer_of(const std::string& name, int threads) {
 }  // namespace
 
 std::vector<std::string> default_peers() {
-    std::vector<std::string> names = {reference_name, "float8", "quantized8"};
+    std::vector<std::string> names = {reference_name, "float8", "quantized8", "quantized8-cost"};
     for (const Library& library : libraries())
         if (library.adapter) names.push_back(library.name);
     return names;

@@ -41,8 +41,9 @@ class ReferencePeer : public Peer {
 
 /// A mesh, and its packed hierarchy; the reference hierarchy that it is made of is dropped.
 struct PackedBody {
-    PackedBody(const PeerMesh& from, const PackedLayout& layout)
-        : mesh(core_mesh(from)), hierarchy(pack_any(layout, build_hierarchy<Scb>(mesh), mesh)) {}
+    PackedBody(const PeerMesh& from, const PackedLayout& layout, SplitMethod split)
+        : mesh(core_mesh(from)),
+          hierarchy(pack_any(layout, build_hierarchy<Scb>(mesh, {.split = split}), mesh)) {}
 
     Mesh mesh;
     AnyPacked hierarchy;
@@ -50,8 +51,9 @@ struct PackedBody {
 
 class PackedPeer : public Peer {
   public:
-    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedLayout& layout, int threads)
-        : a_(a, layout), b_(b, layout) {
+    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedLayout& layout, SplitMethod split,
+               int threads)
+        : a_(a, layout, split), b_(b, layout, split) {
         options_.threads = threads;
     }
 
@@ -87,16 +89,16 @@ PeerKind reference_peer() {
     return kind;
 }
 
-PeerKind packed_peer(const PackedLayout& layout, int threads) {
+PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads) {
     PeerKind kind;
     kind.name = packed_layout_name(layout);
-    kind.title = "SCB, " + kind.name;
+    kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split at least cost" : "");
     kind.method =
         "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
         "the time, and its memory has the triangles' corners.";
     kind.own = true;
-    kind.prepare = [layout, threads](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<PackedPeer>(a, b, layout, threads);
+    kind.prepare = [layout, split, threads](const PeerMesh& a, const PeerMesh& b) {
+        return std::make_unique<PackedPeer>(a, b, layout, split, threads);
     };
     return kind;
 }
