@@ -39,12 +39,13 @@ std::uint32_t split_few(std::span<std::uint32_t> range, const Primitives& primit
         std::copy(range.begin(), range.end(), order.begin());
         std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
                   ByCentroid{primitives, axis});
-        std::array<double, tried_all> right;
+        std::array<double, tried_all> right{};
         Box box;
-        for (std::size_t i = count; i-- > 1;) {
+        for (std::size_t i = count; i-- > 0;) {
             box.add(primitives.boxes[order[i]]);
             right[i] = cost(box, count - i);
         }
+        best.cost = std::min(best.cost, right[0]);  // undivided
         box = {};
         for (std::size_t i = 1; i < count; ++i) {
             box.add(primitives.boxes[order[i - 1]]);
@@ -77,7 +78,7 @@ std::uint32_t split_many(std::span<std::uint32_t> range, const Primitives& primi
     for (int axis = 0; axis < 3; ++axis) {
         const double width = centroids.upper[axis] - centroids.lower[axis];
         of_axis[static_cast<std::size_t>(axis)] = {centroids.lower[axis],
-                                                   width > 0 ? bins / width : 0};
+                                                   width > 1e-290 ? bins / width : 0};
     }
     for (const std::uint32_t t : range)
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -91,11 +92,12 @@ std::uint32_t split_many(std::span<std::uint32_t> range, const Primitives& primi
         std::array<double, bins> right;
         std::size_t behind = 0;
         Box box;
-        for (std::size_t i = bins; i-- > 1;) {
+        for (std::size_t i = bins; i-- > 0;) {
             box.add(all[axis][i].box);
             behind += all[axis][i].count;
             right[i] = behind == 0 ? 0 : cost(box, behind);
         }
+        best.cost = std::min(best.cost, right[0]);  // undivided
         box = {};
         std::size_t before = 0;
         for (std::size_t i = 1; i < bins; ++i) {

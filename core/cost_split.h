@@ -8,7 +8,7 @@
 namespace scb {
 
 /// Orders a range of triangles so that a first part and a second are cheap to bound, and returns
-/// the size of the first; 0, with the range as it was, where no division is good for it.
+/// the size of the first; 0, with the range as it was, where no division saves anything.
 ///
 /// A division costs, for each half, its number of triangles times the squared diagonal of their box
 /// (the surface area of the ball around it, but for a constant): the surface area heuristic of

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <thread>
 #else
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
@@ -25,7 +26,9 @@ tbb::task_arena& arena_of(int threads) {
     static std::mutex mutex;
     static std::map<int, tbb::task_arena> arenas;
     const std::lock_guard lock(mutex);
-    return arenas.try_emplace(threads, threads).first->second;
+    // More than there are CPUs would be refused with a warning on standard error.
+    const int used = std::min(threads, tbb::info::default_concurrency());
+    return arenas.try_emplace(used, used).first->second;
 }
 
 }  // namespace

@@ -1,17 +1,21 @@
 #include "core/min_ball.h"
 
+#include "core/simd_targets.h"
+
+// The baseline alone: fits have few points, and their own.
 #include "core/min_ball-inl.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace scb {
-namespace {
+namespace HWY_NAMESPACE {
 
 struct ManyPoints {
     PointsView view;
     Vec3 operator[](std::size_t i) const { return view[i]; }
 };
 
-HWY_NAMESPACE::Largest farthest_point(const ManyPoints& points, const Vec3& c) {
-    HWY_NAMESPACE::Largest result{0, -1};
+Largest farthest_point(const ManyPoints& points, const Vec3& c) {
+    Largest result{0, -1};
     for (std::size_t i = 0; i < points.view.size; ++i) {
         const double squared = squared_norm(points[i] - c);
         if (squared > result.value) result = {i, squared};
@@ -19,13 +23,20 @@ HWY_NAMESPACE::Largest farthest_point(const ManyPoints& points, const Vec3& c) {
     return result;
 }
 
-}  // namespace
+Ball min_ball_of_list(const PointsView& points) {
+    std::uint64_t visits = 0;
+    return min_ball_of(ManyPoints{points}, points.size, visits);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+namespace scb {
 
 Ball min_ball(std::span<const Vec3> points) {
     if (points.empty()) return {};
-    const PointArrays arrays(points);
-    std::uint64_t visits = 0;
-    return HWY_NAMESPACE::min_ball_of(ManyPoints{arrays.view()}, points.size(), visits);
+    return HWY_NAMESPACE::min_ball_of_list(PointArrays(points).view());
 }
 
 }  // namespace scb
