@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/layout_options.h"
 #include "app/number_list.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
@@ -53,13 +54,6 @@ bool is_mesh_file(const std::string& name) {
     return find_builtin(name) == nullptr && !name.ends_with(".json");
 }
 
-std::string layout_names() {
-    std::string names;
-    for (const PackedLayout& layout : all_packed_layouts())
-        names += (names.empty() ? "" : ", ") + packed_layout_name(layout);
-    return names;
-}
-
 // Those named, two meshes as one; or all of Table 3 whose meshes are there.
 std::vector<Entry> entries(const Options& options, const Console& console) {
     SceneOptions one = options.scene;
@@ -89,23 +83,6 @@ std::vector<Entry> entries(const Options& options, const Console& console) {
     return result;
 }
 
-/// Those of --layout; nothing stands for the reference.
-std::vector<std::optional<PackedLayout>> layouts(const Options& options) {
-    if (options.leaf_triangles < 1 || options.leaf_triangles > most_leaf_triangles)
-        throw InputError("--leaf " + std::to_string(options.leaf_triangles) + ": give 1 to " +
-                         std::to_string(most_leaf_triangles) + ".");
-    std::vector<std::optional<PackedLayout>> result;
-    for (const std::string& name : split_list(options.layouts)) {
-        std::optional<PackedLayout> layout = packed_layout_of(name);
-        if (!layout && name != "reference")
-            throw InputError("--layout " + options.layouts + ": '" + name +
-                             "' is no layout; give some of reference, " + layout_names() + ".");
-        if (layout) layout->leaf_triangles = options.leaf_triangles;
-        result.push_back(layout);
-    }
-    return result;
-}
-
 SimdLevel simd_level(const Options& options) {
     std::string names;
     for (const SimdLevel level : available_simd_levels()) {
@@ -122,7 +99,8 @@ std::vector<BenchSubject> subjects(const Options& options) {
             result.push_back({kind, OverlapTest::corrected});
             continue;
         }
-        for (const std::optional<PackedLayout>& layout : layouts(options)) {
+        for (const std::optional<PackedLayout>& layout :
+             layouts_of(options.layouts, options.leaf_triangles)) {
             if (layout) result.push_back({kind, OverlapTest::symmetric, layout});
             if (layout) continue;
             for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
@@ -148,14 +126,17 @@ std::string conditions(const Options& options) {
 struct Report {
     std::string table, csv = bench_csv_header;
     Json scenes = Json::array();
+    BenchCosts costs;
 
     std::string json(const Options& options) const {
         const Json document = {{"scenes", scenes},
+                               {"equation_1", costs.json()},
                                {"options",
                                 {{"threshold", options.query.threshold},
                                  {"descent", options.query.descent},
                                  {"growth", options.hierarchy.growth},
                                  {"margin", options.hierarchy.margin},
+                                 {"split", options.hierarchy.split},
                                  {"repeats", options.repeats},
                                  {"order", options.warm ? "warm" : "cold"}}},
                                {"compiler", compiler_text()},
@@ -172,9 +153,8 @@ int run(const Options& options, const Console& console) {
     bench_options.collide = one_test.collide();
     bench_options.fit = options.hierarchy.fit();
     bench_options.packed.level = simd_level(options);
-    if (options.threads < 1 || options.threads > 256)
-        throw InputError("--threads " + std::to_string(options.threads) + ": give 1 to 256.");
-    bench_options.packed.threads = options.threads;
+    check_threads(options.threads);
+    bench_options.packed.threads = bench_options.fit.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -215,6 +195,7 @@ int run(const Options& options, const Console& console) {
         if (!bench) break;
         bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
+        report.costs.add(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) continue;
@@ -232,7 +213,8 @@ int run(const Options& options, const Console& console) {
     if (options.json)
         print_result(report.json(options));
     else if (!report.table.empty())
-        print_result(report.table + "\n" + conditions(options) + "\n");
+        print_result(report.table + "\n" + report.costs.table() + "\n" + conditions(options) +
+                     "\n");
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");
@@ -272,7 +254,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->type_name("LEVEL")
         ->capture_default_str();
     command
-        ->add_option("--threads", options->threads, "Threads that share a query of packed layouts")
+        ->add_option("--threads", options->threads,
+                     "Threads that share a query of packed layouts, and each build")
         ->check(decimal_number())
         ->type_name("N")
         ->capture_default_str();

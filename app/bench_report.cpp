@@ -62,6 +62,51 @@ std::string bench_table(const SceneBench& bench) {
     return text;
 }
 
+void BenchCosts::add(const SceneBench& bench) {
+    ++scenes;
+    titles.resize(bench.subjects.size());
+    samples.resize(bench.subjects.size());
+    for (std::size_t s = 0; s < bench.subjects.size(); ++s) {
+        const SubjectBench& subject = bench.subjects[s];
+        titles[s] = subject.subject.title();
+        for (std::size_t i = 0; i < bench.frames.size(); ++i)
+            samples[s].push_back({1e6 * subject.ms[i], static_cast<double>(subject.n_v[i]),
+                                  static_cast<double>(subject.n_p[i]),
+                                  static_cast<double>(subject.n_u[i])});
+    }
+}
+
+std::string BenchCosts::table() const {
+    std::string text =
+        format("Equation 1, T = N_v C_v + N_p C_p + N_u C_u, over %zu queries of %zu scene%s:\n",
+               samples.empty() ? 0 : samples[0].size(), scenes, scenes == 1 ? "" : "s") +
+        "  hierarchy         C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        const CostEquation costs = fit_cost_equation(samples[s]);
+        text += format("  %-16s %7.2f %7.2f %7.2f %8.0f %% %7.0f %% %6.0f %% %6.0f %%\n",
+                       titles[s].c_str(), costs.c_v, costs.c_p, costs.c_u, 100 * costs.share_v,
+                       100 * costs.share_p, 100 * costs.share_u, 100 * costs.error);
+    }
+    return text;
+}
+
+Json BenchCosts::json() const {
+    Json list = Json::array();
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        const CostEquation costs = fit_cost_equation(samples[s]);
+        list.push_back({{"hierarchy", titles[s]},
+                        {"queries", samples[s].size()},
+                        {"c_v_ns", costs.c_v},
+                        {"c_p_ns", costs.c_p},
+                        {"c_u_ns", costs.c_u},
+                        {"share_v", costs.share_v},
+                        {"share_p", costs.share_p},
+                        {"share_u", costs.share_u},
+                        {"error", costs.error}});
+    }
+    return list;
+}
+
 Json bench_json(const SceneBench& bench) {
     const SubjectBench* scb = first_scb(bench);
     Json hierarchies = Json::array();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bench_run.h"
+#include "core/cost_equation.h"
 #include "render/bench_figure.h"
 
 namespace scb {
@@ -12,6 +13,17 @@ namespace scb {
 /// One row per hierarchy: mean time, N_v, N_p and pairs per frame, how many times as long it took
 /// as the first slab cut ball hierarchy, and Table 3's figures beside them.
 std::string bench_table(const SceneBench& bench);
+
+/// Equation 1 of the paper, fitted for each hierarchy over the queries of several scenes.
+struct BenchCosts {
+    std::vector<std::string> titles;
+    std::vector<std::vector<CostSample>> samples;  ///< per title; times in ns
+    std::size_t scenes = 0;
+
+    void add(const SceneBench& bench);
+    std::string table() const;
+    nlohmann::ordered_json json() const;
+};
 
 /// The same as JSON, without the frames.
 nlohmann::ordered_json bench_json(const SceneBench& bench);

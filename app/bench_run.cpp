@@ -17,7 +17,7 @@ double SubjectBench::mean_ms() const { return mean(ms); }
 std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    const std::vector<MeshTopology> topologies = build_topologies(scene);
+    const std::vector<MeshTopology> topologies = build_topologies(scene, options.fit.topology());
     std::vector<VolumeKind> kinds;
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     std::vector<std::size_t> kind_of;                    // per subject: index of `kinds`
@@ -76,7 +76,8 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
                 continue;
             }
             packed[s].push_back(pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]),
-                                         scene.meshes[m].mesh, scene.meshes[m].name));
+                                         scene.meshes[m].mesh, scene.meshes[m].name,
+                                         options.fit.threads));
             bytes += bytes_of(packed[s].back());
         }
         result.subjects[s].bytes_per_triangle =

@@ -89,6 +89,7 @@ Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, 
     result["descent"] = options.query.descent;
     result["growth"] = options.hierarchy.growth;
     result["margin"] = options.hierarchy.margin;
+    result["split"] = options.hierarchy.split;
     result["max_pairs"] = query.options.max_pairs;
     result["level"] = options.limits.level ? Json(*options.limits.level) : Json();
     result["frames"] = std::move(frames);
@@ -115,6 +116,8 @@ std::string title_of(const Options& options, const SceneQuery& query) {
     if (options.hierarchy.growth != HierarchyOptions{}.growth)
         text += ", growth " + options.hierarchy.growth;
     if (options.hierarchy.margin != 0) text += format(", margin %g", options.hierarchy.margin);
+    if (options.hierarchy.split != HierarchyOptions{}.split)
+        text += ", split by " + options.hierarchy.split;
     if (options.limits.level) text += format("; pairs of nodes of level %d", *options.limits.level);
     return text + "\n\n";
 }

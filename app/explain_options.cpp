@@ -87,10 +87,10 @@ void add_explain_options(CLI::App& command, ExplainOptions& options) {
 
 void note_given(const CLI::App& command, ExplainOptions& options) {
     for (const char* option :
-         {"--pair", "--frame", "--pose", "--bodies", "--volume", "--growth", "--margin"})
+         {"--pair", "--frame", "--pose", "--bodies", "--volume", "--growth", "--margin", "--split"})
         if (command.count(option) > 0) options.of_scenes.emplace_back(option);
-    for (const char* option :
-         {"--pose", "--volume", "--growth", "--margin", "--test", "--threshold", "--bodies"})
+    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
+                               "--threshold", "--bodies"})
         if (command.count(option) > 0) options.recording.emplace_back(option);
     for (const char* option :
          {"--size", "--camera", "--up", "--ortho", "--samples", "--background", "--gl"})

@@ -49,7 +49,8 @@ int run(const Options& options, const Console& console) {
     const Scene scene = options.scene.load();
     check_output(options.output, "-o", scene);
     const int frame = options.scene.frame_of(scene);
-    const std::vector<MeshTopology> topologies = build_topologies(scene);
+    const std::vector<MeshTopology> topologies =
+        build_topologies(scene, options.hierarchy.fit().topology());
     const std::vector<int> levels = parse_levels(options.level, deepest(topologies), "--level");
     if (levels.size() != 1)
         throw InputError("--level " + options.level + ": a file holds one level; give one.");

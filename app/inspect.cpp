@@ -258,9 +258,9 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         options->recording = given_recording_options(*command);
         for (const char* option : {"--size", "--background", "--gl", "--jobs"})
             if (command->count(option) > 0) options->of_pictures.emplace_back(option);
-        const std::vector<std::string> of_queries = {"SCENE",    "--pose",      "--models",
-                                                     "--volume", "--growth",    "--margin",
-                                                     "--test",   "--threshold", "--bodies"};
+        const std::vector<std::string> of_queries = {
+            "SCENE",    "--pose",  "--models", "--volume",    "--growth",
+            "--margin", "--split", "--test",   "--threshold", "--bodies"};
         options->explain = "scb explain" + given_text(*command, of_queries);
         options->command = "scb inspect" + given_text(*command, of_queries) +
                            given_text(*command, {"--descent", "--frames", "--frame", "--max-pairs",

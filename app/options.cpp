@@ -146,6 +146,9 @@ FitOptions HierarchyOptions::fit() const {
     if (!(margin >= 0 && margin <= 1))
         throw InputError(format("--margin %g: give a share of the radius from 0 to 1.", margin));
     options.margin = margin + 0.0;  // -0 is 0
+    const std::optional<SplitMethod> method = split_method_of(split);
+    if (!method) throw InputError("--split " + split + ": unknown method; give 'paper' or 'cost'.");
+    options.split = *method;
     return options;
 }
 
@@ -178,6 +181,13 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool se
         ->capture_default_str();
     command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
         ->type_name("RULE")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--split", options.split,
+            "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
+            "and less to query")
+        ->type_name("METHOD")
         ->capture_default_str();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
         ->check(real_number())

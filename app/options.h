@@ -51,6 +51,7 @@ struct HierarchyOptions {
     std::string volumes = "scb";
     std::string growth = "ritter";
     double margin = 0;
+    std::string split = "paper";
 
     FitOptions fit() const;
     /// The volumes asked for, each once; throws InputError for an unknown name.

@@ -136,7 +136,7 @@ void add_query_limits(CLI::App& command, QueryLimits& limits) {
 
 std::vector<std::string> given_recording_options(const CLI::App& command) {
     std::vector<std::string> given;
-    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--test",
+    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
                                "--threshold", "--descent", "--bodies", "--max-pairs", "--level"})
         if (command.count(option) > 0) given.emplace_back(option);
     return given;

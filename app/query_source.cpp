@@ -25,6 +25,7 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.hierarchy.volumes = volume_kind_name(header.volume);
     recorded.hierarchy.growth = ball_growth_name(header.growth);
     recorded.hierarchy.margin = header.margin;
+    recorded.hierarchy.split = split_method_name(header.split);
     recorded.query.test = overlap_test_name(header.options.overlap.test);
     recorded.query.frames = auto_frames;
     recorded.query.threshold = header.options.overlap.threshold;

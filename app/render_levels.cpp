@@ -45,6 +45,8 @@ std::string subtitle_of(const LevelOptions& options, const Scene& scene, int fra
     if (options.hierarchy.growth != HierarchyOptions{}.growth)
         text += ", growth " + options.hierarchy.growth;
     if (options.hierarchy.margin != 0) text += ", margin " + number_text(options.hierarchy.margin);
+    if (options.hierarchy.split != HierarchyOptions{}.split)
+        text += ", split by " + options.hierarchy.split;
     if (orthographic) text += ", orthographic";
     return text;
 }
@@ -91,7 +93,8 @@ int run(const LevelOptions& options, const Console& console) {
     const Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
     const CameraSpec spec = camera_spec_for(options.camera, scene);
-    const std::vector<MeshTopology> topologies = build_topologies(scene);
+    const std::vector<MeshTopology> topologies =
+        build_topologies(scene, options.hierarchy.fit().topology());
     const int deepest_level = deepest(topologies);
     const std::vector<int> levels = parse_levels(options.levels, deepest_level);
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();

@@ -16,7 +16,7 @@ struct MeshTopology {
 };
 
 /// One per mesh of the scene. Throws InputError, naming the mesh, where check_mesh does.
-std::vector<MeshTopology> build_topologies(const Scene& scene);
+std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options = {});
 
 /// The deepest level of any of them.
 int deepest(const std::vector<MeshTopology>& topologies);

@@ -62,7 +62,7 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     const FitOptions fit = hierarchy.fit();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
-    result.topologies = build_topologies(result.scene);
+    result.topologies = build_topologies(result.scene, fit.topology());
     result.kind = kind;
     limits.apply(result.options, deepest(result.topologies));
     if (query.frames == auto_frames)
@@ -87,6 +87,7 @@ TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hier
     header.volume = query.kind;
     header.growth = fit.growth;
     header.margin = fit.margin;
+    header.split = fit.split;
     header.options = query.options;
     return header;
 }

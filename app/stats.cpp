@@ -4,8 +4,11 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/layout_options.h"
 #include "app/options.h"
 #include "app/text_format.h"
+#include "core/any_packed.h"
+#include "core/error.h"
 
 namespace scb {
 namespace {
@@ -20,7 +23,16 @@ double milliseconds_since(Clock::time_point start) {
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
+    std::string layouts;  // empty: all
+    int leaf_triangles = most_leaf_triangles, threads = 1;
     bool json = false;
+};
+
+/// A packed layout of a hierarchy.
+struct Packed {
+    std::string layout;
+    std::size_t bytes = 0;
+    double ms = 0;
 };
 
 struct Measured {
@@ -30,22 +42,52 @@ struct Measured {
     VolumeKind kind = VolumeKind::scb;
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
+    std::vector<Packed> packed;  ///< of slab cut balls
+    std::string not_packed;      ///< why not; empty where it could be
+
+    double per_triangle(std::size_t bytes) const {
+        return static_cast<double>(bytes) / static_cast<double>(triangles);
+    }
+    /// Of the reference: its nodes, their volumes, and the order of the triangles.
+    std::size_t bytes() const { return nodes * bytes_per_node + 4 * triangles; }
 };
+
+void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& mesh,
+                const Options& options) {
+    const auto* scbs = std::get_if<Hierarchy<Scb>>(&hierarchy);
+    if (scbs == nullptr) return;
+    try {
+        for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
+            if (!layout) continue;
+            const auto start = Clock::now();
+            const AnyPacked packed = pack_any(*layout, *scbs, mesh, measured.mesh, options.threads);
+            measured.packed.push_back(
+                {packed_layout_name(*layout), bytes_of(packed), milliseconds_since(start)});
+        }
+    } catch (const InputError& error) {
+        measured.not_packed = error.what();
+    }
+}
 
 /// The value over that of the level above.
 double ratio(double value, double above) { return above > 0 ? value / above : 0; }
 
 std::vector<Measured> measure(const Options& options) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    const FitOptions fit_options = options.hierarchy.fit();
+    FitOptions fit_options = options.hierarchy.fit();
+    check_threads(options.threads);
+    fit_options.threads = options.threads;
+    // Before anything is built.
+    layouts_of(options.layouts, options.leaf_triangles);
     const Scene scene = options.scene.load();
     std::vector<Measured> result;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m].mesh;
         check_mesh(mesh, scene.meshes[m].name);
         auto start = Clock::now();
-        const auto topology = std::make_shared<const Topology>(build_topology(mesh));
-        const LeafOrder points = leaf_order(mesh, *topology);
+        const auto topology =
+            std::make_shared<const Topology>(build_topology(mesh, fit_options.topology()));
+        const LeafOrder points = leaf_order(mesh, *topology, weld(mesh), fit_options.threads);
         const double topology_ms = milliseconds_since(start);
         for (const VolumeKind kind : kinds) {
             Measured measured;
@@ -62,6 +104,7 @@ std::vector<Measured> measure(const Options& options) {
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
             measured.levels = level_statistics(hierarchy);
+            add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
         }
     }
@@ -103,13 +146,16 @@ std::string table(const Measured& m) {
     LevelStatistics total;
     for (const LevelStatistics& l : m.levels)
         for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
-    text +=
-        format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ",
-               m.levels.size() - 1, m.nodes, m.bytes_per_node,
-               static_cast<double>(m.bytes_per_node * m.nodes) / static_cast<double>(m.triangles)) +
-        rules_text(total) +
-        format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
-               m.topology_ms, m.fit_ms);
+    text += format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ",
+                   m.levels.size() - 1, m.nodes, m.bytes_per_node, m.per_triangle(m.bytes())) +
+            rules_text(total) +
+            format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
+                   m.topology_ms, m.fit_ms);
+    if (!m.packed.empty()) text += "\npacked layout  bytes per triangle  time here, ms\n";
+    for (const Packed& packed : m.packed)
+        text += format("%-13s %19.1f %14.1f\n", packed.layout.c_str(), m.per_triangle(packed.bytes),
+                       packed.ms);
+    if (!m.not_packed.empty()) text += "no packed layout: " + m.not_packed + "\n";
     return text;
 }
 
@@ -135,16 +181,26 @@ Json json_of(const Measured& m) {
             level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
         levels.push_back(std::move(level));
     }
-    return {{"mesh", m.mesh},
-            {"bodies", m.bodies},
-            {"volume", volume_kind_name(m.kind)},
-            {"triangles", m.triangles},
-            {"points", m.points},
-            {"nodes", m.nodes},
-            {"depth", m.levels.size() - 1},
-            {"bytes_per_node", m.bytes_per_node},
-            {"levels", levels},
-            {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
+    Json packed = Json::array();
+    for (const Packed& p : m.packed)
+        packed.push_back({{"layout", p.layout},
+                          {"bytes", p.bytes},
+                          {"bytes_per_triangle", m.per_triangle(p.bytes)},
+                          {"ms", p.ms}});
+    Json result = {{"mesh", m.mesh},
+                   {"bodies", m.bodies},
+                   {"volume", volume_kind_name(m.kind)},
+                   {"triangles", m.triangles},
+                   {"points", m.points},
+                   {"nodes", m.nodes},
+                   {"depth", m.levels.size() - 1},
+                   {"bytes_per_node", m.bytes_per_node},
+                   {"bytes_per_triangle", m.per_triangle(m.bytes())},
+                   {"levels", levels},
+                   {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
+    if (m.kind == VolumeKind::scb) result["packed"] = std::move(packed);
+    if (!m.not_packed.empty()) result["not_packed"] = m.not_packed;
+    return result;
 }
 
 int run(const Options& options) {
@@ -169,6 +225,19 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, false);
     add_hierarchy_options(*command, options->hierarchy);
+    command
+        ->add_option(
+            "--layout", options->layouts,
+            "Packed layouts of slab cut balls to report: some of " + layout_names() + "; else all")
+        ->type_name("LIST");
+    command->add_option("--leaf", options->leaf_triangles, "Triangles of a packed leaf, at most")
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "Threads that build; the result is the same")
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "nodes: at that depth; leaves: of these; cover: nodes and the leaves above them, what a "

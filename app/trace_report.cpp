@@ -46,7 +46,8 @@ Json trace_header_json(const TraceHeader& header) {
                    {"bodies", bodies},
                    {"volume", volume_kind_name(header.volume)},
                    {"growth", ball_growth_name(header.growth)},
-                   {"margin", header.margin}};
+                   {"margin", header.margin},
+                   {"split", split_method_name(header.split)}};
     if (header.volume == VolumeKind::scb) {
         result["test"] = overlap_test_name(header.options.overlap.test);
         if (has_threshold(header.options.overlap.test))

@@ -48,7 +48,7 @@ TuneOptions tune_options(const Options& options) {
     const FitOptions fit = options.hierarchy.fit();
     TuneOptions result;
     result.base = {collide.overlap, collide.descent, fit.growth};
-    result.margin = fit.margin;
+    result.fit = fit;
     result.repeats = options.no_time ? 0 : options.repeats;
     return result;
 }
@@ -67,6 +67,7 @@ std::string json_text(const Options& options, const SceneTuning& tuning) {
     Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
     document.update(tune_json(tuning));
     document["margin"] = options.hierarchy.margin;
+    document["split"] = options.hierarchy.split;
     if (!options.no_time) {
         document["repeats"] = options.repeats;
         document["compiler"] = compiler_text();

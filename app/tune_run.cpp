@@ -15,13 +15,11 @@ namespace {
 class Subject {
   public:
     Subject(const Scene& scene, std::size_t a, std::size_t b, const std::vector<int>& frames,
-            double margin)
+            FitOptions fit)
         : scene_(scene), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
-        const std::vector<MeshTopology> topologies = build_topologies(scene);
+        const std::vector<MeshTopology> topologies = build_topologies(scene, fit.topology());
         for (const BallGrowth growth : growths) {
-            FitOptions fit;
             fit.growth = growth;
-            fit.margin = margin;
             hierarchies_.push_back(fit_meshes(topologies, VolumeKind::scb, fit));
         }
         for (const int frame : frames)
@@ -150,7 +148,7 @@ class Run {
 std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
-    const Subject subject(scene, a, b, frames, options.margin);
+    const Subject subject(scene, a, b, frames, options.fit);
     Run run(subject, progress);
     const bool timed = options.repeats > 0;
     if (!run.count(tune_trials(options.base)) || !run.time(timed ? 1 : 0)) return std::nullopt;

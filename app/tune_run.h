@@ -34,8 +34,8 @@ struct SceneTuning {
 
 struct TuneOptions {
     TuneSetting base;
-    double margin = 0;  ///< of the fit
-    int repeats = 0;    ///< of each timed query; 0: nothing is timed
+    FitOptions fit;   ///< but for the growth, which is tuned
+    int repeats = 0;  ///< of each timed query; 0: nothing is timed
 };
 
 /// Told of a part of the run that begins, with how many steps it has; then of each step, by

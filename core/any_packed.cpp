@@ -6,9 +6,9 @@
 namespace scb {
 
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
-                   std::string_view name) {
+                   std::string_view name, int threads) {
     const auto packed = [&]<class Codec>() -> AnyPacked {
-        return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, name);
+        return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
     };
     const bool floats = layout.numbers == PackedLayout::Numbers::floats;
     switch (layout.width) {

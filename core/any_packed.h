@@ -10,7 +10,7 @@ using AnyPacked = AnyCodec<PackedHierarchy>;
 
 /// `pack` to a layout. Throws InputError as that does.
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
-                   std::string_view name = "mesh");
+                   std::string_view name = "mesh", int threads = 1);
 
 /// `collide_packed` for hierarchies of one layout, else throws std::bad_variant_access.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,

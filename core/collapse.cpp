@@ -4,6 +4,8 @@
 #include <cassert>
 #include <span>
 
+#include "core/in_threads.h"
+
 namespace scb {
 namespace {
 
@@ -28,8 +30,8 @@ class Collapse {
           costs_(nodes_.size()),
           choices_(nodes_.size()) {}
 
-    WideTopology run() {
-        for (std::size_t i = nodes_.size(); i-- > 0;) weigh(i);
+    WideTopology run(int threads) {
+        weigh_all(0, threads);
         WideTopology wide;
         if (choices_[0][0] == by_leaf) return wide;
         wide.nodes.push_back({0, 0, 0});
@@ -44,6 +46,20 @@ class Collapse {
     }
 
   private:
+    // A node and all below it, children first.
+    void weigh_all(std::size_t root, int threads) {
+        constexpr std::uint32_t divided_from = 8192;
+        const TopologyNode& node = nodes_[root];
+        if (threads > 1 && node.count >= divided_from)
+            both(
+                threads, [&] { weigh_all(node.left, threads); },
+                [&] { weigh_all(node.left + 1, threads); });
+        else if (!node.is_leaf())
+            for (std::size_t i = node.left + 2 * std::size_t{node.count} - 2; i-- > node.left;)
+                weigh(i);
+        weigh(root);
+    }
+
     void weigh(std::size_t i) {
         const TopologyNode& node = nodes_[i];
         Costs& costs = costs_[i];
@@ -123,10 +139,10 @@ class Collapse {
 }  // namespace
 
 WideTopology collapse(const Topology& topology, const std::vector<double>& cost, int width,
-                      int leaf_triangles) {
+                      int leaf_triangles, int threads) {
     assert(width >= 2 && width <= most && leaf_triangles >= 1 && "see collapse");
     assert(cost.size() == topology.nodes.size() && "a cost for each node");
-    return Collapse(topology, cost, width, leaf_triangles).run();
+    return Collapse(topology, cost, width, leaf_triangles).run(threads);
 }
 
 }  // namespace scb

@@ -29,11 +29,12 @@ struct WideTopology {
 /// that of its node for each of its triangles: costs are chances that a query gets there, up to a
 /// factor, such as surface areas. By dynamic programming over the binary topology, after Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
-/// (Section 3). Deterministic; O(n width^2).
+/// (Section 3). O(n width^2); the same for any number of
+/// threads.
 ///
 /// `width` is 2 to 8, `leaf_triangles` at least 1; a binary node of at most so many triangles may
 /// become a leaf, one of a single triangle always does.
 WideTopology collapse(const Topology& topology, const std::vector<double>& cost, int width,
-                      int leaf_triangles);
+                      int leaf_triangles, int threads = 1);
 
 }  // namespace scb

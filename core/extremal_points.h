@@ -4,23 +4,18 @@
 #include <cstdint>
 
 #include "core/dop26.h"
-#include "core/points.h"
+#include "core/few_points.h"
 
 namespace scb {
 
-/// The distinct extremal points of a 26-DOP (the set E of Figure 3) and, per direction, which of
-/// them are its pair.
-struct ExtremalPoints {
-    static constexpr std::size_t capacity = 2 * Dop26::directions;
-
-    std::array<double, capacity> x, y, z;
-    std::size_t count = 0;
-    std::array<std::uint8_t, Dop26::directions> upper, lower;  ///< indices into the above
-
-    PointsView view() const { return {x.data(), y.data(), z.data(), count}; }
+/// Per direction of a DOP, the indices of its pair of extremal points.
+struct ExtremalPairs {
+    alignas(64) std::array<std::int32_t, Dop26::padded> upper, lower;
 };
 
-/// Looks up the points of the DOP by id, in the order of the directions, upper before lower.
-ExtremalPoints extremal_points(const Dop26& dop, const double* x, const double* y, const double* z);
+/// The distinct extremal points of a DOP (the set E of Figure 3), looked up by id, in the order of
+/// the directions, upper before lower; and the pairs among them.
+void extremal_points(const Dop26& dop, const PointsView& by_id, FewPoints& points,
+                     ExtremalPairs& pairs);
 
 }  // namespace scb

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "core/ball.h"
-#include "core/dop26.h"
 #include "core/obb.h"
-#include "core/points.h"
 #include "core/scb.h"
-#include "core/surface_moments.h"
+#include "core/simd_level.h"
+#include "core/topology.h"
+#include "core/vec.h"
 
 namespace scb {
 
@@ -44,24 +43,16 @@ struct FitOptions {
     /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward
     /// by margin * r, but not out of the ball.
     double margin = 0;
-    /// Where to count the work of SCB fits; nowhere by default.
+    /// Where to add the work of the fits; nowhere by default.
     FitCounts* counts = nullptr;
-};
+    /// How build_hierarchy divides nodes; fits themselves do not depend on it.
+    SplitMethod split = SplitMethod::section_3;
+    /// How many threads build a hierarchy; it is the same for any number.
+    int threads = 1;
+    /// Which vector instructions to use; volumes are the same for any.
+    SimdLevel simd = SimdLevel::best;
 
-/// A set of points to fit a volume to, with what is already known about it. `build_hierarchy`
-/// derives it from the children's; the fit of a plain list of points computes it.
-struct FitInput {
-    /// The points, in ascending order of their ids; either part may be empty, and 26 points or
-    /// fewer are all in the first.
-    std::array<PointsView, 2> parts;
-    /// Coordinates by id, for the ids in `dop`.
-    const double* x = nullptr;
-    const double* y = nullptr;
-    const double* z = nullptr;
-    const Dop26* dop = nullptr;
-    const SurfaceMoments* moments = nullptr;  ///< of the triangles, where there are any
-
-    std::size_t size() const { return parts[0].size + parts[1].size; }
+    TopologyOptions topology() const { return {split, threads}; }
 };
 
 /// Fits the volume to the points; every point satisfies `contains` exactly.
@@ -77,12 +68,8 @@ struct FitInput {
 /// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha,
 /// "OBBTree", 1996, as in RAPID), of the points where there are no triangles or they have no area;
 /// sides along them as tight as can be.
-void fit(Scb& result, const FitInput& input, const FitOptions& options);
-void fit(Ball& result, const FitInput& input, const FitOptions& options);
-void fit(Obb& result, const FitInput& input, const FitOptions& options);
-
-/// The same for a plain list of points. At least one point, all finite: throws InputError
-/// otherwise.
+///
+/// At least one point, all finite: throws InputError otherwise.
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});
 Ball fit_ball(std::span<const Vec3> points, const FitOptions& options = {});
 Obb fit_obb(std::span<const Vec3> points, const FitOptions& options = {});

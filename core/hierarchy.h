@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fit.h"
 #include "core/leaf_order.h"
 #include "core/topology.h"
 #include "core/volume.h"

@@ -4,12 +4,15 @@
 #include <limits>
 #include <tuple>
 
+#include "core/in_threads.h"
+
 namespace scb {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-// For every vertex, the first vertex at the same position.
+}  // namespace
+
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
     struct Located {
         double x, y, z;
@@ -35,25 +38,41 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
     return first;
 }
 
-}  // namespace
-
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology) {
-    const std::vector<std::uint32_t> first = weld(mesh);
-    std::vector<std::uint32_t> id(mesh.vertices.size(), none);
+    return leaf_order(mesh, topology, weld(mesh));
+}
+
+LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
+                     const std::vector<std::uint32_t>& welded, int threads) {
+    const std::size_t count = mesh.triangles.size();
     LeafOrder result;
-    result.points.reserve(mesh.vertices.size());
-    result.corners.reserve(mesh.triangles.size());
-    for (const std::uint32_t t : topology.order) {
-        std::array<std::uint32_t, 3>& corners = result.corners.emplace_back();
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t vertex = first[mesh.triangles[t][i]];
-            if (id[vertex] == none) {
-                id[vertex] = static_cast<std::uint32_t>(result.points.size());
-                result.points.push_back(mesh.vertices[vertex]);
+    // Vertices at first, then points. What waits for memory is in threads; the rest is one pass.
+    result.corners.resize(count);
+    in_blocks(threads, count, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k)
+            for (std::size_t i = 0; i < 3; ++i)
+                result.corners[k][i] = welded[mesh.triangles[topology.order[k]][i]];
+    });
+    std::vector<std::uint32_t> id(mesh.vertices.size(), none), vertex_of;
+    vertex_of.reserve(mesh.vertices.size());
+    result.own_first.reserve(count + 1);
+    for (auto& corners : result.corners) {
+        result.own_first.push_back(static_cast<std::uint32_t>(vertex_of.size()));
+        for (std::uint32_t& corner : corners) {
+            std::uint32_t& point = id[corner];
+            if (point == none) {
+                point = static_cast<std::uint32_t>(vertex_of.size());
+                vertex_of.push_back(corner);
             }
-            corners[i] = id[vertex];
+            corner = point;
         }
     }
+    result.own_first.push_back(static_cast<std::uint32_t>(vertex_of.size()));
+    PointArrays& points = result.points;
+    points.resize(vertex_of.size());
+    in_blocks(threads, vertex_of.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t p = first; p < end; ++p) points.set(p, mesh.vertices[vertex_of[p]]);
+    });
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <hwy/cache_control.h>
 
 #include <bit>
+#include <cstring>
 
 #include "core/float_placement-inl.h"
 #include "core/packed_query.h"
@@ -66,11 +67,30 @@ class LeafPairs {
     }
     HWY_INLINE void prefetch(std::uint32_t i, std::uint32_t j) const {
         constexpr std::size_t line = 16, lines = 3;  // in words
-        const std::uint32_t *a = a_ + PackedRef{i}.index(), *b = b_ + PackedRef{j}.index();
+        const std::uint32_t *a = a_.words + PackedRef{i}.index(),
+                            *b = b_.words + PackedRef{j}.index();
         for (std::size_t k = 0; k < lines; ++k) {
             hwy::Prefetch(a + k * line);
             hwy::Prefetch(b + k * line);
         }
+    }
+
+    /// A leaf with its corners, which are gathered where it has none; often it is that of before.
+    struct Gathered {
+        std::uint32_t ref = 0;  // no leaf: bits of one are not 0
+        // Whole vectors are loaded from the last numbers on.
+        std::uint32_t words[PackedLeaf::size(side, LeafCorners::stored) + side] = {};
+    };
+    HWY_INLINE PackedLeaf leaf(const PackedLeaves& leaves, std::uint32_t ref, Gathered& gathered) {
+        const PackedLeaf bare{leaves.words + PackedRef{ref}.index()};
+        if (leaves.mesh == nullptr) return bare;
+        if (gathered.ref != ref) {
+            gathered.ref = ref;
+            std::memcpy(gathered.words, bare.words,
+                        4 * PackedLeaf::size(bare.count(), LeafCorners::in_mesh));
+            PackedLeaf::write_corners(gathered.words, *leaves.mesh);
+        }
+        return {gathered.words};
     }
 
     /// Lanes `first` and on of four numbers, tiled.
@@ -118,7 +138,7 @@ class LeafPairs {
     }
 
     HWY_INLINE void leaf_leaf(std::uint32_t i, std::uint32_t j) {
-        const PackedLeaf a{a_ + PackedRef{i}.index()}, b{b_ + PackedRef{j}.index()};
+        const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
         if (j != turned_leaf_) turn(b);  // often it is that of the pair before
         turned_leaf_ = j;
         const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
@@ -187,7 +207,8 @@ class LeafPairs {
         while (open_.count > 0) decide_some();
     }
 
-    const std::uint32_t *a_, *b_;
+    const PackedLeaves a_, b_;
+    Gathered gathered_a_, gathered_b_;
     const FloatPlacement placed_;
     OpenPairs& open_;
     PackedFindings& found_;

@@ -16,7 +16,6 @@ namespace scb {
 /// enclosing balls", 1999): the farthest point joins the support, and the support is solved anew.
 /// That subproblem has five points at most, so it is enumerated instead of recursed into. Linear in
 /// the points per pivot; some ten pivots in practice.
-Ball min_ball(const PointsView& points, std::uint64_t* visits = nullptr);
 Ball min_ball(std::span<const Vec3> points);
 
 }  // namespace scb

@@ -73,6 +73,12 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
 }
 
+template <class Codec>
+PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
+    const bool stored = side.hierarchy.corners == LeafCorners::stored;
+    return {side.hierarchy.leaves.data(), stored ? nullptr : &side.mesh};
+}
+
 }  // namespace
 
 struct PackedWorkspace::Parts {
@@ -99,7 +105,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     // As in query_placement, for the margin is that of the reference's volumes.
     const Placement placed = placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
     const AnyQuery query = {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed},
-                            {a.hierarchy.leaves.data(), b.hierarchy.leaves.data(), &placed},
+                            {leaves_of(a), leaves_of(b), &placed},
                             a.mesh,
                             b.mesh,
                             b_to_a,

@@ -1,10 +1,12 @@
 #include "core/packed_hierarchy.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "core/collapse.h"
 #include "core/error.h"
+#include "core/in_threads.h"
 #include "core/placement.h"
 
 namespace scb {
@@ -29,85 +31,123 @@ void check_range(const Mesh& mesh, std::string_view name) {
 template <class Codec>
 class Packing {
   public:
-    Packing(const Hierarchy<Scb>& hierarchy, const Mesh& mesh)
-        : topology_(*hierarchy.topology), volumes_(hierarchy.volumes), mesh_(mesh) {}
+    Packing(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, LeafCorners corners, int threads)
+        : topology_(*hierarchy.topology),
+          volumes_(hierarchy.volumes),
+          mesh_(mesh),
+          threads_(threads) {
+        packed_.corners = corners;
+    }
 
     PackedHierarchy<Codec> run(int leaf_triangles) {
-        std::vector<double> cost;
-        cost.reserve(volumes_.size());
-        for (const Scb& scb : volumes_) cost.push_back(surface_area(scb));
-        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles);
+        std::vector<double> cost(volumes_.size());
+        in_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) cost[i] = surface_area(volumes_[i]);
+        });
+        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
         packed_.nodes.resize(wide.nodes.size());
-        for (std::size_t i = 0; i < wide.nodes.size(); ++i)
-            set_node(packed_.nodes[i], wide.nodes[i], wide);
-        packed_.root = wide.nodes.empty() ? add_leaf(0) : PackedRef{0};
-        packed_.leaves.insert(packed_.leaves.end(), words_behind, 0);
+        place_leaves(wide);
+        in_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i)
+                set_node(packed_.nodes[i], wide.nodes[i], wide);
+        });
+        if (wide.nodes.empty()) packed_.root = set_leaf(0, 0);
         return std::move(packed_);
     }
 
   private:
+    // Where the first leaf of each node begins; a node's leaves follow each other.
+    void place_leaves(const WideTopology& wide) {
+        std::size_t words = wide.nodes.empty() ? leaf_size(0) : 0;
+        first_leaf_.reserve(wide.nodes.size());
+        for (const WideTopology::Node& node : wide.nodes) {
+            first_leaf_.push_back(words);
+            for (std::uint32_t k = 0; k < node.child_count; ++k) {
+                const WideTopology::Child& child = wide.children[node.first_child + k];
+                if (child.wide == WideTopology::no_node) words += leaf_size(child.node);
+            }
+        }
+        packed_.leaves.resize(words + words_behind);
+    }
+    std::size_t leaf_size(std::uint32_t i) const {
+        return PackedLeaf::size(topology_.nodes[i].count, packed_.corners);
+    }
+
     void set_node(PackedNode<Codec>& node, const WideTopology::Node& from,
                   const WideTopology& wide) {
         node.own = packed(volumes_[from.node], Vec3::Zero());
         node.count = static_cast<std::uint16_t>(from.child_count);
-        std::vector<Scb> children;
+        std::array<Scb, Codec::width> children;
+        std::size_t leaf = first_leaf_[static_cast<std::size_t>(&node - packed_.nodes.data())];
         for (std::uint32_t k = 0; k < from.child_count; ++k) {
             const WideTopology::Child& child = wide.children[from.first_child + k];
-            children.push_back(volumes_[child.node]);
-            const bool is_leaf = child.wide == WideTopology::no_node;
-            node.child[k] = is_leaf ? add_leaf(child.node).bits : child.wide;
-            if (is_leaf) node.leaf_bits = static_cast<std::uint16_t>(node.leaf_bits | 1u << k);
+            children[k] = volumes_[child.node];
+            if (child.wide != WideTopology::no_node) {
+                node.child[k] = child.wide;
+                continue;
+            }
+            node.child[k] = set_leaf(child.node, leaf).bits;
+            node.leaf_bits = static_cast<std::uint16_t>(node.leaf_bits | 1u << k);
+            leaf += leaf_size(child.node);
         }
-        node.volumes.encode(children, center(node.own));
+        node.volumes.encode({children.data(), from.child_count}, center(node.own));
         double far = up(node.own.r);
-        for (std::size_t k = 0; k < children.size(); ++k) {
+        for (std::size_t k = 0; k < from.child_count; ++k) {
             const PackedScb scb = node.volumes.decode(k);
             far = std::max(far, std::sqrt(squared_norm(center(scb))) + up(scb.r));
         }
         node.reach = float_above(far * (1 + 0x1p-40));
     }
 
-    PackedRef add_leaf(std::uint32_t i) {
+    PackedRef set_leaf(std::uint32_t i, std::size_t at) {
         const TopologyNode& node = topology_.nodes[i];
-        const std::size_t at = packed_.leaves.size(), count = node.count;
-        packed_.leaves.resize(at + PackedLeaf::size(count));
         std::uint32_t* words = packed_.leaves.data() + at;
         const PackedScb own = packed(volumes_[i], Vec3::Zero());
         std::memcpy(words, &own, sizeof own);
         words[PackedLeaf::header - 1] = node.count;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t triangle = topology_.order[node.first + k];
-            words[PackedLeaf::header + k] = triangle;
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Vec3& v = mesh_.vertices[mesh_.triangles[triangle][corner]];
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    words[PackedLeaf::header + count * (1 + 3 * corner + axis) + k] =
-                        std::bit_cast<std::uint32_t>(
-                            static_cast<float>(v[static_cast<int>(axis)] - up(own.c[axis])));
-            }
-        }
+        for (std::uint32_t k = 0; k < node.count; ++k)
+            words[PackedLeaf::header + k] = topology_.order[node.first + k];
+        if (packed_.corners == LeafCorners::stored) PackedLeaf::write_corners(words, mesh_);
         return {static_cast<std::uint32_t>(at) | PackedRef::leaf_bit};
     }
 
     const Topology& topology_;
     const std::vector<Scb>& volumes_;
     const Mesh& mesh_;
+    int threads_;
+    std::vector<std::size_t> first_leaf_;
     PackedHierarchy<Codec> packed_;
 };
 
 }  // namespace
 
-template <class Codec>
-PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, int leaf_triangles,
-                            std::string_view name) {
-    assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
-    check_range(mesh, name);
-    return Packing<Codec>(hierarchy, mesh).run(leaf_triangles);
+void PackedLeaf::write_corners(std::uint32_t* words, const Mesh& mesh) {
+    const PackedLeaf leaf{words};
+    const std::size_t count = leaf.count();
+    const float* const origin = leaf.center();
+    for (std::size_t k = 0; k < count; ++k) {
+        const Triangle& triangle = mesh.triangles[words[header + k]];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Vec3& v = mesh.vertices[triangle[corner]];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                words[header + count * (1 + 3 * corner + axis) + k] = std::bit_cast<std::uint32_t>(
+                    static_cast<float>(v[static_cast<int>(axis)] - up(origin[axis])));
+        }
+    }
 }
 
-#define SCB_PACK(Codec) \
-    template PackedHierarchy<Codec> pack(const Hierarchy<Scb>&, const Mesh&, int, std::string_view);
+template <class Codec>
+PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, int leaf_triangles,
+                            LeafCorners corners, std::string_view name, int threads) {
+    assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
+    check_range(mesh, name);
+    return Packing<Codec>(hierarchy, mesh, corners, threads).run(leaf_triangles);
+}
+
+#define SCB_PACK(Codec)                                                                        \
+    template PackedHierarchy<Codec> pack(const Hierarchy<Scb>&, const Mesh&, int, LeafCorners, \
+                                         std::string_view, int);
 SCB_FOR_EACH_CODEC(SCB_PACK)
 #undef SCB_PACK
 

@@ -35,9 +35,15 @@ struct PackedNode {
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
 };
 
-/// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and the
-/// coordinates of their corners relative to the volume's center: x of all first corners, y, z, then
-/// those of the second and third corners.
+/// Where the corners of a leaf's triangles are.
+enum class LeafCorners {
+    stored,   ///< in the leaf: 36 bytes for each triangle
+    in_mesh,  ///< in the mesh alone
+};
+
+/// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where
+/// they are stored, the coordinates of their corners relative to the volume's center: x of all
+/// first corners, y, z, then those of the second and third corners.
 struct PackedLeaf {
     static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
     const std::uint32_t* words = nullptr;
@@ -55,7 +61,11 @@ struct PackedLeaf {
         return reinterpret_cast<const float*>(words + header + count());
     }
     /// Words of a leaf of so many triangles.
-    static constexpr std::size_t size(std::size_t count) { return header + 10 * count; }
+    static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
+        return header + (corners == LeafCorners::stored ? 10 : 1) * count;
+    }
+    /// Writes the corners behind the indices, rounded to the nearest floats.
+    static void write_corners(std::uint32_t* words, const Mesh& mesh);
 };
 
 /// A hierarchy of slab cut balls made for queries: wide nodes whose volumes and triangles are
@@ -66,6 +76,7 @@ struct PackedHierarchy {
     std::vector<PackedNode<Codec>> nodes;  ///< parents first
     std::vector<std::uint32_t> leaves;     ///< words, and a few that kernels may read behind them
     PackedRef root;
+    LeafCorners corners = LeafCorners::stored;
     double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
 
     PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
@@ -74,13 +85,15 @@ struct PackedHierarchy {
     }
 };
 
-/// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf. Throws
+/// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf; the same
+/// for any number of threads. Throws
 /// InputError, naming the mesh, where its coordinates are beyond what floats hold with room for
 /// their products: 1e8 in magnitude, or a size below 1e-8. O(n).
 template <class Codec>
 PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                             int leaf_triangles = most_leaf_triangles,
-                            std::string_view name = "mesh");
+                            LeafCorners corners = LeafCorners::stored,
+                            std::string_view name = "mesh", int threads = 1);
 
 /// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
 /// its own volume and in the one that its parent has of it, as decoded, and that corners are the

@@ -8,16 +8,24 @@ namespace {
 using Numbers = PackedLayout::Numbers;
 
 constexpr std::array layouts = {
-    PackedLayout{Numbers::floats, 2},    PackedLayout{Numbers::floats, 4},
-    PackedLayout{Numbers::floats, 8},    PackedLayout{Numbers::quantized, 2},
-    PackedLayout{Numbers::quantized, 4}, PackedLayout{Numbers::quantized, 8},
+    PackedLayout{Numbers::floats, 2},
+    PackedLayout{Numbers::floats, 4},
+    PackedLayout{Numbers::floats, 8},
+    PackedLayout{Numbers::quantized, 2},
+    PackedLayout{Numbers::quantized, 4},
+    PackedLayout{Numbers::quantized, 8},
+    PackedLayout{Numbers::quantized, 2, 4, LeafCorners::in_mesh},
+    PackedLayout{Numbers::quantized, 4, 4, LeafCorners::in_mesh},
+    PackedLayout{Numbers::quantized, 8, 4, LeafCorners::in_mesh},
 };
 
 }  // namespace
 
 std::string packed_layout_name(const PackedLayout& layout) {
-    return (layout.numbers == Numbers::floats ? "float" : "quantized") +
-           std::to_string(layout.width);
+    const char* kind = layout.corners == LeafCorners::in_mesh ? "indexed"
+                       : layout.numbers == Numbers::floats    ? "float"
+                                                              : "quantized";
+    return std::string(kind) + std::to_string(layout.width);
 }
 
 std::optional<PackedLayout> packed_layout_of(std::string_view name) {

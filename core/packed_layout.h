@@ -4,10 +4,12 @@
 #include <span>
 #include <string>
 
+#include "core/packed_hierarchy.h"
+
 namespace scb {
 
-/// How a packed hierarchy is stored: as what numbers, how many children a node has, and how many
-/// triangles a leaf.
+/// How a packed hierarchy is stored: as what numbers, how many children a node has, how many
+/// triangles a leaf, and with or without their corners.
 struct PackedLayout {
     enum class Numbers {
         floats,    ///< 36 bytes for a volume, see FloatCodec
@@ -16,9 +18,12 @@ struct PackedLayout {
     Numbers numbers = Numbers::floats;
     int width = 8;           ///< 2, 4 or 8
     int leaf_triangles = 4;  ///< 1 to 4, at most
+    /// Where a leaf's corners are: in it, or in the mesh alone, from where a query gathers them.
+    LeafCorners corners = LeafCorners::stored;
 };
 
-/// How a layout is named on the command line, but for its leaves: "float8", "quantized2".
+/// How a layout is named on the command line, but for the size of its leaves: "float8",
+/// "quantized2", and "indexed2" where numbers are quantized and corners in the mesh.
 std::string packed_layout_name(const PackedLayout& layout);
 std::optional<PackedLayout> packed_layout_of(std::string_view name);
 

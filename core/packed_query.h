@@ -120,9 +120,14 @@ struct PackedFindings {
     }
 };
 
-/// The leaves of two packed hierarchies: words, see PackedLeaf.
+/// The leaves of a packed hierarchy: words, see PackedLeaf; and the mesh that has their corners
+/// where they do not.
+struct PackedLeaves {
+    const std::uint32_t* words;
+    const Mesh* mesh;
+};
 struct LeafQuery {
-    const std::uint32_t *a, *b;
+    PackedLeaves a, b;
     const Placement* placed;
 };
 

@@ -38,6 +38,16 @@ struct PointArrays {
         y.reserve(n);
         z.reserve(n);
     }
+    void resize(std::size_t n) {
+        x.resize(n);
+        y.resize(n);
+        z.resize(n);
+    }
+    void set(std::size_t i, const Vec3& p) {
+        x[i] = p[0];
+        y[i] = p[1];
+        z[i] = p[2];
+    }
     void push_back(const Vec3& p) {
         x.push_back(p[0]);
         y.push_back(p[1]);

@@ -47,8 +47,7 @@ std::size_t simd_target_index(SimdLevel level) {
 std::vector<SimdLevel> available_simd_levels() {
     std::vector<SimdLevel> levels = {SimdLevel::best, SimdLevel::base};
     for (const SimdLevel level : {SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512})
-        if ((supported() & HWY_TARGETS & targets_of(level)) != 0)
-            levels.push_back(level);
+        if ((supported() & HWY_TARGETS & targets_of(level)) != 0) levels.push_back(level);
     return levels;
 }
 

@@ -4,27 +4,15 @@
 #include <span>
 #include <utility>
 
+#include "core/cost_split.h"
+#include "core/in_threads.h"
+#include "core/primitives.h"
 #include "core/random.h"
 
 namespace scb {
 namespace {
 
 constexpr std::uint32_t sort_below = 8;
-
-struct Primitives {
-    std::vector<Box> boxes;
-    std::vector<Vec3> centroids;
-
-    explicit Primitives(const Mesh& mesh) {
-        boxes.reserve(mesh.triangles.size());
-        centroids.reserve(mesh.triangles.size());
-        for (const Triangle& t : mesh.triangles) {
-            const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-            boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
-            centroids.push_back((a + b + c) / 3);
-        }
-    }
-};
 
 using Range = std::span<std::uint32_t>;
 
@@ -39,22 +27,49 @@ struct ByCentroid {
     }
 };
 
+// The longest first; of equal ones the first.
 std::array<int, 3> axes_by_length(const Vec3& sides) {
     std::array<int, 3> axes = {0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return sides[a] > sides[b]; });
+    if (sides[1] > sides[0]) std::swap(axes[0], axes[1]);
+    if (sides[2] > sides[axes[1]]) std::swap(axes[1], axes[2]);
+    if (sides[axes[1]] > sides[axes[0]]) std::swap(axes[0], axes[1]);
     return axes;
 }
 
-// Moves the triangles whose centroid is below the plane to the front, in place as in quicksort;
-// returns their number.
+// Moves the triangles whose centroid is below the plane to the front; returns their number. What
+// stands on the wrong side changes places with its counterpart from the other end, as in quicksort.
+// Which side a centroid is on cannot be predicted, so what stands wrong is listed without branches,
+// a block at a time (Edelkamp and Weiss, "BlockQuicksort", 2016).
 std::uint32_t partition(Range range, const Primitives& primitives, int axis, double plane) {
-    std::size_t lower = 0, upper = range.size();
-    for (;;) {
-        while (lower < upper && primitives.centroids[range[lower]][axis] < plane) ++lower;
-        while (lower < upper && !(primitives.centroids[range[upper - 1]][axis] < plane)) --upper;
-        if (lower == upper) return static_cast<std::uint32_t>(lower);
-        std::swap(range[lower], range[upper - 1]);
+    const auto below = [&](std::size_t i) {
+        return std::size_t{primitives.centroids[range[i]][axis] < plane};
+    };
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < range.size(); ++i) left += below(i);
+
+    constexpr std::size_t block = 64;
+    std::array<std::uint32_t, block> wrong_left, wrong_right;
+    std::size_t lower = 0, upper = range.size(), left_first = 0, left_end = 0, right_first = 0,
+                right_end = 0;
+    while (lower < left || left_first < left_end) {
+        if (left_first == left_end) {
+            left_first = left_end = 0;
+            for (const std::size_t end = std::min(left, lower + block); lower < end; ++lower) {
+                wrong_left[left_end] = static_cast<std::uint32_t>(lower);
+                left_end += 1 - below(lower);
+            }
+        }
+        if (right_first == right_end) {
+            right_first = right_end = 0;
+            for (const std::size_t end = upper - std::min(upper - left, block); upper > end;) {
+                wrong_right[right_end] = static_cast<std::uint32_t>(--upper);
+                right_end += below(upper);
+            }
+        }
+        while (left_first < left_end && right_first < right_end)
+            std::swap(range[wrong_left[left_first++]], range[wrong_right[right_first++]]);
     }
+    return static_cast<std::uint32_t>(left);
 }
 
 bool balanced(std::uint32_t left, std::size_t count) {
@@ -85,7 +100,7 @@ struct Split {
     SplitRule rule;
 };
 
-Split split(Range range, std::uint32_t first, const Primitives& primitives) {
+Split split_by_section_3(Range range, std::uint32_t first, const Primitives& primitives) {
     const auto count = static_cast<std::uint32_t>(range.size());
     if (count == 2) {
         // Half of all inner nodes: the same as below without the loops.
@@ -124,39 +139,95 @@ Split split(Range range, std::uint32_t first, const Primitives& primitives) {
 
 std::string_view split_rule_name(SplitRule rule) {
     constexpr std::array<std::string_view, split_rule_count> names = {
-        "leaf", "longest side", "second side", "third side", "median of 7", "sorted", "index"};
+        "leaf",        "longest side", "second side", "third side",
+        "median of 7", "sorted",       "index",       "least cost"};
     return names[static_cast<std::size_t>(rule)];
 }
 
-Topology build_topology(const Mesh& mesh) {
-    const Primitives primitives(mesh);
-    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    Topology topology;
-    topology.order.resize(count);
-    for (std::uint32_t t = 0; t < count; ++t) topology.order[t] = t;
-    topology.nodes.reserve(2 * std::size_t{count} - 1);
-    topology.rules.reserve(2 * std::size_t{count} - 1);
-    topology.nodes.push_back({0, count, 0});
-    topology.rules.push_back(SplitRule::leaf);
+namespace {
 
-    std::vector<std::uint32_t> open = {0};
-    while (!open.empty()) {
-        const std::uint32_t index = open.back();
-        open.pop_back();
-        const TopologyNode node = topology.nodes[index];
-        if (node.count == 1) continue;
-        const Range range(topology.order.data() + node.first, node.count);
-        const Split division = split(range, node.first, primitives);
-        const auto left = static_cast<std::uint32_t>(topology.nodes.size());
-        topology.nodes[index].left = left;
-        topology.rules[index] = division.rule;
-        topology.nodes.push_back({node.first, division.left, 0});
-        topology.nodes.push_back({node.first + division.left, node.count - division.left, 0});
-        topology.rules.insert(topology.rules.end(), 2, SplitRule::leaf);
-        open.push_back(left + 1);
-        open.push_back(left);
+class Builder {
+  public:
+    Builder(const Mesh& mesh, const TopologyOptions& options)
+        : primitives_(mesh, options.threads), options_(options) {
+        const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+        topology_.order.resize(count);
+        for (std::uint32_t t = 0; t < count; ++t) topology_.order[t] = t;
+        topology_.nodes.resize(2 * std::size_t{count} - 1);
+        topology_.rules.resize(2 * std::size_t{count} - 1, SplitRule::leaf);
+        topology_.nodes[0] = {0, count, 0};
     }
-    return topology;
+
+    Topology build() {
+        divide({0, 1});
+        return std::move(topology_);
+    }
+
+  private:
+    // A node whose children, and behind them all that is below them, go to nodes[next] and on: a
+    // subtree of n triangles has 2 n - 1 nodes, so every place is known beforehand.
+    struct Open {
+        std::uint32_t index, next;
+    };
+
+    void divide(Open root) {
+        // Above some thousand triangles, the two halves at once.
+        constexpr std::uint32_t divided_from = 4096;
+        if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
+            const auto [left, right] = children(root);
+            both(
+                options_.threads, [&] { divide(left); }, [&] { divide(right); });
+            return;
+        }
+        std::vector<Open> open = {root};
+        while (!open.empty()) {
+            const Open node = open.back();
+            open.pop_back();
+            if (topology_.nodes[node.index].count == 1) continue;
+            const auto [left, right] = children(node);
+            open.push_back(right);
+            open.push_back(left);
+        }
+    }
+
+    std::pair<Open, Open> children(Open open) {
+        TopologyNode& node = topology_.nodes[open.index];
+        const Split division =
+            split(Range(topology_.order.data() + node.first, node.count), node.first);
+        node.left = open.next;
+        topology_.rules[open.index] = division.rule;
+        topology_.nodes[open.next] = {node.first, division.left, 0};
+        topology_.nodes[open.next + 1] = {node.first + division.left, node.count - division.left,
+                                          0};
+        return {{open.next, open.next + 2}, {open.next + 1, open.next + 2 * division.left}};
+    }
+
+    Split split(Range range, std::uint32_t first) const {
+        if (options_.split == SplitMethod::cost)
+            if (const std::uint32_t left = split_at_least_cost(range, primitives_); left != 0)
+                return {left, SplitRule::least_cost};
+        return split_by_section_3(range, first, primitives_);
+    }
+
+    Primitives primitives_;
+    TopologyOptions options_;
+    Topology topology_;
+};
+
+}  // namespace
+
+std::string_view split_method_name(SplitMethod method) {
+    return method == SplitMethod::cost ? "cost" : "paper";
+}
+
+std::optional<SplitMethod> split_method_of(std::string_view name) {
+    for (const SplitMethod method : {SplitMethod::section_3, SplitMethod::cost})
+        if (split_method_name(method) == name) return method;
+    return std::nullopt;
+}
+
+Topology build_topology(const Mesh& mesh, const TopologyOptions& options) {
+    return Builder(mesh, options).build();
 }
 
 std::vector<std::uint16_t> node_depths(const Topology& topology) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +21,9 @@ enum class SplitRule : std::uint8_t {
     sorted,        ///< fewer than 8 triangles: insertion sort along the longest side, halved
     index,  ///< all of the above were worse than 10 : 90: halved in the order of centroid, then
             ///< index
+    least_cost,  ///< not of Section 3: see SplitMethod::cost
 };
-inline constexpr std::size_t split_rule_count = 7;
+inline constexpr std::size_t split_rule_count = 8;
 
 /// The rule in words, fit for a table: "longest side".
 std::string_view split_rule_name(SplitRule rule);
@@ -36,22 +38,39 @@ struct TopologyNode {
 };
 
 /// The shape of a hierarchy, without volumes: a binary tree of ranges, one triangle per leaf.
-/// nodes[0] is the root; parents come before their children; 2 n - 1 nodes for n triangles.
+/// nodes[0] is the root; 2 n - 1 nodes for n triangles, and the 2 n - 2 below a node of n triangles
+/// are those from its left child on: first the children, then all below the left one, then all
+/// below the right one.
 struct Topology {
     std::vector<TopologyNode> nodes;
     std::vector<SplitRule> rules;      ///< per node
     std::vector<std::uint32_t> order;  ///< triangle indices, permuted
 };
 
-/// Builds the tree top down by the rules of Section 3: the primitives' box is divided through its
+/// How nodes are divided.
+enum class SplitMethod {
+    section_3,  ///< by the rules of Section 3
+    cost,       ///< where the halves, weighed by their volumes, cost least; see split_at_least_cost
+};
+
+/// "paper", "cost": the names of the command line.
+std::string_view split_method_name(SplitMethod method);
+std::optional<SplitMethod> split_method_of(std::string_view name);
+
+struct TopologyOptions {
+    SplitMethod split = SplitMethod::section_3;
+    /// How many threads; the result is the same for any number.
+    int threads = 1;
+};
+
+/// Builds the tree top down. By the rules of Section 3, the primitives' box is divided through its
 /// centroid across the longest side, by the centroids of the triangles; where a side gets less than
 /// 10 %, across the other sides in turn, then at the median of 7 randomly selected centroids. Where
 /// that fails too (centroids that coincide), at the middle index, so the depth is at most some 6.6
 /// log2 n whatever the input. The random numbers depend on the range alone.
 ///
-/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide; no
-/// recursion.
-Topology build_topology(const Mesh& mesh);
+/// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide.
+Topology build_topology(const Mesh& mesh, const TopologyOptions& options = {});
 
 /// The depth of every node; the root has 0.
 std::vector<std::uint16_t> node_depths(const Topology& topology);

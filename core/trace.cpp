@@ -64,6 +64,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                                       {"body B", header.bodies[1].name},
                                       {"mesh of A", text_of(header.bodies[0].mesh)},
                                       {"mesh of B", text_of(header.bodies[1].mesh)},
+                                      {"split", std::string(split_method_name(header.split))},
                                       {"volume", std::string(volume_kind_name(header.volume))}};
     // Only what has an effect on these volumes.
     if (header.volume == VolumeKind::scb || header.volume == VolumeKind::ball)

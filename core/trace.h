@@ -39,6 +39,7 @@ struct TraceHeader {
     VolumeKind volume = VolumeKind::scb;
     BallGrowth growth = BallGrowth::ritter;
     double margin = 0;
+    SplitMethod split = SplitMethod::section_3;
     CollideOptions options;
 };
 
@@ -68,8 +69,8 @@ struct TraceField {
     friend bool operator==(const TraceField&, const TraceField&) = default;
 };
 
-/// What was asked, in a fixed order: scene, bodies, meshes, volume, growth, margin, and for slab
-/// cut balls test and threshold; descent, pairs at most, level. Neither version nor source.
+/// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, and for
+/// slab cut balls test and threshold; descent, pairs at most, level. Neither version nor source.
 std::vector<TraceField> fields_of(const TraceHeader& header);
 
 }  // namespace scb

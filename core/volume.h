@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "core/ball.h"
-#include "core/fit.h"
 #include "core/obb.h"
 #include "core/scb.h"
 
@@ -15,8 +14,7 @@ namespace scb {
 /// one has to be added there.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
-    requires(V& v, const V& c, const Vec3& p, const FitInput& in, const FitOptions& options) {
-    fit(v, in, options);
+    requires(const V& c, const Vec3& p) {
     { contains(c, p) } -> std::same_as<bool>;
     { extent(c, p) } -> std::same_as<double>;
     { surface_area(c) } -> std::same_as<double>;

@@ -4,6 +4,12 @@
 #include "scenes/trace_block.h"
 
 namespace scb {
+namespace {
+
+// How the hierarchies were built, in a byte.
+constexpr std::uint8_t ritter_bit = 1, cost_bit = 2;
+
+}  // namespace
 
 std::vector<std::uint8_t> header_bytes(const TraceHeader& header) {
     ByteWriter out;
@@ -19,7 +25,8 @@ std::vector<std::uint8_t> header_bytes(const TraceHeader& header) {
     }
     // By name, so that the order of the lists may change.
     out.text(volume_kind_name(header.volume));
-    out.byte(header.growth == BallGrowth::ritter ? 1 : 0);
+    out.byte(static_cast<std::uint8_t>((header.growth == BallGrowth::ritter ? ritter_bit : 0) |
+                                       (header.split == SplitMethod::cost ? cost_bit : 0)));
     out.real(header.margin);
     out.text(overlap_test_name(header.options.overlap.test));
     out.real(header.options.overlap.threshold);
@@ -46,17 +53,18 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
                      in.fixed64()};
     }
     const auto volume = volume_kind_of(in.text());
-    const std::uint8_t growth = in.byte();
-    header.growth = growth == 1 ? BallGrowth::ritter : BallGrowth::radius;
+    const std::uint8_t build = in.byte();
+    header.growth = (build & ritter_bit) != 0 ? BallGrowth::ritter : BallGrowth::radius;
+    header.split = (build & cost_bit) != 0 ? SplitMethod::cost : SplitMethod::section_3;
     header.margin = in.real();
     const auto test = overlap_test_of(in.text());
     header.options.overlap.threshold = in.real();
     const auto descent = descent_rule_of(in.text());
     header.options.max_pairs = static_cast<std::size_t>(in.varint());
     const std::int64_t level = in.signed_varint();
-    legal &= growth <= 1 && level >= -1 && level <= 0xffff && header.options.max_pairs >= 1 &&
-             header.margin >= 0 && header.margin <= 1 && header.options.overlap.threshold >= 0 &&
-             header.options.overlap.threshold <= 1;
+    legal &= build <= (ritter_bit | cost_bit) && level >= -1 && level <= 0xffff &&
+             header.options.max_pairs >= 1 && header.margin >= 0 && header.margin <= 1 &&
+             header.options.overlap.threshold >= 0 && header.options.overlap.threshold <= 1;
     if (!in.ok || !in.bytes.empty() || !legal || !volume || !test || !descent) return std::nullopt;
     header.volume = *volume;
     header.options.overlap.test = *test;

@@ -10,9 +10,9 @@ namespace scb {
 namespace {
 
 TEST(Dop26, DirectionsAreThirteenAndNoTwoParallel) {
-    const auto& directions = dop26_directions();
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        EXPECT_NEAR(directions[i].norm() * dop26_inverse_length(static_cast<int>(i)), 1, 1e-15);
+    const auto& directions = dop26_directions;
+    for (std::size_t i = 0; i < Dop26::directions; ++i) {
+        EXPECT_NEAR(directions[i].norm() * directions.inverse_length[i], 1, 1e-15);
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_GT(cross(directions[i], directions[j]).norm(), 0.5);
     }
@@ -25,13 +25,15 @@ TEST(Dop26, HoldsTheExtremesOfEveryDirection) {
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         double upper = -1e9, lower = 1e9;
         for (const Vec3& p : points) {
-            upper = std::max(upper, dot(dop26_directions()[i], p));
-            lower = std::min(lower, dot(dop26_directions()[i], p));
+            upper = std::max(upper, dot(dop26_directions[i], p));
+            lower = std::min(lower, dot(dop26_directions[i], p));
         }
         EXPECT_NEAR(dop.upper[i], upper, 1e-15);
         EXPECT_NEAR(dop.lower[i], lower, 1e-15);
-        EXPECT_NEAR(dot(dop26_directions()[i], points[dop.upper_id[i]]), upper, 1e-15);
-        EXPECT_NEAR(dot(dop26_directions()[i], points[dop.lower_id[i]]), lower, 1e-15);
+        EXPECT_NEAR(dot(dop26_directions[i], points[static_cast<std::size_t>(dop.upper_id[i])]),
+                    upper, 1e-15);
+        EXPECT_NEAR(dot(dop26_directions[i], points[static_cast<std::size_t>(dop.lower_id[i])]),
+                    lower, 1e-15);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "core/dop26.h"
 #include "core/error.h"
 #include "core/min_ball.h"
 #include "tests/core/point_sets.h"
@@ -138,9 +139,8 @@ TEST(FitScb, IsAtLeastAsNarrowAsEachSlabOfTheDop) {
     for (int i = 0; i < 200; ++i) {
         const std::vector<Vec3> points = random_points(random, 60);
         const Scb s = fit_scb(points);
-        for (int d = 0; d < Dop26::directions; ++d) {
-            const Vec3 n =
-                dop26_directions()[static_cast<std::size_t>(d)] * dop26_inverse_length(d);
+        for (std::size_t d = 0; d < Dop26::directions; ++d) {
+            const Vec3 n = dop26_directions[d] * dop26_directions.inverse_length[d];
             EXPECT_LE(s.e - s.f, width_along(points, n) + 1e-14);
         }
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include <algorithm>
 #include <set>
 
@@ -119,6 +121,29 @@ TEST(FitVolumes, EqualsFittingEachNodeByItself) {
                 ASSERT_EQ(volumes[i].f, direct.f) << i;
             }
         }
+    }
+}
+
+TYPED_TEST(HierarchyOf, IsTheSameForAnyThreadsAndVectorInstructions) {
+    // Large enough for several threads, and flat enough for many ties.
+    for (const Mesh& mesh : {height_field(80), random_soup(62, 10000, 0.1)}) {
+        const auto one = build_hierarchy<TypeParam>(mesh);
+        for (const SimdLevel level : available_simd_levels())
+            for (const int threads : {1, 2, 5}) {
+                SCOPED_TRACE(simd_level_name(level));
+                const auto other =
+                    build_hierarchy<TypeParam>(mesh, {.threads = threads, .simd = level});
+                ASSERT_EQ(one.topology->order, other.topology->order);
+                ASSERT_EQ(one.topology->rules, other.topology->rules);
+                ASSERT_EQ(one.volumes.size(), other.volumes.size());
+                for (std::size_t i = 0; i < one.volumes.size(); ++i) {
+                    ASSERT_EQ(one.topology->nodes[i].left, other.topology->nodes[i].left);
+                    ASSERT_EQ(one.topology->nodes[i].count, other.topology->nodes[i].count);
+                    ASSERT_EQ(
+                        std::memcmp(&one.volumes[i], &other.volumes[i], sizeof one.volumes[i]), 0)
+                        << "node " << i << ", threads " << threads;
+                }
+            }
     }
 }
 

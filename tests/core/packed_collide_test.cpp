@@ -31,9 +31,11 @@ Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
     Asked asked;
     for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
         SCOPED_TRACE(name);
-        for (const int leaf : {1, most_leaf_triangles}) {
-            const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf),
-                       packed_b = pack<Codec>(scb_of(b), b.mesh, leaf);
+        for (const auto& [leaf, corners] : {std::pair(1, LeafCorners::stored),
+                                            std::pair(most_leaf_triangles, LeafCorners::stored),
+                                            std::pair(most_leaf_triangles, LeafCorners::in_mesh)}) {
+            const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf, corners),
+                       packed_b = pack<Codec>(scb_of(b), b.mesh, leaf, corners);
             PackedWorkspace workspace;  // of the query before, which must not matter
             const auto found = [&](SimdLevel level) {
                 return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level},
@@ -171,7 +173,7 @@ TEST(CollidePacked, RefusesWhatFloatsDoNotHold) {
     Mesh mesh{{{0, 0, 0}, {1e9, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const auto message = [&] {
         try {
-            pack<FloatCodec<8>>(build_hierarchy<Scb>(mesh), mesh, 4, "plate");
+            pack<FloatCodec<8>>(build_hierarchy<Scb>(mesh), mesh, 4, LeafCorners::stored, "plate");
         } catch (const InputError& error) {
             return std::string(error.what());
         }

@@ -33,8 +33,9 @@ TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
         const auto hierarchy = build_hierarchy<Scb>(mesh);
         for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
             for (int leaf = 1; leaf <= most_leaf_triangles; ++leaf)
-                EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf), mesh), "")
-                    << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
+                for (const LeafCorners corners : {LeafCorners::stored, LeafCorners::in_mesh})
+                    EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf, corners), mesh), "")
+                        << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
         });
     }
 }
@@ -62,8 +63,33 @@ TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
     EXPECT_NE(
         said([](Packed& p) { p.nodes[0].child[1] = p.nodes[0].child[0]; }).find("exactly one"),
         std::string::npos);
-    EXPECT_NE(said([](Packed& p) { p.leaves[PackedLeaf::size(0) + 5] ^= 1; }).find("nearest float"),
+    EXPECT_NE(said([](Packed& p) { p.leaves[PackedLeaf::header + 5] ^= 1; }).find("nearest float"),
               std::string::npos);
+}
+
+TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
+    const Mesh mesh = height_field(100);  // more nodes than a thread takes at a time
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+        SCOPED_TRACE(name);
+        const auto one = pack<Codec>(hierarchy, mesh, 1);
+        const auto three = pack<Codec>(hierarchy, mesh, 1, LeafCorners::stored, "mesh", 3);
+        EXPECT_EQ(one.leaves, three.leaves);
+        ASSERT_EQ(one.nodes.size(), three.nodes.size());
+        for (std::size_t i = 0; i < one.nodes.size(); ++i)
+            ASSERT_EQ(std::memcmp(&one.nodes[i], &three.nodes[i], sizeof one.nodes[i]), 0) << i;
+    });
+}
+
+TEST(PackedHierarchy, TakesLessMemoryWithoutCorners) {
+    const Mesh mesh = height_field(64);
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    const auto bytes = [&](LeafCorners corners) {
+        return static_cast<double>(pack<QuantizedCodec<8>>(hierarchy, mesh, 4, corners).bytes()) /
+               static_cast<double>(mesh.triangles.size());
+    };
+    EXPECT_NEAR(bytes(LeafCorners::stored) - bytes(LeafCorners::in_mesh), 36, 1e-9);
+    EXPECT_LT(bytes(LeafCorners::in_mesh), 40);
 }
 
 TEST(PackedHierarchy, QuantizedTakesLessMemory) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/fit.h"
 #include "tests/core/volume_pairs.h"
 
 namespace scb {

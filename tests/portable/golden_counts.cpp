@@ -128,6 +128,9 @@ std::string model_lines(const std::string& scene, const std::string& name, const
                  count("nodes", topology_of(hierarchy).nodes.size()) + " " + hash_of(hierarchy) +
                  "\n";
     }
+    const auto by_cost = build_hierarchy<Scb>(model.mesh, {.split = SplitMethod::cost});
+    lines += start + "scb split by cost:" + count("nodes", by_cost.volumes.size()) + " " +
+             hash_of(AnyHierarchy(by_cost)) + "\n";
     return lines;
 }
 

@@ -1,9 +1,7 @@
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
+#include "core/box_axes.h"
 
-#include "core/fit.h"
-#include "core/point_passes.h"
+#include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace scb {
 namespace {
@@ -41,25 +39,9 @@ Mat3 principal_axes(Mat3 scatter) {
 
 }  // namespace
 
-void fit(Obb& result, const FitInput& input, const FitOptions&) {
+Mat3 box_axes(const FitInput& input) {
     const bool has_area = input.moments != nullptr && input.moments->area > 0;
-    result.axes = principal_axes(has_area ? input.moments->scatter : point_scatter(input));
-
-    const Vec3 origin = input.parts[0].size > 0 ? input.parts[0][0] : input.parts[1][0];
-    result.center = origin;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 axis = result.axes.col(i);
-        Interval interval;
-        for (const PointsView& part : input.parts) extend(interval, part, origin, axis);
-        result.center += 0.5 * (interval.lower + interval.upper) * axis;
-    }
-    // Measured again from the center itself, so that every point is inside to the last bit.
-    for (int i = 0; i < 3; ++i) {
-        Interval interval;
-        for (const PointsView& part : input.parts)
-            extend(interval, part, result.center, result.axes.col(i));
-        result.half[i] = std::max(interval.upper, -interval.lower);
-    }
+    return principal_axes(has_area ? input.moments->scatter : point_scatter(input));
 }
 
 }  // namespace scb

@@ -1,0 +1,42 @@
+#include "app/layout_options.h"
+
+#include "app/options.h"
+#include "core/error.h"
+
+namespace scb {
+
+std::string layout_names() {
+    std::string names;
+    for (const PackedLayout& layout : all_packed_layouts())
+        names += (names.empty() ? "" : ", ") + packed_layout_name(layout);
+    return names;
+}
+
+std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles) {
+    if (leaf_triangles < 1 || leaf_triangles > most_leaf_triangles)
+        throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +
+                         std::to_string(most_leaf_triangles) + ".");
+    std::vector<std::optional<PackedLayout>> result;
+    std::vector<std::string> names = split_list(list);
+    if (list.empty()) {
+        names.clear();
+        for (const PackedLayout& layout : all_packed_layouts())
+            names.push_back(packed_layout_name(layout));
+    }
+    for (const std::string& name : names) {
+        std::optional<PackedLayout> layout = packed_layout_of(name);
+        if (!layout && name != "reference")
+            throw InputError("--layout " + list + ": '" + name +
+                             "' is no layout; give some of reference, " + layout_names() + ".");
+        if (layout) layout->leaf_triangles = leaf_triangles;
+        result.push_back(layout);
+    }
+    return result;
+}
+
+void check_threads(int threads) {
+    if (threads < 1 || threads > 256)
+        throw InputError("--threads " + std::to_string(threads) + ": give 1 to 256.");
+}
+
+}  // namespace scb

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/packed_layout.h"
+
+namespace scb {
+
+/// "float2, float4, ...": what --layout knows besides the reference.
+std::string layout_names();
+
+/// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
+/// reference, and an empty list for all packed ones. Throws InputError for an unknown name or another number than 1 to 4.
+std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
+
+/// Throws InputError, naming --threads, where it is not 1 to 256.
+void check_threads(int threads);
+
+}  // namespace scb

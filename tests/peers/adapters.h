@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/packed_layout.h"
+#include "tests/peers/peer.h"
+
+namespace scb {
+
+// One function for each adapter; those of libraries exist where CMake found their packages, see
+// peers.cpp.
+
+PeerKind reference_peer();
+PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads);
+PeerKind fcl_peer();
+PeerKind bullet_peer();
+PeerKind ode_peer();
+PeerKind embree_peer();
+PeerKind cgal_peer();
+
+}  // namespace scb

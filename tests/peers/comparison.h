@@ -1,0 +1,35 @@
+#pragma once
+
+#include "scenes/scene.h"
+#include "tests/peers/pair_difference.h"
+#include "tests/peers/peer_timing.h"
+
+namespace scb {
+
+/// What one peer did on a scene.
+struct PeerResult {
+    PairDifference difference;  ///< from the pairs of the reference
+    double build_ms = 0;        ///< of both trees, processor time
+    double bytes = 0;           ///< of both trees for each triangle; NaN where nobody knows
+    PeerTimes times;
+};
+
+/// What the peers did on a scene, in their order.
+struct SceneComparison {
+    std::string scene;
+    std::size_t triangles = 0;  ///< of both bodies
+    std::vector<int> frames;
+    std::vector<PeerResult> peers;
+};
+
+/// How far B is moved to tell pairs that barely meet, as a share of the size of A's box.
+inline constexpr double closeness_share = 1e-6;
+
+/// Builds all trees, compares the pairs of every peer with those of the reference in at most
+/// `compared_frames` of the frames, then times the peers. The scene has two bodies, and the
+/// reference is among the peers.
+SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames,
+                              std::span<const PeerKind> kinds, std::size_t compared_frames,
+                              const PeerTiming& timing);
+
+}  // namespace scb

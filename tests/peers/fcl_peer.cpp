@@ -1,0 +1,92 @@
+#include <fcl/config.h>
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBB.h>
+#include <fcl/narrowphase/collision.h>
+
+#include <algorithm>
+
+#include "tests/peers/adapters.h"
+
+namespace scb {
+namespace {
+
+using Model = fcl::BVHModel<fcl::OBB<double>>;
+
+void build(const PeerMesh& mesh, Model& model) {
+    std::vector<fcl::Vector3d> vertices;
+    for (const auto& v : mesh.vertices) vertices.emplace_back(v[0], v[1], v[2]);
+    std::vector<fcl::Triangle> triangles;
+    for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+    model.beginModel();
+    model.addSubModel(vertices, triangles);
+    model.endModel();
+}
+
+fcl::Transform3d transform(const PeerPose& pose) {
+    fcl::Transform3d result = fcl::Transform3d::Identity();
+    for (int i = 0; i < 3; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        for (int j = 0; j < 3; ++j)
+            result.matrix()(i, j) = pose.rotation[row][static_cast<std::size_t>(j)];
+        result.matrix()(i, 3) = pose.translation[row];
+    }
+    return result;
+}
+
+class FclPeer : public Peer {
+  public:
+    FclPeer(const PeerMesh& a, const PeerMesh& b) {
+        build(a, a_);
+        build(b, b_);
+        // Of contacts FCL keeps the two triangles whether asked for points and normals or not; not
+        // asking is what makes it quickest. It ends at so many pairs, so ask for all.
+        request_.enable_contact = false;
+        request_.num_max_contacts = std::numeric_limits<int>::max();
+    }
+
+    void query(const PeerPose& a, const PeerPose& b) override {
+        result_.clear();  // keeps its memory
+        fcl::collide(&a_, transform(a), &b_, transform(b), request_, result_);
+    }
+
+    std::vector<IndexPair> pairs() const override {
+        std::vector<IndexPair> pairs;
+        for (std::size_t i = 0; i < result_.numContacts(); ++i) {
+            const fcl::Contact<double>& contact = result_.getContact(i);
+            pairs.push_back(
+                {static_cast<std::uint32_t>(contact.b1), static_cast<std::uint32_t>(contact.b2)});
+        }
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
+
+    double bytes() const override {
+        double bytes = 0;
+        for (const Model* model : {&a_, &b_})
+            bytes += model->getNumBVs() * static_cast<double>(sizeof(fcl::BVNode<fcl::OBBd>)) +
+                     model->num_tris * static_cast<double>(sizeof(unsigned int));
+        return bytes;
+    }
+
+  private:
+    Model a_, b_;
+    fcl::CollisionRequest<double> request_;
+    fcl::CollisionResult<double> result_;
+};
+
+}  // namespace
+
+PeerKind fcl_peer() {
+    PeerKind kind;
+    kind.name = "fcl";
+    kind.title = "FCL " FCL_VERSION ", OBB";
+    kind.method =
+        "`fcl::collide` of two `BVHModel<OBB<double>>`, all contacts, without points and "
+        "normals.";
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
+        return std::make_unique<FclPeer>(a, b);
+    };
+    return kind;
+}
+
+}  // namespace scb

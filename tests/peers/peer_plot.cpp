@@ -1,0 +1,178 @@
+#include "tests/peers/peer_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/any_hierarchy.h"
+#include "render/child_process.h"
+#include "render/output_file.h"
+#include "render/palette.h"
+#include "tests/peers/peer_tables.h"
+#include "tests/peers/peers.h"
+
+namespace scb {
+namespace {
+
+/// The first of these colors are the own hierarchies', in shades of the color that slab cut balls
+/// have in every figure; FCL's boxes have that of boxes.
+std::string color_of(std::span<const PeerKind> kinds, std::size_t p) {
+    constexpr std::size_t library_colors[] = {0, 5, 2, 4, 6};
+    std::size_t own = 0, own_count = 0, library = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i].own) {
+            own += i < p ? 1u : 0u;
+            ++own_count;
+        } else if (i < p && kinds[i].name != baseline_name) {
+            ++library;
+        }
+    }
+    Rgba8 color = category_color(library_colors[library % std::size(library_colors)]);
+    if (kinds[p].own)
+        color =
+            shade_of(hierarchy_color(VolumeKind::scb), own_count - 1 - own, own_count, light_theme);
+    if (kinds[p].name == baseline_name) color = hierarchy_color(VolumeKind::obb);
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02X%02X%02X", color.r, color.g, color.b);
+    return text;
+}
+
+/// A text in single quotes, as gnuplot reads it.
+std::string quoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+    return result + "'";
+}
+
+struct Panel {
+    const char* title;
+    std::vector<double> PeerTimes::*times;
+    double left, right;  ///< of the picture's width
+};
+
+constexpr Panel panels[] = {{"warm: all frames in turn", &PeerTimes::warm, 0.065, 0.505},
+                            {"cold: peers take turns", &PeerTimes::cold, 0.55, 0.99}};
+
+/// The points of a panel, a column for each peer.
+std::string data_block(std::span<const SceneComparison> scenes, std::size_t baseline,
+                       const std::vector<double> PeerTimes::*times) {
+    std::string text;
+    for (const SceneComparison& scene : scenes) {
+        const PeerTimes& other = scene.peers[baseline].times;
+        text += "\"" + scene.scene + "\"";  // a name fit for a file name needs no escapes
+        for (const PeerResult& peer : scene.peers) {
+            char cell[32];
+            std::snprintf(
+                cell, sizeof cell, " %.4g",
+                speedup(peer.times.*times, peer.times.stride, other.*times, other.stride));
+            text += cell;
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+/// How peer p is drawn, without a title.
+std::string style(std::span<const PeerKind> kinds, std::size_t p) {
+    // Filled symbols that gnuplot has: circle, square, triangle up and down, rhombus, pentagon.
+    constexpr int symbols[] = {7, 5, 9, 11, 13, 15};
+    const bool baseline = kinds[p].name == baseline_name;
+    return "with linespoints linewidth " + std::string(baseline ? "4" : "2") + " pointtype " +
+           std::to_string(symbols[p % std::size(symbols)]) + " pointsize 2 linecolor rgb '" +
+           color_of(kinds, p) + "'";
+}
+
+/// In the legend; marked where the peer finds other pairs somewhere.
+std::string title(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
+                  std::size_t p) {
+    const bool same = std::all_of(scenes.begin(), scenes.end(), [p](const SceneComparison& scene) {
+        return scene.peers[p].difference.none();
+    });
+    return kinds[p].title + (same ? "" : " *");
+}
+
+}  // namespace
+
+std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    const std::size_t baseline = find_peer(kinds, baseline_name).value();
+    double least = 1, most = 1;
+    for (const SceneComparison& scene : scenes)
+        for (const Panel& panel : panels)
+            for (const PeerResult& peer : scene.peers) {
+                const PeerTimes& other = scene.peers[baseline].times;
+                const double by = speedup(peer.times.*panel.times, peer.times.stride,
+                                          other.*panel.times, other.stride);
+                least = std::min(least, by);
+                most = std::max(most, by);
+            }
+
+    std::string text =
+        "# gnuplot: draws peers.png\n"
+        "set terminal pngcairo size 1600,900 font 'Roboto,19' noenhanced background '#FFFFFF'\n"
+        "set output 'peers.png'\n"
+        "set encoding utf8\n";
+    for (std::size_t i = 0; i < std::size(panels); ++i)
+        text += "$panel" + std::to_string(i) + " << END\n" +
+                data_block(scenes, baseline, panels[i].times) + "END\n";
+    text +=
+        "set multiplot title 'All pairs of triangles that intersect: speed of a query, by "
+        "scene' "
+        "font ',23' textcolor rgb '#1C2026'\n"
+        "set logscale y\n"
+        "set yrange [" +
+        std::to_string(least / 1.3) + ":" + std::to_string(most * 1.3) +
+        "]\n"
+        "set xrange [-0.4:" +
+        std::to_string(static_cast<double>(scenes.size()) - 0.6) +
+        "]\n"
+        "set border 3 linecolor rgb '#60676F'\n"
+        "set grid ytics linecolor rgb '#C4C8CE' linewidth 1\n"
+        "set xtics nomirror rotate by 25 right textcolor rgb '#1C2026'\n"
+        "set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) "
+        "textcolor rgb '#1C2026'\n"
+        "set tmargin at screen 0.875\n"
+        "set bmargin at screen 0.34\n"
+        "unset key\n"
+        "set ylabel 'times as quick as FCL' offset 0.5\n";
+    for (std::size_t i = 0; i < std::size(panels); ++i) {
+        text += "set lmargin at screen " + std::to_string(panels[i].left) +
+                "\nset rmargin at screen " + std::to_string(panels[i].right) + "\nset title " +
+                quoted(panels[i].title) + "\n";
+        if (i > 0) text += "unset ylabel\nset ytics format ''\n";
+        text += "plot ";
+        for (std::size_t p = 0; p < kinds.size(); ++p)
+            text += std::string(p > 0 ? ", \\\n     " : "") + "$panel" + std::to_string(i) +
+                    " using 0:" + std::to_string(p + 2) + ":xtic(1) " + style(kinds, p);
+        text += "\n";
+    }
+    // The legend, below both.
+    text +=
+        "unset title\nunset border\nunset xtics\nunset ytics\nunset grid\nunset logscale\n"
+        "set tmargin at screen 0.2\nset bmargin at screen 0\n"
+        "set lmargin at screen 0\nset rmargin at screen 1\nset yrange [0:1]\n"
+        "set key at screen 0.5, screen 0.2 center top maxrows 3 width 3 spacing 1.2 Left reverse "
+        "textcolor rgb '#1C2026'\n";
+    if (std::any_of(scenes.begin(), scenes.end(), [](const SceneComparison& scene) {
+            return std::any_of(scene.peers.begin(), scene.peers.end(),
+                               [](const PeerResult& peer) { return !peer.difference.none(); });
+        }))
+        text +=
+            "set label '* finds other pairs of triangles than the others on some scenes' at screen "
+            "0.5, screen 0.025 center textcolor rgb '#60676F'\n";
+    text += "plot ";
+    for (std::size_t p = 0; p < kinds.size(); ++p)
+        text += std::string(p > 0 ? ", \\\n     " : "") + "NaN " + style(kinds, p) + " title " +
+                quoted(title(kinds, scenes, p));
+    return text + "\nunset multiplot\n";
+}
+
+void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
+    const UnnamedFile output;
+    ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10), folder.string());
+    const std::optional<ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
+    if (!end || *end != ProcessEnd{})
+        throw OutputError("gnuplot failed on " + (folder / name).string() + ": " +
+                          gnuplot.last_line() + "; run it there to see more.");
+}
+
+}  // namespace scb

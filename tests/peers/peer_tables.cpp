@@ -1,0 +1,207 @@
+#include "tests/peers/peer_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "tests/peers/peers.h"
+
+namespace scb {
+namespace {
+
+/// With three digits that count: "0.0791", "1.24", "352".
+std::string number(double value) {
+    if (!std::isfinite(value)) return "-";
+    char text[32];
+    const int digits = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : value >= 0.1 ? 3 : 4;
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+/// With two digits that count and a sign: "24×", "3.2×", "0.41×".
+std::string factor(double value) {
+    if (!std::isfinite(value)) return "-";
+    char text[32];
+    const int digits = value >= 10 ? 0 : value >= 1 ? 1 : 2;
+    std::snprintf(text, sizeof text, "%.*f×", digits, value);
+    return text;
+}
+
+/// A table of the peers, one column for each scene.
+std::string table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
+                  const std::string& title,
+                  const std::function<std::string(const SceneComparison&, std::size_t)>& cell) {
+    std::string text = "| " + title + " |", rule = "|---|";
+    for (const SceneComparison& scene : scenes) {
+        text += " " + scene.scene + " |";
+        rule += "--:|";
+    }
+    text += "\n" + rule + "\n";
+    for (std::size_t p = 0; p < kinds.size(); ++p) {
+        text += "| " + kinds[p].title + " |";
+        for (const SceneComparison& scene : scenes) text += " " + cell(scene, p) + " |";
+        text += "\n";
+    }
+    return text + "\n";
+}
+
+std::string pair_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    const auto cell = [&](const SceneComparison& scene, std::size_t p) -> std::string {
+        const PairDifference& difference = scene.peers[p].difference;
+        if (kinds[p].name == reference_name) return std::to_string(difference.pairs);
+        if (difference.none()) return "same";
+        std::string text;
+        if (difference.missing.count > 0) text = "−" + std::to_string(difference.missing.count);
+        if (difference.extra.count > 0)
+            text += (text.empty() ? "+" : " +") + std::to_string(difference.extra.count);
+        return text;
+    };
+    return table(kinds, scenes, "pairs, of the frames compared", cell);
+}
+
+std::string reasons_of(const UnsharedPairs& unshared, const std::string& what) {
+    if (unshared.count == 0) return "";
+    std::string text = std::to_string(unshared.count) + " " + what;
+    const std::size_t others = unshared.count - unshared.degenerate - unshared.close;
+    std::string reasons;
+    const auto add = [&reasons](std::size_t count, const std::string& reason) {
+        if (count == 0) return;
+        reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+    };
+    add(unshared.degenerate, "with a degenerate triangle");
+    add(unshared.close, "that barely meet or miss");
+    add(others, "for other reasons");
+    return text + " (" + reasons + ")";
+}
+
+/// A line for each peer and scene whose pairs are others.
+std::string difference_list(std::span<const PeerKind> kinds,
+                            std::span<const SceneComparison> scenes) {
+    std::string text;
+    for (const SceneComparison& scene : scenes)
+        for (std::size_t p = 0; p < kinds.size(); ++p) {
+            const PairDifference& difference = scene.peers[p].difference;
+            if (difference.none()) continue;
+            const std::string missing = reasons_of(difference.missing, "missing"),
+                              extra = reasons_of(difference.extra, "more");
+            text += "- " + scene.scene + ", " + kinds[p].title + ": " + missing +
+                    (missing.empty() || extra.empty() ? "" : "; ") + extra + ", of " +
+                    std::to_string(difference.pairs) + ".\n";
+        }
+    return text.empty() ? text : text + "\n";
+}
+
+std::string time_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
+                       const std::string& title, std::vector<double> PeerTimes::*times) {
+    const std::optional<std::size_t> baseline = find_peer(kinds, baseline_name);
+    const auto cell = [&](const SceneComparison& scene, std::size_t p) {
+        const PeerTimes& own = scene.peers[p].times;
+        std::string text = number(mean_over(own.*times, 1, 1));
+        if (!scene.peers[p].difference.none()) text += "*";
+        if (own.stride > 1) text += "†";
+        if (baseline && *baseline != p) {
+            const PeerTimes& other = scene.peers[*baseline].times;
+            text +=
+                " (" + factor(speedup(own.*times, own.stride, other.*times, other.stride)) + ")";
+        }
+        return text;
+    };
+    return table(kinds, scenes, title, cell);
+}
+
+std::string build_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    return table(
+        kinds, scenes, "build both trees, ms; bytes per triangle",
+        [](const SceneComparison& scene, std::size_t p) {
+            const PeerResult& peer = scene.peers[p];
+            return number(peer.build_ms) + "; " +
+                   (std::isfinite(peer.bytes) ? std::to_string(std::lround(peer.bytes)) : "-");
+        });
+}
+
+/// How many times as quick as other peers the layouts are: the least and most over all scenes.
+std::string summary(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    std::string text;
+    for (const std::string& name : {std::string(baseline_name), std::string(reference_name)}) {
+        const std::optional<std::size_t> other = find_peer(kinds, name);
+        if (!other) continue;
+        for (std::size_t p = 0; p < kinds.size(); ++p) {
+            if (!kinds[p].own || kinds[p].name == reference_name) continue;
+            text += "- " + kinds[p].title + " is quicker than " + kinds[*other].title + ",";
+            for (const auto& [times, order] :
+                 {std::pair{&PeerTimes::cold, "cold"}, std::pair{&PeerTimes::warm, "warm"}}) {
+                double least = INFINITY, most = 0;
+                std::string where;
+                for (const SceneComparison& scene : scenes) {
+                    const PeerTimes &own = scene.peers[p].times,
+                                    &others = scene.peers[*other].times;
+                    const double by = speedup(own.*times, own.stride, others.*times, others.stride);
+                    if (by < least) where = scene.scene;
+                    least = std::min(least, by);
+                    most = std::max(most, by);
+                }
+                text += std::string(times == &PeerTimes::cold ? " " : ", ") + order + " " +
+                        factor(least) +
+                        (scenes.size() > 1 ? " (" + where + ") to " + factor(most) : "");
+            }
+            text += ".\n";
+        }
+    }
+    return text.empty() ? text : text + "\n";
+}
+
+/// How many frames were asked for, and of which peers fewer were taken.
+std::string frame_list(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    std::string text;
+    for (const SceneComparison& scene : scenes) {
+        text += "- " + scene.scene + ": " + std::to_string(scene.triangles) +
+                " triangles, frames " + std::to_string(scene.frames.front()) + " to " +
+                std::to_string(scene.frames.back()) + ", " + std::to_string(scene.frames.size()) +
+                " of them; pairs compared in " + std::to_string(scene.peers[0].difference.frames);
+        for (std::size_t p = 0; p < kinds.size(); ++p)
+            if (const PeerTimes& times = scene.peers[p].times; times.stride > 1)
+                text += "; " + kinds[p].name + " timed in " + std::to_string(times.warm.size()) +
+                        ", " + std::to_string(times.stride) + " apart";
+        text += ".\n";
+    }
+    return text + "\n";
+}
+
+/// What the marks in the tables of times mean, where there are any.
+std::string marks(std::span<const SceneComparison> scenes) {
+    bool other_pairs = false, fewer_frames = false;
+    for (const SceneComparison& scene : scenes)
+        for (const PeerResult& peer : scene.peers) {
+            other_pairs |= !peer.difference.none();
+            fewer_frames |= peer.times.stride > 1;
+        }
+    std::string text;
+    if (other_pairs) text += "\\* other pairs than the reference's.";
+    if (fewer_frames)
+        text += std::string(text.empty() ? "" : " ") +
+                "† fewer frames; what is in brackets is over those that both took.";
+    return text.empty() ? text : text + "\n\n";
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_peer(std::span<const PeerKind> kinds, const std::string& name) {
+    for (std::size_t p = 0; p < kinds.size(); ++p)
+        if (kinds[p].name == name) return p;
+    return std::nullopt;
+}
+
+std::string peer_tables(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+    const bool compared = find_peer(kinds, baseline_name).has_value();
+    const std::string by = compared ? " (times as quick as FCL)" : "";
+    std::string text = pair_table(kinds, scenes) + difference_list(kinds, scenes) +
+                       time_table(kinds, scenes, "warm, ms" + by, &PeerTimes::warm) +
+                       time_table(kinds, scenes, "cold, ms" + by, &PeerTimes::cold) +
+                       marks(scenes) + build_table(kinds, scenes) + summary(kinds, scenes) +
+                       frame_list(kinds, scenes);
+    for (const PeerKind& kind : kinds) text += "- " + kind.title + ": " + kind.method + "\n";
+    return text;
+}
+
+}  // namespace scb

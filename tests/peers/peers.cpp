@@ -1,0 +1,91 @@
+#include "tests/peers/peers.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "tests/peers/adapters.h"
+
+namespace scb {
+namespace {
+
+/// A library, and its adapter where CMake found it.
+struct Library {
+    std::string name, package;
+    PeerKind (*adapter)() = nullptr;
+};
+
+std::vector<Library> libraries() {
+    std::vector<Library> all = {{"fcl", "libfcl-dev"},
+                                {"bullet", "libbullet-dev"},
+                                {"ode", "libode-dev"},
+                                {"embree", "libembree-dev"},
+                                {"cgal", "libcgal-dev"}};
+#ifdef SCB_PEER_FCL
+    all[0].adapter = fcl_peer;
+#endif
+#ifdef SCB_PEER_BULLET
+    all[1].adapter = bullet_peer;
+#endif
+#ifdef SCB_PEER_ODE
+    all[2].adapter = ode_peer;
+#endif
+#ifdef SCB_PEER_EMBREE
+    all[3].adapter = embree_peer;
+#endif
+#ifdef SCB_PEER_CGAL
+    all[4].adapter = cgal_peer;
+#endif
+    return all;
+}
+
+/// Behind the name of a layout: its hierarchy is split at least cost.
+constexpr std::string_view cost_suffix = "-cost";
+
+std::string known_names() {
+    std::string names = reference_name;
+    for (const PackedLayout& layout : all_packed_layouts())
+        names += ", " + packed_layout_name(layout) + "[-cost]";
+    for (const Library& library : libraries()) names += ", " + library.name;
+    return names;
+}
+
+PeerKind peer_of(const std::string& name, int threads) {
+    if (name == reference_name) return reference_peer();
+    const bool by_cost = name.ends_with(cost_suffix);
+    if (const auto layout =
+            packed_layout_of(name.substr(0, name.size() - (by_cost ? cost_suffix.size() : 0)))) {
+        PeerKind kind =
+            packed_peer(*layout, by_cost ? SplitMethod::cost : SplitMethod::section_3, threads);
+        kind.name = name;
+        return kind;
+    }
+    for (const Library& library : libraries()) {
+        if (library.name != name) continue;
+        if (library.adapter) return library.adapter();
+        throw InputError("--peers: this program was built without " + name + "; install " +
+                         library.package + " and configure again.");
+    }
+    throw InputError("--peers: '" + name + "' is no peer; give some of " + known_names() + ".");
+}
+
+}  // namespace
+
+std::vector<std::string> default_peers() {
+    std::vector<std::string> names = {reference_name, "float8", "quantized8", "quantized8-cost"};
+    for (const Library& library : libraries())
+        if (library.adapter) names.push_back(library.name);
+    return names;
+}
+
+std::vector<PeerKind> peers_of(std::span<const std::string> names, int threads) {
+    std::vector<PeerKind> kinds;
+    for (const std::string& name : names) {
+        if (std::any_of(kinds.begin(), kinds.end(),
+                        [&](const PeerKind& kind) { return kind.name == name; }))
+            throw InputError("--peers: " + name + " is given twice; give each peer once.");
+        kinds.push_back(peer_of(name, threads));
+    }
+    return kinds;
+}
+
+}  // namespace scb

@@ -1,0 +1,106 @@
+#include "core/any_packed.h"
+#include "core/collide.h"
+#include "core/overlap_options.h"
+#include "tests/peers/adapters.h"
+#include "tests/peers/core_mesh.h"
+#include "tests/peers/peers.h"
+
+namespace scb {
+namespace {
+
+/// A mesh, and its reference hierarchy.
+struct ReferenceBody {
+    explicit ReferenceBody(const PeerMesh& from)
+        : mesh(core_mesh(from)), hierarchy(build_hierarchy<Scb>(mesh)) {}
+
+    Mesh mesh;
+    Hierarchy<Scb> hierarchy;
+
+    std::size_t bytes() const {
+        const Topology& topology = *hierarchy.topology;
+        return topology.nodes.size() * (sizeof(TopologyNode) + sizeof(Scb)) +
+               topology.order.size() * sizeof topology.order[0];
+    }
+};
+
+class ReferencePeer : public Peer {
+  public:
+    ReferencePeer(const PeerMesh& a, const PeerMesh& b) : a_(a), b_(b) {}
+
+    void query(const PeerPose& a, const PeerPose& b) override {
+        found_ = collide<Scb>({a_.hierarchy, a_.mesh}, {b_.hierarchy, b_.mesh},
+                              relative_pose(core_pose(a), core_pose(b)));
+    }
+    std::vector<IndexPair> pairs() const override { return found_.pairs; }
+    double bytes() const override { return static_cast<double>(a_.bytes() + b_.bytes()); }
+
+  private:
+    ReferenceBody a_, b_;
+    Collision found_;
+};
+
+/// A mesh, and its packed hierarchy; the reference hierarchy that it is made of is dropped.
+struct PackedBody {
+    PackedBody(const PeerMesh& from, const PackedLayout& layout, SplitMethod split)
+        : mesh(core_mesh(from)),
+          hierarchy(pack_any(layout, build_hierarchy<Scb>(mesh, {.split = split}), mesh)) {}
+
+    Mesh mesh;
+    AnyPacked hierarchy;
+};
+
+class PackedPeer : public Peer {
+  public:
+    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedLayout& layout, SplitMethod split,
+               int threads)
+        : a_(a, layout, split), b_(b, layout, split) {
+        options_.threads = threads;
+    }
+
+    void query(const PeerPose& a, const PeerPose& b) override {
+        found_ = collide_packed(a_.hierarchy, a_.mesh, b_.hierarchy, b_.mesh,
+                                relative_pose(core_pose(a), core_pose(b)), options_, &workspace_);
+    }
+    std::vector<IndexPair> pairs() const override { return found_.pairs; }
+    double bytes() const override {
+        return static_cast<double>(bytes_of(a_.hierarchy) + bytes_of(b_.hierarchy));
+    }
+
+  private:
+    PackedBody a_, b_;
+    PackedOptions options_;
+    PackedWorkspace workspace_;
+    PackedCollision found_;
+};
+
+}  // namespace
+
+PeerKind reference_peer() {
+    PeerKind kind;
+    kind.name = reference_name;
+    kind.title = "SCB, reference";
+    kind.method = "`collide` with the overlap test `" +
+                  std::string(overlap_test_name(OverlapOptions{}.test)) +
+                  "`, doubles, binary trees; its pairs are sorted within the time.";
+    kind.own = true;
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
+        return std::make_unique<ReferencePeer>(a, b);
+    };
+    return kind;
+}
+
+PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads) {
+    PeerKind kind;
+    kind.name = packed_layout_name(layout);
+    kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split at least cost" : "");
+    kind.method =
+        "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
+        "the time, and its memory has the triangles' corners.";
+    kind.own = true;
+    kind.prepare = [layout, split, threads](const PeerMesh& a, const PeerMesh& b) {
+        return std::make_unique<PackedPeer>(a, b, layout, split, threads);
+    };
+    return kind;
+}
+
+}  // namespace scb
