@@ -72,6 +72,7 @@ Json bench_json(const SceneBench& bench) {
             row["layout"] = packed_layout_name(*subject.subject.layout);
         else if (subject.subject.kind == VolumeKind::scb)
             row["test"] = overlap_test_name(subject.subject.test);
+        if (subject.subject.coherent) row["from_front"] = subject.from_front;
         row["ms"] = ms;
         row["n_v"] = n_v;
         row["n_p"] = mean(subject.n_p);
@@ -99,11 +100,12 @@ std::string bench_csv(const SceneBench& bench) {
     std::string text;
     for (const SubjectBench& s : bench.subjects) {
         const bool is_scb = s.subject.kind == VolumeKind::scb;
-        const std::string start = bench.scene + "," +
-                                  std::string(volume_kind_name(s.subject.kind)) + "," +
-                                  (s.subject.layout ? packed_layout_name(*s.subject.layout)
-                                   : is_scb         ? std::string(overlap_test_name(s.subject.test))
-                                                    : std::string());
+        const std::string start =
+            bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
+            (s.subject.layout
+                 ? packed_layout_name(*s.subject.layout) + (s.subject.coherent ? " front" : "")
+             : is_scb ? std::string(overlap_test_name(s.subject.test))
+                      : std::string());
         for (std::size_t i = 0; i < bench.frames.size(); ++i)
             text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
                                    static_cast<unsigned long long>(s.n_v[i]),
