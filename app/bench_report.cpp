@@ -1,5 +1,7 @@
 #include "app/bench_report.h"
 
+#include <algorithm>
+
 #include "app/table_3.h"
 #include "app/text_format.h"
 
@@ -46,11 +48,16 @@ std::string bench_table(const SceneBench& bench) {
         bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
         format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
                bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
-    text += "  hierarchy              ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
+    std::size_t width = 16;
+    for (const SubjectBench& subject : bench.subjects)
+        width = std::max(width, subject.subject.title().size());
+    const int column = static_cast<int>(width);
+    text += format("  %-*s", column, "hierarchy");
+    text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
-        text += format("  %-16s %8.4f", subject.subject.title().c_str(), ms) +
+        text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
                 format(" %10.1f %9.1f %9.1f %8.1f %6.1f", n_v, mean(subject.n_p),
