@@ -294,7 +294,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
                        "Folder for bench.csv, bench.json and a picture per scene");
     command->add_flag("--coherent", options->coherent,
                       "Time each packed layout also with front reuse: where bodies move slowly, a "
-                      "query begins where one before ended");
+                      "query begins where one before ended; to compare, add --warm: in turns, the "
+                      "same query was made just before");
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
