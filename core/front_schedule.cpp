@@ -13,7 +13,7 @@ namespace {
 // of them has more to test by a share that is as s / leaf_radius. Their sum is least at a skin as
 // the root of d leaf_radius. The factor was measured, and so was the motion from which on no front
 // pays: on surfaces that cross (horses, hands) and on ones that nearly coincide (spheres).
-constexpr double skin_factor = 0.1, most_motion = 0.03;
+constexpr double skin_factor = 0.1, most_motion = 0.025;
 /// Of leaf_radius: a skin so thin adds nothing that could be measured.
 constexpr double least_skin = 1e-3;
 /// Fewer queries than this do not pay for a front.
