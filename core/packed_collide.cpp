@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/in_threads.h"
 #include "core/packed_front_parts.h"
@@ -74,6 +75,13 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
 }
 
+void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads) {
+    if (threads > 1)
+        finish_in_threads(query, work, chunks, threads);
+    else
+        finish(query, work);
+}
+
 template <class Codec>
 PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
     const bool stored = side.hierarchy.corners == LeafCorners::stored;
@@ -136,12 +144,6 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     auto& [work, chunks, room] = workspace->parts();
     PackedFindings& found = work.found;
     found.clear();
-    const auto run = [&](const AnyQuery& query) {
-        if (options.threads > 1)
-            finish_in_threads(query, work, chunks, options.threads);
-        else
-            finish(query, work);
-    };
     const Placement placed = placement_of(a, b, b_to_a);
     bool from_front = false;
     if (front != nullptr) {
@@ -152,7 +154,8 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
             try {
                 const Placement there = placement_of(a, b, plan->b_to_a);
                 work.lists.add(a.hierarchy.root, b.hierarchy.root);
-                run(query_of(a, b, there, options.level, float_above(plan->skin)));
+                run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
+                    options.threads);
             } catch (...) {
                 front->clear();  // it would have the pairs of another pose
                 throw;
@@ -164,7 +167,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
         if (from_front) work.lists.append(pairs);
     }
     if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
-    run(query_of(a, b, placed, options.level, 0));
+    run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads);
     sort_pairs(found.pairs, room);
     return {found.pairs, found.n_v, found.n_p, found.undecided.size()};
 }
