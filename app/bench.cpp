@@ -31,7 +31,7 @@ struct Options {
     std::string layouts = "reference", simd = "best";
     int leaf_triangles = most_leaf_triangles, threads = 1;
     int repeats = 3;
-    bool warm = false, json = false;
+    bool warm = false, coherent = false, json = false;
 };
 
 /// A scene that is to be measured.
@@ -102,10 +102,17 @@ std::vector<BenchSubject> subjects(const Options& options) {
         for (const std::optional<PackedLayout>& layout :
              layouts_of(options.layouts, options.leaf_triangles)) {
             if (layout) result.push_back({kind, OverlapTest::symmetric, layout});
+            if (layout && options.coherent)
+                result.push_back({kind, OverlapTest::symmetric, layout, true});
             if (layout) continue;
             for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
         }
     }
+    if (options.coherent && std::none_of(result.begin(), result.end(),
+                                         [](const BenchSubject& s) { return s.coherent; }))
+        throw InputError(
+            "--coherent: only packed layouts of slab cut balls keep a front; name one with "
+            "--layout, such as float8.");
     return result;
 }
 
@@ -267,6 +274,10 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
                       "Each hierarchy runs through all frames, instead of taking turns");
     add_figure_options(*command, options->picture,
                        "Folder for bench.csv, bench.json and a picture per scene");
+    command->add_flag("--coherent", options->coherent,
+                      "Time each packed layout also with front reuse: where bodies move slowly, a "
+                      "query begins where one before ended; to compare, add --warm: in turns, the "
+                      "same query was made just before");
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "

@@ -1,5 +1,7 @@
 #include "app/bench_report.h"
 
+#include <algorithm>
+
 #include "app/table_3.h"
 #include "app/text_format.h"
 
@@ -46,11 +48,16 @@ std::string bench_table(const SceneBench& bench) {
         bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
         format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
                bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
-    text += "  hierarchy              ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
+    std::size_t width = 16;
+    for (const SubjectBench& subject : bench.subjects)
+        width = std::max(width, subject.subject.title().size());
+    const int column = static_cast<int>(width);
+    text += format("  %-*s", column, "hierarchy");
+    text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
-        text += format("  %-16s %8.4f", subject.subject.title().c_str(), ms) +
+        text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
                 format(" %10.1f %9.1f %9.1f %8.1f %6.1f", n_v, mean(subject.n_p),
@@ -117,6 +124,7 @@ Json bench_json(const SceneBench& bench) {
             row["layout"] = packed_layout_name(*subject.subject.layout);
         else if (subject.subject.kind == VolumeKind::scb)
             row["test"] = overlap_test_name(subject.subject.test);
+        if (subject.subject.coherent) row["from_front"] = subject.from_front;
         row["ms"] = ms;
         row["n_v"] = n_v;
         row["n_p"] = mean(subject.n_p);
@@ -144,11 +152,12 @@ std::string bench_csv(const SceneBench& bench) {
     std::string text;
     for (const SubjectBench& s : bench.subjects) {
         const bool is_scb = s.subject.kind == VolumeKind::scb;
-        const std::string start = bench.scene + "," +
-                                  std::string(volume_kind_name(s.subject.kind)) + "," +
-                                  (s.subject.layout ? packed_layout_name(*s.subject.layout)
-                                   : is_scb         ? std::string(overlap_test_name(s.subject.test))
-                                                    : std::string());
+        const std::string start =
+            bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
+            (s.subject.layout
+                 ? packed_layout_name(*s.subject.layout) + (s.subject.coherent ? " front" : "")
+             : is_scb ? std::string(overlap_test_name(s.subject.test))
+                      : std::string());
         for (std::size_t i = 0; i < bench.frames.size(); ++i)
             text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
                                    static_cast<unsigned long long>(s.n_v[i]),

@@ -8,7 +8,9 @@ namespace scb {
 
 std::string BenchSubject::title() const {
     if (kind != VolumeKind::scb) return std::string(volume_title(kind));
-    if (layout) return std::string(volume_title(kind)) + " " + packed_layout_name(*layout);
+    if (layout)
+        return std::string(volume_title(kind)) + " " + packed_layout_name(*layout) +
+               (coherent ? " front" : "");
     return std::string(volume_title(kind)) + " " + std::string(overlap_test_name(test));
 }
 
@@ -37,10 +39,12 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     // Per subject: both bodies, where it is packed.
     std::vector<std::vector<AnyPacked>> packed(options.subjects.size());
     PackedWorkspace workspace;
+    std::vector<PackedFront> fronts(options.subjects.size());
     const auto packed_query = [&](std::size_t s, std::size_t i) {
         PackedCollision found =
             collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
-                           scene.meshes[mesh_b].mesh, poses[i], options.packed, &workspace);
+                           scene.meshes[mesh_b].mesh, poses[i], options.packed, &workspace,
+                           options.subjects[s].coherent ? &fronts[s] : nullptr);
         Collision result;
         result.pairs = std::move(found.pairs);
         result.n_v = found.n_v;
@@ -65,7 +69,7 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
         result.triangles.push_back(scene.meshes[m].mesh.triangles.size());
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         const BenchSubject& subject = options.subjects[s];
-        result.subjects.push_back({subject, {}, {}, {}, {}, {}, 0});
+        result.subjects.push_back({subject, {}, {}, {}, {}, {}, 0, 0});
         const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
         std::size_t bytes = 0;
         for (const std::size_t m : {mesh_a, mesh_b}) {
@@ -93,6 +97,10 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     timing.order = options.order;
     timing.wall = options.packed.threads > 1;
     timing.query = query;
+    // Each time through the frames as if it were the first.
+    timing.before = [&](std::size_t s, std::size_t i) {
+        if (i == 0) fronts[s].clear();
+    };
     timing.keep = [&](std::size_t s, std::size_t, const Collision& found) {
         SubjectBench& subject = result.subjects[s];
         subject.n_v.push_back(found.n_v);
@@ -103,7 +111,11 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     timing.step = step;
     const auto ms = time_queries(timing);
     if (!ms) return std::nullopt;
-    for (std::size_t s = 0; s < ms->size(); ++s) result.subjects[s].ms = (*ms)[s];
+    for (std::size_t s = 0; s < ms->size(); ++s) {
+        result.subjects[s].ms = (*ms)[s];
+        result.subjects[s].from_front =
+            static_cast<double>(fronts[s].used()) / static_cast<double>(frames.size());
+    }
     return result;
 }
 

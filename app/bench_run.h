@@ -16,8 +16,9 @@ struct BenchSubject {
     VolumeKind kind = VolumeKind::scb;
     OverlapTest test = OverlapTest::corrected;
     std::optional<PackedLayout> layout{};
+    bool coherent = false;  ///< with a PackedFront from frame to frame; of packed ones
 
-    /// "SCB corrected", "SCB float8", "ball", "ball (Ritter)", "OBB".
+    /// "SCB corrected", "SCB float8", "SCB float8 front", "ball", "ball (Ritter)", "OBB".
     std::string title() const;
 };
 
@@ -27,6 +28,7 @@ struct SubjectBench {
     std::vector<double> ms;  ///< processor time of a query: the median of the repeats
     std::vector<std::uint64_t> n_v, n_p, n_u, pairs;
     double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
+    double from_front = 0;  ///< the share of queries that began at a front, where it is coherent
 
     double mean_ms() const;
 };

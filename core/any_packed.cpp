@@ -27,12 +27,12 @@ AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, 
 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
-                               PackedWorkspace* workspace) {
+                               PackedWorkspace* workspace, PackedFront* front) {
     return std::visit(
         [&]<class Codec>(const PackedHierarchy<Codec>& of_a) {
             return collide_packed<Codec>({of_a, mesh_a},
                                          {std::get<PackedHierarchy<Codec>>(b), mesh_b}, b_to_a,
-                                         options, workspace);
+                                         options, workspace, front);
         },
         a);
 }

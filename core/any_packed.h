@@ -16,7 +16,7 @@ AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a,
                                const PackedOptions& options = {},
-                               PackedWorkspace* workspace = nullptr);
+                               PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
 std::string validate(const AnyPacked& packed, const Mesh& mesh);
 std::size_t bytes_of(const AnyPacked& packed);

@@ -44,6 +44,7 @@ struct Lanes {
     friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return {hn::Mul(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator-(Lanes a) { return {hn::Neg(a.v)}; }
     friend HWY_INLINE Lanes abs(Lanes a) { return {hn::Abs(a.v)}; }
+    friend HWY_INLINE Lanes sqrt(Lanes a) { return {hn::Sqrt(a.v)}; }
     friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return {hn::Max(a.v, b.v)}; }
     friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return {hn::Min(a.v, b.v)}; }
 

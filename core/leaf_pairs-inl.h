@@ -36,24 +36,37 @@ inline constexpr SpreadFrom<n> spread_from{};
 class LeafPairs {
   public:
     LeafPairs(const LeafQuery& query, OpenPairs& open, PackedFindings& found)
-        : a_(query.a), b_(query.b), placed_(*query.placed), open_(open), found_(found) {}
+        : a_(query.a),
+          b_(query.b),
+          placed_(*query.placed),
+          skin_(query.skin),
+          open_(open),
+          found_(found) {}
 
     /// Tests all pairs of the list, and empties it.
     void run(RefPairs& list) {
-        const std::size_t count = list.size();
-        const std::uint32_t *a = list.a_begin(), *b = list.b_begin();
-        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch(a[i], b[i]);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (i + ahead < count) prefetch(a[i + ahead], b[i + ahead]);
-            leaf_leaf(a[i], b[i]);
-        }
-        list.clear();
+        if (skin_ > 0)
+            run(list, [this](std::uint32_t i, std::uint32_t j) HWY_ATTR { keep_near(i, j); });
+        else
+            run(list, [this](std::uint32_t i, std::uint32_t j) HWY_ATTR { leaf_leaf(i, j); });
     }
 
     /// Decides on all pairs that are open.
     void finish() { decide(); }
 
   private:
+    template <class Test>
+    HWY_INLINE void run(RefPairs& list, Test test) {
+        const std::size_t count = list.size();
+        const std::uint32_t *a = list.a_begin(), *b = list.b_begin();
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch(a[i], b[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + ahead < count) prefetch(a[i + ahead], b[i + ahead]);
+            test(a[i], b[i]);
+        }
+        list.clear();
+    }
+
     static constexpr std::size_t ahead = 4;  // so many pairs
     // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
     // first triangle in the first four, its second in the next.
@@ -138,6 +151,29 @@ class LeafPairs {
     }
 
     HWY_INLINE void leaf_leaf(std::uint32_t i, std::uint32_t j) {
+        for_each_part(i, j,
+                      [this](const TrianglePairs<n>& pairs, std::uint32_t valid,
+                             const PackedLeaf& a, const PackedLeaf& b, int first) HWY_ATTR {
+                          const std::uint32_t bits = planes_meet(pairs).bits() & valid;
+                          if (bits != 0) put(pairs, bits, a, b, first);
+                      });
+    }
+
+    /// Keeps a pair of leaves for the front where triangles may be no farther apart than the skin.
+    HWY_INLINE void keep_near(std::uint32_t i, std::uint32_t j) {
+        std::uint32_t near = 0;
+        for_each_part(i, j,
+                      [&](const TrianglePairs<n>& pairs, std::uint32_t valid, const PackedLeaf&,
+                          const PackedLeaf&, int) HWY_ATTR {
+                          near |= planes_near(pairs, Lanes<n>::all(skin_)).bits() & valid;
+                      });
+        if (near != 0) found_.kept.leaf_leaf.add(i, j);
+    }
+
+    /// Calls `each` with the pairs of triangles of two leaves, as many at a time as there are
+    /// lanes: which lanes have one, the leaves, and the first lane.
+    template <class Each>
+    HWY_INLINE void for_each_part(std::uint32_t i, std::uint32_t j, Each each) {
         const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
         if (j != turned_leaf_) turn(b);  // often it is that of the pair before
         turned_leaf_ = j;
@@ -153,9 +189,7 @@ class LeafPairs {
             const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
                                             corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
                                             corner_b(2, first) + to_q,  error};
-            const std::uint32_t bits =
-                planes_meet(pairs).bits() & ((valid & all_bits_of(lanes)) >> first);
-            if (bits != 0) put(pairs, bits, a, b, first);
+            each(pairs, (valid & all_bits_of(lanes)) >> first, a, b, first);
         }
     }
 
@@ -210,6 +244,7 @@ class LeafPairs {
     const PackedLeaves a_, b_;
     Gathered gathered_a_, gathered_b_;
     const FloatPlacement placed_;
+    const float skin_;
     OpenPairs& open_;
     PackedFindings& found_;
     std::uint32_t turned_leaf_ = 0;  // no leaf: bits of one are not 0

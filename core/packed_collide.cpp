@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/in_threads.h"
+#include "core/packed_front_parts.h"
 #include "core/packed_query.h"
 #include "core/pair_sort.h"
 
@@ -73,10 +75,48 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
 }
 
+void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads) {
+    if (threads > 1)
+        finish_in_threads(query, work, chunks, threads);
+    else
+        finish(query, work);
+}
+
 template <class Codec>
 PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
     const bool stored = side.hierarchy.corners == LeafCorners::stored;
     return {side.hierarchy.leaves.data(), stored ? nullptr : &side.mesh};
+}
+
+// As in query_placement, for the margin is that of the reference's volumes.
+template <class Codec>
+Placement placement_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                       const Pose& b_to_a) {
+    return placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
+}
+
+/// A query that makes a front where the skin is more than 0.
+template <class Codec>
+AnyQuery query_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                  const Placement& placed, SimdLevel level, float skin) {
+    // Where nodes are small against the skin, more of them are apart but kept than it takes to test
+    // them again.
+    constexpr float skins_of_kept = 8;
+    return {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed, skin, skins_of_kept * skin},
+            {leaves_of(a), leaves_of(b), &placed, skin},
+            a.mesh,
+            b.mesh,
+            placed.b_to_a,
+            level};
+}
+
+template <class Codec>
+Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
+    const PackedRef root = hierarchy.root;
+    const PackedScb own =
+        root.is_leaf() ? hierarchy.leaf(root).own() : hierarchy.nodes[root.index()].own;
+    // Volumes hold their points but for the rounding of doubles.
+    return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
 }
 
 }  // namespace
@@ -95,28 +135,39 @@ PackedWorkspace& PackedWorkspace::operator=(PackedWorkspace&&) noexcept = defaul
 template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options,
-                               PackedWorkspace* workspace) {
+                               PackedWorkspace* workspace, PackedFront* front) {
     assert(options.threads >= 1 && "somebody has to do it");
     if (workspace == nullptr) {
         PackedWorkspace own;
-        return collide_packed(a, b, b_to_a, options, &own);
+        return collide_packed(a, b, b_to_a, options, &own, front);
     }
     auto& [work, chunks, room] = workspace->parts();
-    // As in query_placement, for the margin is that of the reference's volumes.
-    const Placement placed = placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
-    const AnyQuery query = {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed},
-                            {leaves_of(a), leaves_of(b), &placed},
-                            a.mesh,
-                            b.mesh,
-                            b_to_a,
-                            options.level};
-    work.found.clear();
-    work.lists.add(a.hierarchy.root, b.hierarchy.root);
-    if (options.threads > 1)
-        finish_in_threads(query, work, chunks, options.threads);
-    else
-        finish(query, work);
     PackedFindings& found = work.found;
+    found.clear();
+    const Placement placed = placement_of(a, b, b_to_a);
+    bool from_front = false;
+    if (front != nullptr) {
+        auto& [schedule, pairs] = front->parts();
+        const FrontBodies bodies = {root_ball(a.hierarchy), root_ball(b.hierarchy),
+                                    a.hierarchy.leaf_radius + b.hierarchy.leaf_radius};
+        if (const auto plan = schedule.next(bodies, b_to_a, placed.margin)) {
+            try {
+                const Placement there = placement_of(a, b, plan->b_to_a);
+                work.lists.add(a.hierarchy.root, b.hierarchy.root);
+                run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
+                    options.threads);
+            } catch (...) {
+                front->clear();  // it would have the pairs of another pose
+                throw;
+            }
+            std::swap(pairs, found.kept);
+            found.kept.clear();
+        }
+        from_front = schedule.is_good();
+        if (from_front) work.lists.append(pairs);
+    }
+    if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
+    run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads);
     sort_pairs(found.pairs, room);
     return {found.pairs, found.n_v, found.n_p, found.undecided.size()};
 }
@@ -124,7 +175,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
 #define SCB_COLLIDE(Codec)                                                             \
     template PackedCollision collide_packed(const PackedCollider<Codec>&,              \
                                             const PackedCollider<Codec>&, const Pose&, \
-                                            const PackedOptions&, PackedWorkspace*);
+                                            const PackedOptions&, PackedWorkspace*, PackedFront*);
 SCB_FOR_EACH_CODEC(SCB_COLLIDE)
 #undef SCB_COLLIDE
 

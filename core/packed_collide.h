@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/collide.h"
+#include "core/packed_front.h"
 #include "core/packed_hierarchy.h"
 #include "core/simd_level.h"
 
@@ -47,10 +48,13 @@ struct PackedCollision {
 /// Finds the triangles of A and B that intersect, B moved by `b_to_a` into A's frame: the same
 /// pairs as collide() finds on the hierarchies that these were made of, whatever the layout and
 /// the level. `b_to_a` must be rigid, see check_rigid. Without a workspace the query allocates its
-/// own. Thread-safe, each thread with its own workspace; throws nothing but std::bad_alloc.
+/// own. With a front, which must be of these two hierarchies, it may begin there instead of at the
+/// roots, and finds the same pairs; its counts are then others, and hold the tests that making a
+/// front took. Thread-safe, each thread with its own workspace and front; throws nothing but
+/// std::bad_alloc.
 template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options = {},
-                               PackedWorkspace* workspace = nullptr);
+                               PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
 }  // namespace scb

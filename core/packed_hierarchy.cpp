@@ -60,15 +60,21 @@ class Packing {
     // Where the first leaf of each node begins; a node's leaves follow each other.
     void place_leaves(const WideTopology& wide) {
         std::size_t words = wide.nodes.empty() ? leaf_size(0) : 0;
+        double radii = wide.nodes.empty() ? volumes_[0].r : 0;
+        std::size_t leaves = wide.nodes.empty() ? 1 : 0;
         first_leaf_.reserve(wide.nodes.size());
         for (const WideTopology::Node& node : wide.nodes) {
             first_leaf_.push_back(words);
             for (std::uint32_t k = 0; k < node.child_count; ++k) {
                 const WideTopology::Child& child = wide.children[node.first_child + k];
-                if (child.wide == WideTopology::no_node) words += leaf_size(child.node);
+                if (child.wide != WideTopology::no_node) continue;
+                words += leaf_size(child.node);
+                radii += volumes_[child.node].r;
+                ++leaves;
             }
         }
         packed_.leaves.resize(words + words_behind);
+        packed_.leaf_radius = radii / static_cast<double>(leaves);
     }
     std::size_t leaf_size(std::uint32_t i) const {
         return PackedLeaf::size(topology_.nodes[i].count, packed_.corners);

@@ -78,6 +78,7 @@ struct PackedHierarchy {
     PackedRef root;
     LeafCorners corners = LeafCorners::stored;
     double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
+    double leaf_radius = 0;  ///< of the leaves' balls, the mean
 
     PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
     std::size_t bytes() const {

@@ -19,6 +19,10 @@ template <class Codec>
 struct PackedQuery {
     const PackedHierarchy<Codec>*a, *b;
     const Placement* placed;
+    /// More than 0 where the query makes a front, see PackedFront: volumes that are no farther
+    /// apart than this length are taken for overlapping, and pairs of nodes whose radii add up to
+    /// `kept_size` at most are kept, not divided.
+    float skin = 0, kept_size = 0;
 };
 using AnyPackedQuery = AnyCodec<PackedQuery>;
 
@@ -94,6 +98,12 @@ struct PackedLists {
         leaf_inner.clear();
         leaf_leaf.clear();
     }
+    void append(const PackedLists& from) {
+        inner_inner.append(from.inner_inner, 0, from.inner_inner.size());
+        inner_leaf.append(from.inner_leaf, 0, from.inner_leaf.size());
+        leaf_inner.append(from.leaf_inner, 0, from.leaf_inner.size());
+        leaf_leaf.append(from.leaf_leaf, 0, from.leaf_leaf.size());
+    }
     void add(PackedRef a, PackedRef b) {
         RefPairs& list = a.is_leaf() ? (b.is_leaf() ? leaf_leaf : leaf_inner)
                                      : (b.is_leaf() ? inner_leaf : inner_inner);
@@ -105,16 +115,19 @@ struct PackedLists {
 struct PackedFindings {
     std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
     std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
+    PackedLists kept;                  ///< of a query that makes a front: it has no pairs then
     std::uint64_t n_v = 0, n_p = 0;
 
     void clear() {
         pairs.clear();
         undecided.clear();
+        kept.clear();
         n_v = n_p = 0;
     }
     void add(const PackedFindings& other) {
         pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
         undecided.insert(undecided.end(), other.undecided.begin(), other.undecided.end());
+        kept.append(other.kept);
         n_v += other.n_v;
         n_p += other.n_p;
     }
@@ -129,6 +142,7 @@ struct PackedLeaves {
 struct LeafQuery {
     PackedLeaves a, b;
     const Placement* placed;
+    float skin = 0;  ///< more than 0: pairs of leaves that are this near are kept, see PackedQuery
 };
 
 /// Pairs of triangles whose planes meet, until there are enough for all lanes of the next test:

@@ -23,19 +23,25 @@ template <class Codec>
 class PackedTraversal {
   public:
     PackedTraversal(const PackedQuery<Codec>& query, PackedLists& lists, PackedFindings& found)
-        : a_(*query.a), b_(*query.b), placed_(*query.placed), lists_(lists), found_(found) {}
+        : a_(*query.a),
+          b_(*query.b),
+          placed_(*query.placed),
+          skin_(query.skin),
+          kept_size_(query.kept_size),
+          lists_(lists),
+          found_(found) {}
 
     /// Until nothing is left to divide, or a good many pairs of leaves wait.
     void run() {
         while (lists_.leaf_leaf.size() < enough) {
             if (!lists_.inner_leaf.empty())
-                divide(lists_.inner_leaf,
+                divide(&PackedLists::inner_leaf,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
             else if (!lists_.leaf_inner.empty())
-                divide(lists_.leaf_inner,
+                divide(&PackedLists::leaf_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
             else if (!lists_.inner_inner.empty())
-                divide(lists_.inner_inner,
+                divide(&PackedLists::inner_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
             else
                 return;
@@ -49,15 +55,24 @@ class PackedTraversal {
         lists_.inner_inner.clear();
         lists_.inner_leaf.clear();
         lists_.leaf_inner.clear();
-        const auto each = [this](const RefPairs& list, auto divide_pair) HWY_ATTR {
+        const auto each = [&](RefPairs PackedLists::*which, auto divide_pair) HWY_ATTR {
+            const RefPairs& list = before.*which;
             for (std::size_t i = 0; i < list.size(); ++i) {
+                const PackedRef a{list.a_begin()[i]}, b{list.b_begin()[i]};
+                if (skin_ > 0 && is_kept(a, b)) {
+                    (found_.kept.*which).add(a.bits, b.bits);
+                    continue;
+                }
                 lists_.reserve(W * W + 16);
-                divide_pair({list.a_begin()[i]}, {list.b_begin()[i]});
+                divide_pair(a, b);
             }
         };
-        each(before.inner_leaf, [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
-        each(before.leaf_inner, [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
-        each(before.inner_inner, [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
+        each(&PackedLists::inner_leaf,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
+        each(&PackedLists::leaf_inner,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
+        each(&PackedLists::inner_inner,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
     }
 
   private:
@@ -69,15 +84,37 @@ class PackedTraversal {
     static constexpr std::size_t batch = 32, ahead = 4;
     /// More than what is computed of the distances of volumes may be off: a center of B by some 18
     /// units of the length, its normal by 12, distances along both normals and their cosine by 60
-    /// in all, and radii times the sine by 20.
+    /// in all, and radii times the sine by 20. What the skin adds to these lengths is rounded as
+    /// often.
     HWY_INLINE float margin(const Offset& o) const {
-        return 96 * float_unit * o.length + placed_.double_error;
+        return 96 * float_unit * (o.length + skin_) + placed_.double_error + skin_;
+    }
+
+    HWY_INLINE bool is_kept(PackedRef i, PackedRef j) const {
+        return radius(a_, i) + radius(b_, j) <= kept_size_;
+    }
+    static HWY_INLINE float radius(const PackedHierarchy<Codec>& side, PackedRef ref) {
+        return ref.is_leaf() ? side.leaf(ref).radius() : side.nodes[ref.index()].own.r;
+    }
+    /// Moves those of a batch that are small enough to the front; returns how many are left.
+    std::size_t keep_small(std::uint32_t* a, std::uint32_t* b, std::size_t count, RefPairs& kept) {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (is_kept({a[i]}, {b[i]})) {
+                kept.add(a[i], b[i]);
+                continue;
+            }
+            a[left] = a[i];
+            b[left++] = b[i];
+        }
+        return left;
     }
 
     template <class Divide>
-    HWY_INLINE void divide(RefPairs& list, Divide each) {
+    HWY_INLINE void divide(RefPairs PackedLists::*which, Divide each) {
         std::uint32_t a[batch], b[batch];
-        const std::size_t count = list.take(a, b, batch);
+        std::size_t count = (lists_.*which).take(a, b, batch);
+        if (skin_ > 0) count = keep_small(a, b, count, found_.kept.*which);
         lists_.reserve(count * (W * W + 16));
         for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch({a[i]}, {b[i]});
         for (std::size_t i = 0; i < count; ++i) {
@@ -187,6 +224,7 @@ class PackedTraversal {
 
     const PackedHierarchy<Codec>&a_, &b_;
     const FloatPlacement placed_;
+    const float skin_, kept_size_;
     PackedLists& lists_;
     PackedFindings& found_;
 };

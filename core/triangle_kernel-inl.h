@@ -27,11 +27,17 @@ struct TrianglePairs {
 
 inline constexpr float kernel_underflow = 0x1p-100f;
 
+/// D.
+template <int n>
+HWY_INLINE Lanes<n> magnitude(const TrianglePairs<n>& t) {
+    return max(max(max(largest(t.p1), largest(t.p2)), max(largest(t.q0), largest(t.q1))),
+               largest(t.q2));
+}
+
 /// A bound of the error of determinants, `factor` D^2 error.
 template <int n>
 HWY_INLINE Lanes<n> determinant_bound(const TrianglePairs<n>& t, float factor) {
-    const Lanes<n> d = max(
-        max(max(largest(t.p1), largest(t.p2)), max(largest(t.q0), largest(t.q1))), largest(t.q2));
+    const Lanes<n> d = magnitude(t);
     return d * d * t.error * Lanes<n>::all(factor) + Lanes<n>::all(kernel_underflow);
 }
 
@@ -66,11 +72,9 @@ HWY_INLINE Heights<n> heights_of_p(const TrianglePairs<n>& t) {
 }
 inline constexpr float p_height_bound = 108;
 
-/// Lanes in which no plane of one triangle certainly has the other on one side.
+/// Lanes in which no plane of one triangle certainly has the other on one side, by these bounds.
 template <int n>
-HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
-    const Lanes<n> q_bound = determinant_bound(t, q_height_bound),
-                   p_bound = q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1);
+HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t, Lanes<n> q_bound, Lanes<n> p_bound) {
     const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
     LaneMask<n> apart =
         on_one_side(q.h[0], q.h[1], q.h[2], q_bound) | on_one_side(p.h[0], p.h[1], p.h[2], p_bound);
@@ -78,6 +82,26 @@ HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
     // Not a number anywhere, after an overflow: not certain of anything.
     LaneMask<n> meet = apart ^ (none | (t.error <= t.error));
     return meet;
+}
+template <int n>
+HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
+    const Lanes<n> q_bound = determinant_bound(t, q_height_bound);
+    return planes_meet(t, q_bound, q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1));
+}
+
+/// Lanes in which no plane of one triangle certainly has the other on one side and farther away
+/// than `skin`: heights are times the normal's length, which is off by at most 7 D error for P's
+/// and 14 D error for Q's, see above. Squares of it may underflow.
+template <int n>
+HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
+    const Lanes<n> off = magnitude(t) * t.error * Lanes<n>::all(16) + Lanes<n>::all(0x1p-70f);
+    const auto length = [&](Lanes3<n> normal) HWY_ATTR {
+        return sqrt(dot(normal, normal)) * Lanes<n>::all(1 + 0x1p-16f) + off;
+    };
+    const Lanes<n> q_bound = determinant_bound(t, q_height_bound);
+    return planes_meet(t, q_bound + skin * length(cross(t.p1, t.p2)),
+                       q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1) +
+                           skin * length(cross(t.q1 - t.q0, t.q2 - t.q0)));
 }
 
 /// Lanes in which the triangles certainly have a point in common, and those in which it is not

@@ -71,6 +71,25 @@ TEST(BenchCommand, FindsTheSamePairsInEveryLayout) {
     EXPECT_LT(answers[0][6]["bytes_per_triangle"], answers[0][3]["bytes_per_triangle"]);
 }
 
+TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_scb("bench knots-l1 --frames 0:9 --repeat 2 --volume scb --layout reference,float8 "
+                "--coherent --json -o " +
+                (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_FALSE(rows[1].contains("from_front"));
+    // The knots do not move relative to each other: only the first query begins at the roots.
+    EXPECT_EQ(rows[2]["from_front"], 0.9);
+    EXPECT_EQ(rows[2]["pairs"], rows[1]["pairs"]);
+    EXPECT_LT(rows[2]["n_v"], rows[1]["n_v"]);
+    EXPECT_NE(file_text(folder / "out/bench.csv").find("knots-l1,scb,float8 front,0,"),
+              std::string::npos);
+    EXPECT_EQ(run_scb("bench soup --frames 0 --volume scb --coherent").status, 2);
+}
+
 TEST(BenchCommand, TwoScenesAreNotTwoBodies) {
     const ProgramRun run = run_scb("bench soup cone --frames 0 --repeat 1 --volume scb");
     EXPECT_EQ(run.status, 0);
