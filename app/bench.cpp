@@ -117,7 +117,10 @@ std::vector<BenchSubject> subjects(const Options& options) {
 }
 
 std::string conditions(const Options& options) {
-    return std::string(options.warm ? "Warm: each hierarchy runs through all frames."
+    return (options.hierarchy.split != HierarchyOptions{}.split
+                ? "Split by " + options.hierarchy.split + ". "
+                : std::string()) +
+           std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
            (options.threads == 1
                 ? std::string(" One thread, processor time; ")
@@ -144,6 +147,10 @@ struct Report {
                                  {"growth", options.hierarchy.growth},
                                  {"margin", options.hierarchy.margin},
                                  {"split", options.hierarchy.split},
+                                 {"leaf", options.leaf_triangles},
+                                 {"simd", options.simd},
+                                 {"threads", options.threads},
+                                 {"coherent", options.coherent},
                                  {"repeats", options.repeats},
                                  {"order", options.warm ? "warm" : "cold"}}},
                                {"compiler", compiler_text()},

@@ -84,16 +84,35 @@ void BenchCosts::add(const SceneBench& bench) {
 }
 
 std::string BenchCosts::table() const {
+    const std::size_t queries = samples.empty() ? 0 : samples[0].size();
+    std::size_t width = 16;
+    for (const std::string& title : titles) width = std::max(width, title.size());
+    const int column = static_cast<int>(width);
     std::string text =
-        format("Equation 1, T = N_v C_v + N_p C_p + N_u C_u, over %zu queries of %zu scene%s:\n",
-               samples.empty() ? 0 : samples[0].size(), scenes, scenes == 1 ? "" : "s") +
-        "  hierarchy         C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
+        format("Equation 1, T = N_v C_v + N_p C_p + N_u C_u, over %zu quer%s of %zu scene%s:\n",
+               queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s") +
+        format("  %-*s", column, "hierarchy") +
+        "  C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
+    bool doubtful = false;
     for (std::size_t s = 0; s < samples.size(); ++s) {
         const CostEquation costs = fit_cost_equation(samples[s]);
-        text += format("  %-16s %7.2f %7.2f %7.2f %8.0f %% %7.0f %% %6.0f %% %6.0f %%\n",
-                       titles[s].c_str(), costs.c_v, costs.c_p, costs.c_u, 100 * costs.share_v,
-                       100 * costs.share_p, 100 * costs.share_u, 100 * costs.error);
+        text += format("  %-*s", column, titles[s].c_str());
+        if (!costs.determined) {
+            text += "       -       -       -         -         -        -        -\n";
+            doubtful = true;
+            continue;
+        }
+        text += format(" %7.2f %7.2f ", costs.c_v, costs.c_p) +
+                (costs.moves_apart ? format("%7.2f", costs.c_u) : std::string("      -")) +
+                format(" %7.0f %% %7.0f %% ", 100 * costs.share_v, 100 * costs.share_p) +
+                (costs.moves_apart ? format("%6.0f %%", 100 * costs.share_u)
+                                   : std::string("       -")) +
+                format(" %6.0f %%\n", 100 * costs.error);
     }
+    if (doubtful)
+        text +=
+            "  -: the counts go together in these queries, so their costs cannot be told apart; "
+            "time more and other scenes.\n";
     return text;
 }
 
@@ -101,15 +120,16 @@ Json BenchCosts::json() const {
     Json list = Json::array();
     for (std::size_t s = 0; s < samples.size(); ++s) {
         const CostEquation costs = fit_cost_equation(samples[s]);
+        const auto known = [&](double value) { return costs.determined ? Json(value) : Json(); };
         list.push_back({{"hierarchy", titles[s]},
                         {"queries", samples[s].size()},
-                        {"c_v_ns", costs.c_v},
-                        {"c_p_ns", costs.c_p},
-                        {"c_u_ns", costs.c_u},
-                        {"share_v", costs.share_v},
-                        {"share_p", costs.share_p},
-                        {"share_u", costs.share_u},
-                        {"error", costs.error}});
+                        {"c_v_ns", known(costs.c_v)},
+                        {"c_p_ns", known(costs.c_p)},
+                        {"c_u_ns", costs.moves_apart ? Json(costs.c_u) : Json()},
+                        {"share_v", known(costs.share_v)},
+                        {"share_p", known(costs.share_p)},
+                        {"share_u", costs.moves_apart ? Json(costs.share_u) : Json()},
+                        {"error", known(costs.error)}});
     }
     return list;
 }

@@ -1,14 +1,16 @@
 #include "app/layout_options.h"
 
+#include <algorithm>
+
 #include "app/options.h"
 #include "core/error.h"
 
 namespace scb {
 
-std::string layout_names() {
+std::string layout_names(const std::string& separator) {
     std::string names;
     for (const PackedLayout& layout : all_packed_layouts())
-        names += (names.empty() ? "" : ", ") + packed_layout_name(layout);
+        names += (names.empty() ? "" : separator) + packed_layout_name(layout);
     return names;
 }
 
@@ -17,12 +19,12 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
         throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +
                          std::to_string(most_leaf_triangles) + ".");
     std::vector<std::optional<PackedLayout>> result;
-    std::vector<std::string> names = split_list(list);
-    if (list.empty()) {
-        names.clear();
-        for (const PackedLayout& layout : all_packed_layouts())
-            names.push_back(packed_layout_name(layout));
-    }
+    const std::vector<std::string> names = split_list(list);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(i))
+            throw InputError("--layout " + list + ": '" + names[i] +
+                             "' is there twice; give each layout once.");
     for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);
         if (!layout && name != "reference")

@@ -11,9 +11,7 @@ std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOpt
     std::vector<MeshTopology> result;
     for (const NamedMesh& named : scene.meshes) {
         check_mesh(named.mesh, named.name);
-        auto topology = std::make_shared<const Topology>(build_topology(named.mesh, options));
-        LeafOrder points = leaf_order(named.mesh, *topology);
-        result.push_back({std::move(topology), std::move(points)});
+        result.push_back(mesh_topology(named.mesh, options));
     }
     return result;
 }

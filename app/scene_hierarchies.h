@@ -1,19 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/any_hierarchy.h"
-#include "core/leaf_order.h"
+#include "core/mesh_topology.h"
 #include "scenes/scene.h"
 
 namespace scb {
-
-/// What the hierarchies of a mesh share, whatever their volume.
-struct MeshTopology {
-    std::shared_ptr<const Topology> topology;
-    LeafOrder points;
-};
 
 /// One per mesh of the scene. Throws InputError, naming the mesh, where check_mesh does.
 std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options = {});

@@ -9,6 +9,7 @@
 #include "app/text_format.h"
 #include "core/any_packed.h"
 #include "core/error.h"
+#include "core/mesh_topology.h"
 
 namespace scb {
 namespace {
@@ -23,7 +24,7 @@ double milliseconds_since(Clock::time_point start) {
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    std::string layouts;  // empty: all
+    std::string layouts = layout_names(",");
     int leaf_triangles = most_leaf_triangles, threads = 1;
     bool json = false;
 };
@@ -33,17 +34,30 @@ struct Packed {
     std::string layout;
     std::size_t bytes = 0;
     double ms = 0;
+    std::string refused;  ///< why it cannot be; empty where it could
 };
+
+/// Those of --layout.
+std::vector<PackedLayout> packed_layouts(const Options& options) {
+    std::vector<PackedLayout> result;
+    for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
+        if (!layout)
+            throw InputError("--layout " + options.layouts +
+                             ": the table above is of the reference; name packed layouts alone.");
+        result.push_back(*layout);
+    }
+    return result;
+}
 
 struct Measured {
     std::string mesh;
     std::vector<std::string> bodies;
     std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
+    std::string split;
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
     std::vector<Packed> packed;  ///< of slab cut balls
-    std::string not_packed;      ///< why not; empty where it could be
 
     double per_triangle(std::size_t bytes) const {
         return static_cast<double>(bytes) / static_cast<double>(triangles);
@@ -56,16 +70,17 @@ void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& m
                 const Options& options) {
     const auto* scbs = std::get_if<Hierarchy<Scb>>(&hierarchy);
     if (scbs == nullptr) return;
-    try {
-        for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
-            if (!layout) continue;
-            const auto start = Clock::now();
-            const AnyPacked packed = pack_any(*layout, *scbs, mesh, measured.mesh, options.threads);
-            measured.packed.push_back(
-                {packed_layout_name(*layout), bytes_of(packed), milliseconds_since(start)});
+    for (const PackedLayout& layout : packed_layouts(options)) {
+        Packed row;
+        row.layout = packed_layout_name(layout);
+        const auto start = Clock::now();
+        try {
+            row.bytes = bytes_of(pack_any(layout, *scbs, mesh, measured.mesh, options.threads));
+        } catch (const InputError& error) {
+            row.refused = error.what();
         }
-    } catch (const InputError& error) {
-        measured.not_packed = error.what();
+        row.ms = milliseconds_since(start);
+        measured.packed.push_back(row);
     }
 }
 
@@ -78,16 +93,15 @@ std::vector<Measured> measure(const Options& options) {
     check_threads(options.threads);
     fit_options.threads = options.threads;
     // Before anything is built.
-    layouts_of(options.layouts, options.leaf_triangles);
+    packed_layouts(options);
     const Scene scene = options.scene.load();
     std::vector<Measured> result;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m].mesh;
         check_mesh(mesh, scene.meshes[m].name);
         auto start = Clock::now();
-        const auto topology =
-            std::make_shared<const Topology>(build_topology(mesh, fit_options.topology()));
-        const LeafOrder points = leaf_order(mesh, *topology, weld(mesh), fit_options.threads);
+        const MeshTopology shared = mesh_topology(mesh, fit_options.topology());
+        const auto& [topology, points] = shared;
         const double topology_ms = milliseconds_since(start);
         for (const VolumeKind kind : kinds) {
             Measured measured;
@@ -103,6 +117,7 @@ std::vector<Measured> measure(const Options& options) {
             measured.nodes = topology->nodes.size();
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
+            measured.split = options.hierarchy.split;
             measured.levels = level_statistics(hierarchy);
             add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
@@ -153,9 +168,10 @@ std::string table(const Measured& m) {
                    m.topology_ms, m.fit_ms);
     if (!m.packed.empty()) text += "\npacked layout  bytes per triangle  time here, ms\n";
     for (const Packed& packed : m.packed)
-        text += format("%-13s %19.1f %14.1f\n", packed.layout.c_str(), m.per_triangle(packed.bytes),
-                       packed.ms);
-    if (!m.not_packed.empty()) text += "no packed layout: " + m.not_packed + "\n";
+        text += packed.refused.empty()
+                    ? format("%-13s %19.1f %14.1f\n", packed.layout.c_str(),
+                             m.per_triangle(packed.bytes), packed.ms)
+                    : format("%-13s %19s  ", packed.layout.c_str(), "-") + packed.refused + "\n";
     return text;
 }
 
@@ -182,14 +198,19 @@ Json json_of(const Measured& m) {
         levels.push_back(std::move(level));
     }
     Json packed = Json::array();
-    for (const Packed& p : m.packed)
-        packed.push_back({{"layout", p.layout},
-                          {"bytes", p.bytes},
-                          {"bytes_per_triangle", m.per_triangle(p.bytes)},
-                          {"ms", p.ms}});
+    for (const Packed& p : m.packed) {
+        if (p.refused.empty())
+            packed.push_back({{"layout", p.layout},
+                              {"bytes", p.bytes},
+                              {"bytes_per_triangle", m.per_triangle(p.bytes)},
+                              {"ms", p.ms}});
+        else
+            packed.push_back({{"layout", p.layout}, {"refused", p.refused}});
+    }
     Json result = {{"mesh", m.mesh},
                    {"bodies", m.bodies},
                    {"volume", volume_kind_name(m.kind)},
+                   {"split", m.split},
                    {"triangles", m.triangles},
                    {"points", m.points},
                    {"nodes", m.nodes},
@@ -199,7 +220,6 @@ Json json_of(const Measured& m) {
                    {"levels", levels},
                    {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
     if (m.kind == VolumeKind::scb) result["packed"] = std::move(packed);
-    if (!m.not_packed.empty()) result["not_packed"] = m.not_packed;
     return result;
 }
 
@@ -225,11 +245,9 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, false);
     add_hierarchy_options(*command, options->hierarchy);
-    command
-        ->add_option(
-            "--layout", options->layouts,
-            "Packed layouts of slab cut balls to report: some of " + layout_names() + "; else all")
-        ->type_name("LIST");
+    command->add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
+        ->type_name("LIST")
+        ->capture_default_str();
     command->add_option("--leaf", options->leaf_triangles, "Triangles of a packed leaf, at most")
         ->check(decimal_number())
         ->type_name("N")

@@ -126,7 +126,9 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
                  : "Counts, summed over the " + std::to_string(d.common) + " frames in both:\n") +
             count_table(d.sum_a, d.sum_b, names) + lost_text(d, names);
     if (!d.nodes_comparable)
-        text += "\nThe meshes differ, so nodes and triangles cannot be compared.\n";
+        text += d.meshes_differ
+                    ? "\nThe meshes differ, so nodes and triangles cannot be compared.\n"
+                    : "\nNodes were split in other ways, so tests cannot be compared.\n";
     else if (d.first)
         text += "\nThey part first at " + words_of(*d.first, printable_names(d.bodies), names);
     else

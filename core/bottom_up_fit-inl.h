@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
 #include <type_traits>
@@ -105,8 +106,7 @@ class BottomUpFit {
     void append(BottomUpFit& right) {
         stack_.push_back(right.stack_.back());
         shared_.insert(shared_.end(), right.shared_.begin(), right.shared_.end());
-        counts_.point_visits += right.counts_.point_visits;
-        counts_.candidate_slabs += right.counts_.candidate_slabs;
+        counts_.add(right.counts_);
     }
 
     void push_leaf(const TopologyNode& node) {

@@ -29,8 +29,8 @@ struct WideTopology {
 /// that of its node for each of its triangles: costs are chances that a query gets there, up to a
 /// factor, such as surface areas. By dynamic programming over the binary topology, after Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
-/// (Section 3). O(n width^2); the same for any number of
-/// threads.
+/// (Section 3). O(n width^2); the
+/// same for any number of threads.
 ///
 /// `width` is 2 to 8, `leaf_triangles` at least 1; a binary node of at most so many triangles may
 /// become a leaf, one of a single triangle always does.

@@ -20,16 +20,6 @@ struct Division {
     std::size_t at = 0;  // of how many triangles, or before which bin
 };
 
-struct ByCentroid {
-    const Primitives& primitives;
-    int axis;
-
-    bool operator()(std::uint32_t a, std::uint32_t b) const {
-        const double x = primitives.centroids[a][axis], y = primitives.centroids[b][axis];
-        return x < y || (x == y && a < b);
-    }
-};
-
 std::uint32_t split_few(std::span<std::uint32_t> range, const Primitives& primitives) {
     const std::size_t count = range.size(), least = (count + 9) / 10;
     std::array<std::array<std::uint32_t, tried_all>, 3> orders;

@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include <cassert>
 #include <cstddef>
 
 #include "core/vec.h"
@@ -68,12 +69,14 @@ struct Doubles3 {
 
 /// The first index at which a number is that value, which one of them is; a whole number of
 /// vectors, from an aligned address.
-HWY_INLINE std::size_t first_equal(const double* numbers, double value) {
-    for (std::size_t i = 0;; i += Doubles::n) {
+HWY_INLINE std::size_t first_equal(const double* numbers, std::size_t count, double value) {
+    for (std::size_t i = 0; i < count; i += Doubles::n) {
         const auto mask = Doubles::load(numbers + i) == Doubles::all(value);
         if (!hn::AllFalse(Doubles::D(), mask))
             return i + static_cast<std::size_t>(hn::FindFirstTrue(Doubles::D(), mask));
     }
+    assert(false && "one of them is");
+    return 0;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -34,10 +34,7 @@ V fit_list(std::span<const Vec3> points, const FitOptions& options) {
     V result;
     FitCounts counts;
     fit(result, {{all, {}}, &few, &pairs, &dop, nullptr}, options, counts);
-    if (options.counts != nullptr) {
-        options.counts->point_visits += counts.point_visits;
-        options.counts->candidate_slabs += counts.candidate_slabs;
-    }
+    if (options.counts != nullptr) options.counts->add(counts);
     return result;
 }
 

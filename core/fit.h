@@ -30,6 +30,11 @@ struct FitCounts {
     std::uint64_t point_visits =
         0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
+
+    void add(const FitCounts& other) {
+        point_visits += other.point_visits;
+        candidate_slabs += other.candidate_slabs;
+    }
 };
 
 /// "ritter", "radius": the names of the command line.

@@ -30,7 +30,7 @@ HWY_INLINE void fit(Obb& result, const FitInput& input, const FitOptions&, FitCo
         Interval interval;
         for (const PointsView& part : input.parts)
             extend(interval, part, result.center, result.axes.col(i));
-        result.half[i] = std::max(interval.upper, -interval.lower);
+        result.half[i] = std::max(interval.upper, -interval.lower) + 0.0;  // 0 for -0
     }
 }
 

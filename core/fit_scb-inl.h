@@ -6,6 +6,9 @@
 #define SCB_CORE_FIT_SCB_INL_H_
 #endif
 
+#include <array>
+#include <limits>
+
 #include "core/fit_ball-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,7 +33,7 @@ HWY_INLINE Slab narrowest_dop_slab(const Dop26& dop) {
         narrowest = min(narrowest, width);
     }
     const double width = narrowest.smallest();
-    const std::size_t first = first_equal(widths.data(), width);
+    const std::size_t first = first_equal(widths.data(), widths.size(), width);
     return {dop26_directions[first] * dop26_directions.inverse_length[first], width, {}, false};
 }
 
@@ -103,7 +106,7 @@ HWY_INLINE void fit(Scb& result, const FitInput& input, const FitOptions& option
     result.f = std::min(slab.interval.lower, 0.0);
     result.r = std::max({ball.radius, result.e, -result.f});
     result.e = std::min(result.e + options.margin * result.r, result.r);
-    result.f = std::max(result.f - options.margin * result.r, -result.r);
+    result.f = std::max(result.f - options.margin * result.r, -result.r) + 0.0;  // 0 for -0
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,9 +16,7 @@ void fit_tree(const Topology& topology, const LeafOrder& points, const FitOption
               std::span<V> volumes) {
     BottomUpFit<V> fit(topology, points, options, volumes);
     fit.run(0);
-    if (options.counts == nullptr) return;
-    options.counts->point_visits += fit.counts().point_visits;
-    options.counts->candidate_slabs += fit.counts().candidate_slabs;
+    if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
 void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
@@ -54,7 +52,7 @@ std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
         SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, all);
     else if constexpr (std::is_same_v<V, Ball>)
         SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, all);
-    else
+    else if constexpr (std::is_same_v<V, Obb>)
         SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, all);
     return volumes;
 }

@@ -1,11 +1,9 @@
 #include "core/hierarchy.h"
 
-#include <algorithm>
-#include <span>
 #include <sstream>
 
 #include "core/error.h"
-#include "core/in_threads.h"
+#include "core/mesh_topology.h"
 
 namespace scb {
 namespace {
@@ -25,15 +23,9 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::s
     if (!(options.margin >= 0))
         throw InputError(std::string(name) +
                          ": the margin is below 0 or not a number; give a share of the radius.");
-    std::shared_ptr<const Topology> topology;
-    std::vector<std::uint32_t> welded;
-    both(
-        options.threads,
-        [&] { topology = std::make_shared<Topology>(build_topology(mesh, options.topology())); },
-        [&] { welded = weld(mesh); });
-    std::vector<V> volumes =
-        fit_volumes<V>(*topology, leaf_order(mesh, *topology, welded, options.threads), options);
-    return {std::move(topology), std::move(volumes)};
+    MeshTopology shared = mesh_topology(mesh, options.topology());
+    std::vector<V> volumes = fit_volumes<V>(*shared.topology, shared.points, options);
+    return {std::move(shared.topology), std::move(volumes)};
 }
 
 std::string validate(const Topology& topology, const Mesh& mesh) {

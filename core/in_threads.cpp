@@ -4,6 +4,9 @@
 
 #ifdef SCB_WITHOUT_TBB
 #include <atomic>
+#include <exception>
+#include <optional>
+#include <system_error>
 #include <thread>
 #else
 #include <tbb/info.h>
@@ -31,10 +34,16 @@ tbb::task_arena& arena_of(int threads) {
     return arenas.try_emplace(used, used).first->second;
 }
 
+// Isolated: a short query that waits for its own tasks does not take up those of a long build.
+template <class Work>
+void in_arena(int threads, const Work& work) {
+    arena_of(threads).execute([&] { tbb::this_task_arena::isolate(work); });
+}
+
 }  // namespace
 
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
-    arena_of(threads).execute([&] {
+    in_arena(threads, [&] {
         // Each by itself: they are few, and of unlike size.
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, 1),
@@ -51,7 +60,7 @@ void both(int threads, const std::function<void()>& first, const std::function<v
         second();
         return;
     }
-    arena_of(threads).execute([&] { tbb::parallel_invoke(first, second); });
+    in_arena(threads, [&] { tbb::parallel_invoke(first, second); });
 }
 #else
 namespace {
@@ -67,15 +76,33 @@ void beside(int threads, const std::function<void()>& work, const std::function<
         work();
         return;
     }
-    std::thread other(work);
-    own();
-    other.join();
+    std::exception_ptr thrown, thrown_there;
+    const auto caught = [](const std::function<void()>& call, std::exception_ptr& by) {
+        try {
+            call();
+        } catch (...) {
+            by = std::current_exception();
+        }
+    };
+    std::optional<std::thread> other;
+    try {
+        other.emplace([&] { caught(work, thrown_there); });
+    } catch (const std::system_error&) {  // no more threads: one after the other
+    }
+    caught(own, thrown);
+    if (other)
+        other->join();
+    else
+        caught(work, thrown_there);
     others.fetch_sub(1);
+    if (thrown) std::rethrow_exception(thrown);
+    if (thrown_there) std::rethrow_exception(thrown_there);
 }
 
 }  // namespace
 
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+    if (count == 0) return;
     std::atomic<std::size_t> next = 0;
     const std::function<void()> some = [&] {
         for (std::size_t i = next++; i < count; i = next++) work(i);

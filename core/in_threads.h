@@ -5,15 +5,18 @@
 
 namespace scb {
 
-/// Calls `work(0)` to `work(count - 1)`, each once and in no order, in so many threads at most,
-/// this one included. `work` throws nothing, here and below.
+// Threads that share some work, this one among them: `threads` at most, which is at least 1, and no
+// more than the machine has. All callers in the program share them. What one of them throws, the
+// first of several, is thrown here once all have ended.
+
+/// Calls `work(0)` to `work(count - 1)`, each once and in no order.
 void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Calls `work(first, end)` for ranges that make up 0 to count - 1, as in_threads does.
+/// Calls `work(first, end)` for ranges that make up 0 to count - 1.
 void in_blocks(int threads, std::size_t count,
                const std::function<void(std::size_t, std::size_t)>& work);
 
-/// Calls both, at the same time where one of so many threads is free. May be called within either.
+/// Calls both, at the same time where a thread is free. May be called within either.
 void both(int threads, const std::function<void()>& first, const std::function<void()>& second);
 
 }  // namespace scb

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -71,6 +72,9 @@ struct SupportSolver {
     // A candidate counts with the radius at which it contains all points, so a badly conditioned
     // one can only lose.
     void consider(const Candidate& candidate, unsigned members) {
+        // Of points that are collinear but for rounding, quotients may overflow.
+        optimal = false;
+        if (!std::isfinite(candidate.center[0] + candidate.center[1] + candidate.center[2])) return;
         double reach = 0, own = 0;
         for (int i = 0; i < count; ++i) {
             const double d = squared_norm(points[static_cast<std::size_t>(i)] - candidate.center);

@@ -31,10 +31,12 @@ void check_range(const Mesh& mesh, std::string_view name) {
 template <class Codec>
 class Packing {
   public:
-    Packing(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, LeafCorners corners, int threads)
+    Packing(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, LeafCorners corners,
+            std::string_view name, int threads)
         : topology_(*hierarchy.topology),
           volumes_(hierarchy.volumes),
           mesh_(mesh),
+          name_(name),
           threads_(threads) {
         packed_.corners = corners;
     }
@@ -73,6 +75,10 @@ class Packing {
                 ++leaves;
             }
         }
+        if (words >= PackedRef::leaf_bit)
+            throw InputError(name_ +
+                             ": too many triangles for this packed layout; give larger leaves, an "
+                             "indexed layout, or the reference.");
         packed_.leaves.resize(words + words_behind);
         packed_.leaf_radius = radii / static_cast<double>(leaves);
     }
@@ -121,6 +127,7 @@ class Packing {
     const Topology& topology_;
     const std::vector<Scb>& volumes_;
     const Mesh& mesh_;
+    std::string name_;
     int threads_;
     std::vector<std::size_t> first_leaf_;
     PackedHierarchy<Codec> packed_;
@@ -148,7 +155,7 @@ PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, i
                             LeafCorners corners, std::string_view name, int threads) {
     assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
     check_range(mesh, name);
-    return Packing<Codec>(hierarchy, mesh, corners, threads).run(leaf_triangles);
+    return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
 }
 
 #define SCB_PACK(Codec)                                                                        \

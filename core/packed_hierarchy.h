@@ -87,9 +87,9 @@ struct PackedHierarchy {
 };
 
 /// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf; the same
-/// for any number of threads. Throws
-/// InputError, naming the mesh, where its coordinates are beyond what floats hold with room for
-/// their products: 1e8 in magnitude, or a size below 1e-8. O(n).
+/// for any number of threads. Throws InputError, naming the mesh, where its coordinates are beyond
+/// what floats hold with room for their products: 1e8 in magnitude, or a size below 1e-8; and where
+/// its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners. O(n).
 template <class Codec>
 PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                             int leaf_triangles = most_leaf_triangles,

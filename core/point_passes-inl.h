@@ -109,7 +109,7 @@ HWY_INLINE Largest first_largest(const FewPoints& points, Number number) {
         best = max(best, some);
     }
     const double value = best.largest();
-    return {first_equal(numbers, value), value};
+    return {first_equal(numbers, points.count, value), value};
 }
 
 /// The first of the points that are farthest from c, and its squared distance.

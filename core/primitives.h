@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/in_threads.h"
@@ -23,6 +24,17 @@ struct Primitives {
                 centroids[i] = (a + b + c) / 3;
             }
         });
+    }
+};
+
+/// Orders triangles along an axis; their indices break ties.
+struct ByCentroid {
+    const Primitives& primitives;
+    int axis;
+
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+        const double x = primitives.centroids[a][axis], y = primitives.centroids[b][axis];
+        return x < y || (x == y && a < b);
     }
 };
 

@@ -16,17 +16,6 @@ constexpr std::uint32_t sort_below = 8;
 
 using Range = std::span<std::uint32_t>;
 
-// Orders triangles along an axis; their indices break ties.
-struct ByCentroid {
-    const Primitives& primitives;
-    int axis;
-
-    bool operator()(std::uint32_t a, std::uint32_t b) const {
-        const double x = primitives.centroids[a][axis], y = primitives.centroids[b][axis];
-        return x < y || (x == y && a < b);
-    }
-};
-
 // The longest first; of equal ones the first.
 std::array<int, 3> axes_by_length(const Vec3& sides) {
     std::array<int, 3> axes = {0, 1, 2};
@@ -174,9 +163,9 @@ class Builder {
         // Above some thousand triangles, the two halves at once.
         constexpr std::uint32_t divided_from = 4096;
         if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
-            const auto [left, right] = children(root);
+            const std::pair<Open, Open> halves = children(root);
             both(
-                options_.threads, [&] { divide(left); }, [&] { divide(right); });
+                options_.threads, [&] { divide(halves.first); }, [&] { divide(halves.second); });
             return;
         }
         std::vector<Open> open = {root};

@@ -158,6 +158,9 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.asked = asked_differently(a, b);
     result.nodes_comparable =
         a.bodies[0].mesh == b.bodies[0].mesh && a.bodies[1].mesh == b.bodies[1].mesh;
+    result.meshes_differ = !result.nodes_comparable;
+    // Other trees: the number of a node is another node's there.
+    result.nodes_comparable &= a.split == b.split;
     result.bodies = body_names(a);
     result.of_nodes = a.options.stop_level >= 0;
     result.pairs_comparable =

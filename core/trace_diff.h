@@ -70,8 +70,9 @@ struct TraceDiff {
     std::size_t common = 0;                 ///< frames that are in both
     std::vector<FrameDifference> frames;    ///< of these, those that differ
     TraceCounts sum_a, sum_b;               ///< over the common frames
-    bool nodes_comparable = true;           ///< false where the meshes differ
-    std::optional<Parting> first;           ///< of tests; nothing where nodes are not comparable
+    bool nodes_comparable = true;           ///< false where the meshes or the splits differ
+    bool meshes_differ = false;
+    std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
     bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
     bool pairs_comparable = true;  ///< false where nodes are not, or levels to stop at differ
     std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;

@@ -11,7 +11,7 @@ namespace scb {
 
 /// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
 /// free functions. The templates of hierarchy.h are instantiated for the three types below; another
-/// one has to be added there.
+/// one has to be added there and, with how it is fitted, in fit_volumes.cpp.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
     requires(const V& c, const Vec3& p) {

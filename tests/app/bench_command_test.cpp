@@ -49,34 +49,41 @@ TEST(BenchCommand, HasTable3BesideWhereAllFramesAreRun) {
 TEST(BenchCommand, FindsTheSamePairsInEveryLayout) {
     const std::string query = "bench spheres-l1 --frames 100,250 --repeat 1 --volume scb --json ";
     const std::string layouts =
-        "--layout reference,float2,float4,float8,quantized2,quantized4,quantized8 ";
+        "--layout "
+        "reference,float2,float4,float8,quantized2,quantized4,quantized8,indexed2,indexed8 ";
     std::vector<json> answers;
-    for (const std::string& how : {std::string(), std::string("--simd base"),
-                                   std::string("--threads 2"), std::string("--leaf 1")}) {
+    for (const std::string& how :
+         {std::string(), std::string("--simd base"), std::string("--threads 2"),
+          std::string("--leaf 1"), std::string("--split cost")}) {
         const ProgramRun run = run_scb(query + layouts + how);
         ASSERT_EQ(run.status, 0) << run.err;
         answers.push_back(json::parse(run.out)["scenes"][0]["hierarchies"]);
-        ASSERT_EQ(answers.back().size(), 7u);
+        ASSERT_EQ(answers.back().size(), 9u);
         EXPECT_FALSE(answers.back()[0].contains("layout"));
         for (const json& row : answers.back()) {
             EXPECT_EQ(row["pairs"], answers[0][0]["pairs"]) << row << how;
             EXPECT_GT(row["bytes_per_triangle"], 0);
         }
     }
-    for (std::size_t i = 0; i < 7; ++i) {
+    for (std::size_t i = 0; i < 9; ++i) {
         EXPECT_EQ(answers[1][i]["n_v"], answers[0][i]["n_v"]) << i;
         EXPECT_EQ(answers[2][i]["n_v"], answers[0][i]["n_v"]) << i;
     }
     EXPECT_GT(answers[3][6]["n_v"], answers[0][6]["n_v"]) << "more leaves";
     EXPECT_LT(answers[0][6]["bytes_per_triangle"], answers[0][3]["bytes_per_triangle"]);
+    EXPECT_NEAR(answers[0][6]["bytes_per_triangle"].get<double>() -
+                    answers[0][8]["bytes_per_triangle"].get<double>(),
+                36, 1e-6)
+        << "without corners";
+    EXPECT_LT(answers[4][0]["n_v"], answers[0][0]["n_v"]) << "split at least cost";
 }
 
 TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
     const TemporaryFolder folder;
-    const ProgramRun run =
-        run_scb("bench knots-l1 --frames 0:9 --repeat 2 --volume scb --layout reference,float8 "
-                "--coherent --json -o " +
-                (folder / "out"));
+    const ProgramRun run = run_scb(
+        "bench knots-l1 --frames 0:9 --repeat 2 --volume scb --layout reference,float8 "
+        "--coherent --json -o " +
+        (folder / "out"));
     ASSERT_EQ(run.status, 0) << run.err;
     const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
     ASSERT_EQ(rows.size(), 3u);

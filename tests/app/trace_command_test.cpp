@@ -38,15 +38,15 @@ TEST_F(TraceCommand, TheSameBytesTwice) {
 }
 
 TEST_F(TraceCommand, PrintsTheCountsThatCollideDoes) {
-    for (const char* options :
-         {"--test corrected", "--volume ball --level 4", "--volume obb", "--max-pairs 3"}) {
+    for (const char* options : {"--test corrected", "--volume ball --level 4", "--volume obb",
+                                "--max-pairs 3", "--split cost"}) {
         const std::string arguments = std::string(options) + " --frames 100,200,250";
         const std::string file = record(arguments, folder / "t");
         const json trace = json::parse(run_scb("trace " + file + " --json").out);
         const json live = json::parse(run_scb("collide spheres-l1 --json " + arguments).out);
         EXPECT_EQ(trace["frames"], live["frames"]) << options;
         for (const char* key : {"version", "scene", "volume", "test", "threshold", "descent",
-                                "growth", "margin", "level"})
+                                "growth", "margin", "split", "level"})
             EXPECT_EQ(trace.value(key, json()), live.value(key, json())) << options << key;
     }
 }
@@ -128,6 +128,23 @@ TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
     std::size_t n_v = 0;
     for (const json& frame : live["frames"]) n_v += frame["n_v"].get<std::size_t>();
     EXPECT_EQ(d["sum"]["n_v"]["b"], n_v);
+}
+
+TEST_F(TraceCommand, OfAnotherSplitIsReplayedAndItsNodesAreNotCompared) {
+    record("--frames 250", folder / "paper");
+    record("--frames 250 --split cost", folder / "cost");
+    const ProgramRun diff = run_scb("diff " + (folder / "paper") + " " + (folder / "cost"));
+    EXPECT_EQ(diff.status, 1);
+    EXPECT_NE(diff.out.find("split"), std::string::npos) << diff.out;
+    EXPECT_NE(diff.out.find("tests cannot be compared"), std::string::npos) << diff.out;
+    EXPECT_EQ(diff.out.find("part first"), std::string::npos) << diff.out;
+
+    // What is said of the trace needs its hierarchies, built as they were.
+    const ProgramRun of_trace = run_scb("inspect " + (folder / "cost") + " --json"),
+                     of_scene = run_scb("inspect spheres-l1 --frames 250 --split cost --json");
+    EXPECT_EQ(of_trace.status, of_scene.status) << of_trace.err;
+    EXPECT_EQ(json::parse(of_trace.out)["frames"], json::parse(of_scene.out)["frames"]);
+    EXPECT_EQ(run_scb("inspect " + (folder / "cost") + " --split paper").status, 2);
 }
 
 TEST_F(TraceCommand, DiffOfEqualTracesAndOfOtherFrames) {

@@ -50,6 +50,24 @@ TEST(CostEquation, HasNoNegativeCost) {
     EXPECT_EQ(found.share_u, 0);
 }
 
+TEST(CostEquation, SaysWhatCannotBeToldApart) {
+    std::vector<CostSample> all = samples(12, 80, 5, 0.02);
+    EXPECT_TRUE(fit_cost_equation(all).determined);
+    EXPECT_TRUE(fit_cost_equation(all).moves_apart);
+    for (CostSample& sample : all) {  // volumes are moved as often as they are tested
+        sample.time += 5 * (1.5 * sample.n_v - sample.n_u);
+        sample.n_u = 1.5 * sample.n_v;
+    }
+    const CostEquation together = fit_cost_equation(all);
+    EXPECT_TRUE(together.determined);
+    EXPECT_FALSE(together.moves_apart);
+    EXPECT_EQ(together.c_u, 0);
+    EXPECT_NEAR(together.c_v, 12 + 5 * 1.5, 1);
+    for (CostSample& sample : all) sample.n_p = 0.1 * sample.n_v;
+    EXPECT_FALSE(fit_cost_equation(all).determined);
+    EXPECT_FALSE(fit_cost_equation(std::vector(1, all[0])).determined);
+}
+
 TEST(CostEquation, LeavesOutWhatWasNotDone) {
     std::vector<CostSample> all = samples(12, 80, 0, 0);
     for (CostSample& sample : all) sample.n_u = 0;
@@ -57,6 +75,8 @@ TEST(CostEquation, LeavesOutWhatWasNotDone) {
     EXPECT_NEAR(found.c_v, 12, 1e-9);
     EXPECT_EQ(found.c_u, 0);
     EXPECT_EQ(fit_cost_equation({}).c_v, 0);
+    all.push_back({0, 100, 0, 0});  // quicker than the clock
+    EXPECT_NEAR(fit_cost_equation(all).c_v, 12, 1e-9);
 }
 
 }  // namespace

@@ -95,7 +95,10 @@ PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads)
     kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split at least cost" : "");
     kind.method =
         "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
-        "the time, and its memory has the triangles' corners.";
+        "the time" +
+        std::string(layout.corners == LeafCorners::stored
+                        ? ", and its memory has the triangles' corners."
+                        : ".");
     kind.own = true;
     kind.prepare = [layout, split, threads](const PeerMesh& a, const PeerMesh& b) {
         return std::make_unique<PackedPeer>(a, b, layout, split, threads);

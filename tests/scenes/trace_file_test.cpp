@@ -82,6 +82,10 @@ TEST(TraceFile, GivesBackWhatItWasGiven) {
         headers.back().options.stop_level = level;
     }
     headers.back().growth = BallGrowth::radius;
+    headers.push_back(headers.back());
+    headers.back().split = SplitMethod::cost;
+    headers.push_back(headers.front());
+    headers.back().split = SplitMethod::cost;
     headers.back().margin = 0.125;
     headers.back().options.overlap.threshold = 0.3;
     for (const TraceHeader& header : headers) {
