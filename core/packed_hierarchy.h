@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/hierarchy.h"
+#include "core/leaf_corners.h"
 #include "core/node_codec.h"
 
 namespace scb {
@@ -33,12 +34,6 @@ struct PackedNode {
     float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
     std::uint16_t count = 0;
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
-};
-
-/// Where the corners of a leaf's triangles are.
-enum class LeafCorners {
-    stored,   ///< in the leaf: 36 bytes for each triangle
-    in_mesh,  ///< in the mesh alone
 };
 
 /// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/packed_hierarchy.h"
+#include "core/leaf_corners.h"
 
 namespace scb {
 

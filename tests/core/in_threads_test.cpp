@@ -12,7 +12,7 @@ namespace {
 
 TEST(InThreads, CallsEachOnce) {
     for (const int threads : {1, 2, 7})
-        for (const std::size_t count : {0, 1, 2, 3, 1000}) {
+        for (const std::size_t count : {0u, 1u, 2u, 3u, 1000u}) {
             std::vector<std::atomic<int>> calls(count);
             in_threads(threads, count, [&](std::size_t i) { ++calls[i]; });
             for (const auto& call : calls) EXPECT_EQ(call, 1);
@@ -21,7 +21,7 @@ TEST(InThreads, CallsEachOnce) {
 
 TEST(InThreads, BlocksMakeUpAll) {
     for (const int threads : {1, 2, 7})
-        for (const std::size_t count : {0, 1, 8192, 8193, 100000}) {
+        for (const std::size_t count : {0u, 1u, 8192u, 8193u, 100000u}) {
             std::atomic<std::size_t> sum = 0;
             in_blocks(threads, count,
                       [&](std::size_t first, std::size_t end) { sum += end - first; });

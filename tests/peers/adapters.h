@@ -9,7 +9,8 @@ namespace scb {
 // peers.cpp.
 
 PeerKind reference_peer();
-PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads);
+/// `by_cost`: its hierarchies are split at least cost.
+PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads);
 PeerKind fcl_peer();
 PeerKind bullet_peer();
 PeerKind ode_peer();

@@ -54,8 +54,7 @@ PeerKind peer_of(const std::string& name, int threads) {
     const bool by_cost = name.ends_with(cost_suffix);
     if (const auto layout =
             packed_layout_of(name.substr(0, name.size() - (by_cost ? cost_suffix.size() : 0)))) {
-        PeerKind kind =
-            packed_peer(*layout, by_cost ? SplitMethod::cost : SplitMethod::section_3, threads);
+        PeerKind kind = packed_peer(*layout, by_cost, threads);
         kind.name = name;
         return kind;
     }

@@ -89,7 +89,8 @@ PeerKind reference_peer() {
     return kind;
 }
 
-PeerKind packed_peer(const PackedLayout& layout, SplitMethod split, int threads) {
+PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads) {
+    const SplitMethod split = by_cost ? SplitMethod::cost : SplitMethod::section_3;
     PeerKind kind;
     kind.name = packed_layout_name(layout);
     kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split at least cost" : "");
