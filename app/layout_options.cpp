@@ -4,6 +4,7 @@
 
 #include "app/options.h"
 #include "core/error.h"
+#include "core/packed_hierarchy.h"
 
 namespace scb {
 
