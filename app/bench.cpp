@@ -89,7 +89,7 @@ SimdLevel simd_level(const Options& options) {
         if (simd_level_name(level) == options.simd) return level;
         names += (names.empty() ? "" : ", ") + std::string(simd_level_name(level));
     }
-    throw InputError("--simd " + options.simd + ": this machine has " + names + ".");
+    throw InputError("--simd " + options.simd + ": give one that this machine has, " + names + ".");
 }
 
 std::vector<BenchSubject> subjects(const Options& options) {
@@ -257,22 +257,15 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
                          "; packed ones have the test 'symmetric'")
         ->type_name("LIST")
         ->capture_default_str();
-    command->add_option("--leaf", options->leaf_triangles, "Triangles of a packed leaf, at most")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
+    add_leaf_option(*command, options->leaf_triangles);
     command
         ->add_option("--simd", options->simd,
                      "Vector instructions of packed layouts: best, base, sse4, avx2 or avx512; "
                      "answers are the same")
         ->type_name("LEVEL")
         ->capture_default_str();
-    command
-        ->add_option("--threads", options->threads,
-                     "Threads that share a query of packed layouts, and each build")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
+    add_threads_option(*command, options->threads,
+                       "Threads that share a query of packed layouts, and each build");
     command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
         ->check(decimal_number())
         ->type_name("N")

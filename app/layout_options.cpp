@@ -37,6 +37,20 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
     return result;
 }
 
+void add_leaf_option(CLI::App& command, int& leaf_triangles) {
+    command.add_option("--leaf", leaf_triangles, "Triangles of a packed leaf, at most")
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+void add_threads_option(CLI::App& command, int& threads, const std::string& description) {
+    command.add_option("--threads", threads, description)
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
+}
+
 void check_threads(int threads) {
     if (threads < 1 || threads > 256)
         throw InputError("--threads " + std::to_string(threads) + ": give 1 to 256.");

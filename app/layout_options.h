@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ std::string layout_names(const std::string& separator = ", ");
 /// reference, and an empty list for all packed ones. Throws InputError for an unknown name or
 /// another number than 1 to 4.
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
+
+/// --leaf, for layouts_of.
+void add_leaf_option(CLI::App& command, int& leaf_triangles);
+
+/// --threads, for check_threads.
+void add_threads_option(CLI::App& command, int& threads, const std::string& description);
 
 /// Throws InputError, naming --threads, where it is not 1 to 256.
 void check_threads(int threads);

@@ -248,14 +248,8 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
     command->add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
         ->type_name("LIST")
         ->capture_default_str();
-    command->add_option("--leaf", options->leaf_triangles, "Triangles of a packed leaf, at most")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
-    command->add_option("--threads", options->threads, "Threads that build; the result is the same")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
+    add_leaf_option(*command, options->leaf_triangles);
+    add_threads_option(*command, options->threads, "Threads that build; the result is the same");
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "nodes: at that depth; leaves: of these; cover: nodes and the leaves above them, what a "

@@ -1,22 +1,10 @@
 #include "core/hierarchy.h"
 
-#include <sstream>
-
 #include "core/error.h"
 #include "core/mesh_topology.h"
+#include "core/sentence.h"
 
 namespace scb {
-namespace {
-
-template <class... Parts>
-std::string sentence(const Parts&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    return text.str();
-}
-
-}  // namespace
-
 template <Volume V>
 Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::string_view name) {
     check_mesh(mesh, name);

@@ -18,6 +18,13 @@ struct Work {
     PackedLists lists;
     OpenPairs open;
     PackedFindings found;
+
+    /// Also of what a query left that ran out of memory.
+    void clear() {
+        lists.clear();
+        open.count = 0;
+        found.clear();
+    }
 };
 
 /// A query, but for the types of its hierarchies.
@@ -64,7 +71,7 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     const std::size_t used = std::min(count, most);
     in_threads(threads, used, [&](std::size_t i) {
         Work& chunk = chunks[i];
-        chunk.found.clear();
+        chunk.clear();
         append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
         append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
         append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
@@ -143,7 +150,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     }
     auto& [work, chunks, room] = workspace->parts();
     PackedFindings& found = work.found;
-    found.clear();
+    work.clear();
     const Placement placed = placement_of(a, b, b_to_a);
     bool from_front = false;
     if (front != nullptr) {

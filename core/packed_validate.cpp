@@ -1,18 +1,11 @@
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 #include "core/packed_hierarchy.h"
+#include "core/sentence.h"
 
 namespace scb {
 namespace {
-
-template <class... Parts>
-std::string sentence(const Parts&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    return text.str();
-}
 
 template <class Codec>
 class PackedCheck {
