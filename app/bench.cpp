@@ -165,10 +165,10 @@ int run(const Options& options, const Console& console) {
     QueryOptions one_test = options.query;
     one_test.test = split_list(options.query.test)[0];
     bench_options.collide = one_test.collide();
-    bench_options.fit = options.hierarchy.fit();
+    bench_options.build = options.hierarchy.build();
     bench_options.packed.level = simd_level(options);
     check_threads(options.threads);
-    bench_options.packed.threads = bench_options.fit.threads = options.threads;
+    bench_options.packed.threads = bench_options.build.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");

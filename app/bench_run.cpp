@@ -19,7 +19,7 @@ double SubjectBench::mean_ms() const { return mean(ms); }
 std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    const std::vector<MeshTopology> topologies = build_topologies(scene, options.fit.topology());
+    const std::vector<MeshTopology> topologies = build_topologies(scene, options.build.topology());
     std::vector<VolumeKind> kinds;
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     std::vector<std::size_t> kind_of;                    // per subject: index of `kinds`
@@ -28,7 +28,7 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
         kind_of.push_back(static_cast<std::size_t>(known - kinds.begin()));
         if (known != kinds.end()) continue;
         kinds.push_back(subject.kind);
-        hierarchies.push_back(fit_meshes(topologies, subject.kind, options.fit));
+        hierarchies.push_back(fit_meshes(topologies, subject.kind, options.build));
     }
 
     const std::size_t mesh_a = scene.bodies[a].mesh, mesh_b = scene.bodies[b].mesh;
@@ -81,7 +81,7 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
             }
             packed[s].push_back(pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]),
                                          scene.meshes[m].mesh, scene.meshes[m].name,
-                                         options.fit.threads));
+                                         options.build.threads));
             bytes += bytes_of(packed[s].back());
         }
         result.subjects[s].bytes_per_triangle =

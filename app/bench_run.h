@@ -46,7 +46,7 @@ struct SceneBench {
 struct BenchOptions {
     std::vector<BenchSubject> subjects;
     CollideOptions collide;
-    FitOptions fit;
+    BuildOptions build;
     PackedOptions packed;
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;

@@ -50,12 +50,12 @@ int run(const Options& options, const Console& console) {
     check_output(options.output, "-o", scene);
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies =
-        build_topologies(scene, options.hierarchy.fit().topology());
+        build_topologies(scene, options.hierarchy.build().topology());
     const std::vector<int> levels = parse_levels(options.level, deepest(topologies), "--level");
     if (levels.size() != 1)
         throw InputError("--level " + options.level + ": a file holds one level; give one.");
     const std::vector<AnyHierarchy> hierarchies =
-        fit_meshes(topologies, kinds[0], options.hierarchy.fit());
+        fit_meshes(topologies, kinds[0], options.hierarchy.build());
 
     std::vector<ExportPart> parts;
     std::size_t nodes = 0;

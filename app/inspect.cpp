@@ -41,7 +41,7 @@ struct Options {
 
 void Options::check() {
     hierarchy.kind();
-    hierarchy.fit();
+    hierarchy.build();
     query.collide();
     if (top < 1 || top > 10000)
         throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");

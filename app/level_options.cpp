@@ -12,7 +12,7 @@ void LevelOptions::check() const {
         throw InputError(
             "--camera contact: levels have no contact; give fit, orbit:... or a file.");
     hierarchy.kinds();
-    hierarchy.fit();
+    hierarchy.build();
     if (opacity && !(*opacity >= 0 && *opacity <= 1))
         throw InputError("--opacity " + std::to_string(*opacity) +
                          ": give 0 (volumes hidden) to 1 (opaque).");

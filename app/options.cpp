@@ -137,15 +137,15 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame
             ->type_name("N");
 }
 
-FitOptions HierarchyOptions::fit() const {
-    FitOptions options;
+BuildOptions HierarchyOptions::build() const {
+    BuildOptions options;
     if (growth == "radius")
-        options.growth = BallGrowth::radius;
+        options.fit.growth = BallGrowth::radius;
     else if (growth != "ritter")
         throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
     if (!(margin >= 0 && margin <= 1))
         throw InputError(format("--margin %g: give a share of the radius from 0 to 1.", margin));
-    options.margin = margin + 0.0;  // -0 is 0
+    options.fit.margin = margin + 0.0;  // -0 is 0
     const std::optional<SplitMethod> method = split_method_of(split);
     if (!method) throw InputError("--split " + split + ": unknown method; give 'paper' or 'cost'.");
     options.split = *method;

@@ -46,14 +46,14 @@ void refuse_inputs(const std::string& path, const std::string& option, const Sce
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool with_frame);
 
-/// How hierarchies are fitted.
+/// How hierarchies are built.
 struct HierarchyOptions {
     std::string volumes = "scb";
     std::string growth = "ritter";
     double margin = 0;
     std::string split = "paper";
 
-    FitOptions fit() const;
+    BuildOptions build() const;
     /// The volumes asked for, each once; throws InputError for an unknown name.
     std::vector<VolumeKind> kinds() const;
     /// The one volume asked for; throws InputError where there are several.

@@ -163,7 +163,7 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
         add("descent by " + std::string(descent_rule_name(header.options.descent)));
     if (common("growth") && header.growth != FitOptions{}.growth) add("growth radius");
     if (common("margin") && header.margin != 0) add(format("margin %g", header.margin));
-    if (common("split") && header.split != FitOptions{}.split)
+    if (common("split") && header.split != BuildOptions{}.split)
         add("split by " + std::string(split_method_name(header.split)));
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));

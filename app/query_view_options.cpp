@@ -9,7 +9,7 @@ void QueryViewOptions::check() {
     picture.check();
     camera.check();
     hierarchy.kind();
-    hierarchy.fit();
+    hierarchy.build();
     query.collide();
     for (const std::string& name : scene.names)
         if (names_trace(name)) refuse_for_trace(recording, name);

@@ -94,7 +94,7 @@ int run(const LevelOptions& options, const Console& console) {
     const int frame = options.scene.frame_of(scene);
     const CameraSpec spec = camera_spec_for(options.camera, scene);
     const std::vector<MeshTopology> topologies =
-        build_topologies(scene, options.hierarchy.fit().topology());
+        build_topologies(scene, options.hierarchy.build().topology());
     const int deepest_level = deepest(topologies);
     const std::vector<int> levels = parse_levels(options.levels, deepest_level);
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
@@ -104,7 +104,7 @@ int run(const LevelOptions& options, const Console& console) {
     PictureRun pictures(options.picture);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
-        hierarchies.push_back(fit_meshes(topologies, kind, options.hierarchy.fit()));
+        hierarchies.push_back(fit_meshes(topologies, kind, options.hierarchy.build()));
     const LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
     std::vector<MeshHandle> meshes;
     if (style.mesh)

@@ -24,7 +24,7 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 }
 
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
-                                     const FitOptions& options) {
+                                     const BuildOptions& options) {
     std::vector<AnyHierarchy> result;
     for (const MeshTopology& mesh : topologies) {
         result.push_back(fit_any(kind, mesh.topology, mesh.points, options));

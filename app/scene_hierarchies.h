@@ -16,6 +16,6 @@ int deepest(const std::vector<MeshTopology>& topologies);
 
 /// One hierarchy per mesh.
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
-                                     const FitOptions& options);
+                                     const BuildOptions& options);
 
 }  // namespace scb

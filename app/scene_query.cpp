@@ -59,17 +59,17 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     const VolumeKind kind = hierarchy.kind();
     SceneQuery result;
     result.options = query.collide();
-    const FitOptions fit = hierarchy.fit();
+    const BuildOptions build = hierarchy.build();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
-    result.topologies = build_topologies(result.scene, fit.topology());
+    result.topologies = build_topologies(result.scene, build.topology());
     result.kind = kind;
     limits.apply(result.options, deepest(result.topologies));
     if (query.frames == auto_frames)
         result.frames = {result.scene.default_frame};
     else
         result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
-    result.hierarchies = fit_meshes(result.topologies, kind, fit);
+    result.hierarchies = fit_meshes(result.topologies, kind, build);
     return result;
 }
 
@@ -83,11 +83,11 @@ TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hier
         const std::size_t body = side == 0 ? query.a : query.b;
         header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
     }
-    const FitOptions fit = hierarchy.fit();
+    const BuildOptions build = hierarchy.build();
     header.volume = query.kind;
-    header.growth = fit.growth;
-    header.margin = fit.margin;
-    header.split = fit.split;
+    header.growth = build.fit.growth;
+    header.margin = build.fit.margin;
+    header.split = build.split;
     header.options = query.options;
     return header;
 }

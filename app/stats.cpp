@@ -89,9 +89,9 @@ double ratio(double value, double above) { return above > 0 ? value / above : 0;
 
 std::vector<Measured> measure(const Options& options) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    FitOptions fit_options = options.hierarchy.fit();
+    BuildOptions build = options.hierarchy.build();
     check_threads(options.threads);
-    fit_options.threads = options.threads;
+    build.threads = options.threads;
     // Before anything is built.
     packed_layouts(options);
     const Scene scene = options.scene.load();
@@ -100,13 +100,13 @@ std::vector<Measured> measure(const Options& options) {
         const Mesh& mesh = scene.meshes[m].mesh;
         check_mesh(mesh, scene.meshes[m].name);
         auto start = Clock::now();
-        const MeshTopology shared = mesh_topology(mesh, fit_options.topology());
+        const MeshTopology shared = mesh_topology(mesh, build.topology());
         const auto& [topology, points] = shared;
         const double topology_ms = milliseconds_since(start);
         for (const VolumeKind kind : kinds) {
             Measured measured;
             start = Clock::now();
-            const AnyHierarchy hierarchy = fit_any(kind, topology, points, fit_options);
+            const AnyHierarchy hierarchy = fit_any(kind, topology, points, build);
             measured.fit_ms = milliseconds_since(start);
             measured.topology_ms = topology_ms;
             measured.mesh = scene.meshes[m].name;

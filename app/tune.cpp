@@ -45,10 +45,10 @@ TuneOptions tune_options(const Options& options) {
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
     const CollideOptions collide = options.query.collide();
-    const FitOptions fit = options.hierarchy.fit();
+    const BuildOptions build = options.hierarchy.build();
     TuneOptions result;
-    result.base = {collide.overlap, collide.descent, fit.growth};
-    result.fit = fit;
+    result.base = {collide.overlap, collide.descent, build.fit.growth};
+    result.build = build;
     result.repeats = options.no_time ? 0 : options.repeats;
     return result;
 }

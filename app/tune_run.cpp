@@ -15,12 +15,12 @@ namespace {
 class Subject {
   public:
     Subject(const Scene& scene, std::size_t a, std::size_t b, const std::vector<int>& frames,
-            FitOptions fit)
+            BuildOptions build)
         : scene_(scene), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
-        const std::vector<MeshTopology> topologies = build_topologies(scene, fit.topology());
+        const std::vector<MeshTopology> topologies = build_topologies(scene, build.topology());
         for (const BallGrowth growth : growths) {
-            fit.growth = growth;
-            hierarchies_.push_back(fit_meshes(topologies, VolumeKind::scb, fit));
+            build.fit.growth = growth;
+            hierarchies_.push_back(fit_meshes(topologies, VolumeKind::scb, build));
         }
         for (const int frame : frames)
             poses_.push_back(relative_pose(pose_at(scene.bodies[a].motion, frame),
@@ -148,7 +148,7 @@ class Run {
 std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
-    const Subject subject(scene, a, b, frames, options.fit);
+    const Subject subject(scene, a, b, frames, options.build);
     Run run(subject, progress);
     const bool timed = options.repeats > 0;
     if (!run.count(tune_trials(options.base)) || !run.time(timed ? 1 : 0)) return std::nullopt;

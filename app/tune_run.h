@@ -34,8 +34,8 @@ struct SceneTuning {
 
 struct TuneOptions {
     TuneSetting base;
-    FitOptions fit;   ///< but for the growth, which is tuned
-    int repeats = 0;  ///< of each timed query; 0: nothing is timed
+    BuildOptions build;  ///< but for the growth, which is tuned
+    int repeats = 0;     ///< of each timed query; 0: nothing is timed
 };
 
 /// Told of a part of the run that begins, with how many steps it has; then of each step, by

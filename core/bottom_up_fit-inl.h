@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/build_options.h"
 #include "core/dop26-inl.h"
 #include "core/fit_obb-inl.h"
 #include "core/fit_scb-inl.h"
@@ -49,7 +50,7 @@ HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t coun
 template <class V>
 class BottomUpFit {
   public:
-    BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+    BottomUpFit(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
                 std::span<V> volumes)
         : topology_(topology), points_(points), options_(options), volumes_(volumes) {}
 
@@ -173,7 +174,7 @@ class BottomUpFit {
             input.parts = {gathered_.view(), own};
             if constexpr (needs_dop) extremal_points(top.dop, all, few_, pairs_);
         }
-        fit(volume, input, options_, counts_);
+        fit(volume, input, options_.fit, counts_);
     }
 
     void gather_few(std::span<const std::uint32_t> shared, const PointsView& own,
@@ -193,7 +194,7 @@ class BottomUpFit {
 
     const Topology& topology_;
     const LeafOrder& points_;
-    const FitOptions& options_;
+    const BuildOptions& options_;
     std::span<V> volumes_;
     FitCounts counts_;
     std::vector<Subtree> stack_;

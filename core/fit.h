@@ -8,7 +8,6 @@
 #include "core/obb.h"
 #include "core/scb.h"
 #include "core/simd_level.h"
-#include "core/topology.h"
 #include "core/vec.h"
 
 namespace scb {
@@ -50,14 +49,8 @@ struct FitOptions {
     double margin = 0;
     /// Where to add the work of the fits; nowhere by default.
     FitCounts* counts = nullptr;
-    /// How build_hierarchy divides nodes; fits themselves do not depend on it.
-    SplitMethod split = SplitMethod::section_3;
-    /// How many threads build a hierarchy; it is the same for any number.
-    int threads = 1;
     /// Which vector instructions to use; volumes are the same for any.
     SimdLevel simd = SimdLevel::best;
-
-    TopologyOptions topology() const { return {split, threads}; }
 };
 
 /// Fits the volume to the points; every point satisfies `contains` exactly.

@@ -6,9 +6,9 @@
 
 namespace scb {
 template <Volume V>
-Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options, std::string_view name) {
+Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options, std::string_view name) {
     check_mesh(mesh, name);
-    if (!(options.margin >= 0))
+    if (!(options.fit.margin >= 0))
         throw InputError(std::string(name) +
                          ": the margin is below 0 or not a number; give a share of the radius.");
     MeshTopology shared = mesh_topology(mesh, options.topology());
@@ -71,9 +71,9 @@ std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh) {
     return {};
 }
 
-template Hierarchy<Scb> build_hierarchy(const Mesh&, const FitOptions&, std::string_view);
-template Hierarchy<Ball> build_hierarchy(const Mesh&, const FitOptions&, std::string_view);
-template Hierarchy<Obb> build_hierarchy(const Mesh&, const FitOptions&, std::string_view);
+template Hierarchy<Scb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
+template Hierarchy<Ball> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
+template Hierarchy<Obb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
 template std::string validate(const Hierarchy<Scb>&, const Mesh&);
 template std::string validate(const Hierarchy<Ball>&, const Mesh&);
 template std::string validate(const Hierarchy<Obb>&, const Mesh&);

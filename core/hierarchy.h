@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/fit.h"
+#include "core/build_options.h"
 #include "core/leaf_order.h"
 #include "core/topology.h"
 #include "core/volume.h"
@@ -24,12 +24,12 @@ struct Hierarchy {
 /// each node by itself. O(n log n).
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const FitOptions& options = {});
+                           const BuildOptions& options = {});
 
 /// Topology and volumes at once. Throws InputError where check_mesh does; `name` says which mesh it
 /// is.
 template <Volume V>
-Hierarchy<V> build_hierarchy(const Mesh& mesh, const FitOptions& options = {},
+Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options = {},
                              std::string_view name = "mesh");
 
 /// Checks that the hierarchy is one of this mesh: every triangle in exactly one leaf, the ranges of

@@ -92,7 +92,7 @@ TEST(CostSplit, QueriesFindTheSamePairs) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const SmallScene scene = small_scene(seed);
         const std::vector<IndexPair> expected = brute_force(scene.a.mesh, scene.b.mesh, scene.pose);
-        const FitOptions options{.split = SplitMethod::cost};
+        const BuildOptions options{.split = SplitMethod::cost};
         const auto a = build_hierarchy<Scb>(scene.a.mesh, options),
                    b = build_hierarchy<Scb>(scene.b.mesh, options);
         EXPECT_EQ(collide<Scb>({a, scene.a.mesh}, {b, scene.b.mesh}, scene.pose).pairs, expected);

@@ -50,7 +50,7 @@ TEST(GoldenHash, VolumesAreTheSameEverywhere) {
             scb.add(s.f + 0.0);
         }
         for (const Ball& b :
-             build_hierarchy<Ball>(mesh, {.ball_method = BallMethod::ritter}).volumes) {
+             build_hierarchy<Ball>(mesh, {.fit = {.ball_method = BallMethod::ritter}}).volumes) {
             ball.add(b.center);
             ball.add(b.radius);
         }

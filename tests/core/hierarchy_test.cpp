@@ -43,11 +43,12 @@ TYPED_TEST(HierarchyOf, EveryKindOfMeshIsValid) {
     for (const Mesh& mesh : all_kinds())
         EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh), mesh), "");
     for (const Mesh& mesh : all_kinds())
-        EXPECT_EQ(validate(build_hierarchy<TypeParam>(mesh, {.growth = BallGrowth::radius,
-                                                             .ball_method = BallMethod::ritter,
-                                                             .margin = 0.01}),
-                           mesh),
-                  "");
+        EXPECT_EQ(
+            validate(build_hierarchy<TypeParam>(mesh, {.fit = {.growth = BallGrowth::radius,
+                                                               .ball_method = BallMethod::ritter,
+                                                               .margin = 0.01}}),
+                     mesh),
+            "");
 }
 
 TYPED_TEST(HierarchyOf, UnusedVerticesDoNotGrowBounds) {
@@ -105,7 +106,7 @@ TEST(FitVolumes, EqualsFittingEachNodeByItself) {
         const LeafOrder points = leaf_order(mesh, topology);
         for (const BallGrowth growth : {BallGrowth::radius, BallGrowth::ritter}) {
             const FitOptions options{.growth = growth};
-            const std::vector<Scb> volumes = fit_volumes<Scb>(topology, points, options);
+            const std::vector<Scb> volumes = fit_volumes<Scb>(topology, points, {.fit = options});
             for (std::size_t i = 0; i < volumes.size(); ++i) {
                 const TopologyNode& node = topology.nodes[i];
                 std::set<std::uint32_t> ids;
@@ -132,7 +133,7 @@ TYPED_TEST(HierarchyOf, IsTheSameForAnyThreadsAndVectorInstructions) {
             for (const int threads : {1, 2, 5}) {
                 SCOPED_TRACE(simd_level_name(level));
                 const auto other =
-                    build_hierarchy<TypeParam>(mesh, {.threads = threads, .simd = level});
+                    build_hierarchy<TypeParam>(mesh, {.fit = {.simd = level}, .threads = threads});
                 ASSERT_EQ(one.topology->order, other.topology->order);
                 ASSERT_EQ(one.topology->rules, other.topology->rules);
                 ASSERT_EQ(one.volumes.size(), other.volumes.size());
