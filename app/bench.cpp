@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/bench_report.h"
+#include "app/build_text.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
@@ -116,16 +117,49 @@ std::vector<BenchSubject> subjects(const Options& options) {
     return result;
 }
 
-std::string conditions(const Options& options) {
-    return (options.hierarchy.split != HierarchyOptions{}.split
-                ? "Split by " + options.hierarchy.split + ". "
-                : std::string()) +
+bool any_packed(const std::vector<BenchSubject>& subjects) {
+    return std::any_of(subjects.begin(), subjects.end(),
+                       [](const BenchSubject& s) { return s.layout.has_value(); });
+}
+
+/// Notes which options have no effect on what is measured.
+void note_without_effect(const Options& options, const std::vector<BenchSubject>& subjects,
+                         const Console& console) {
+    const Options defaults;
+    const auto note = [&console](const char* option, const char* why) {
+        console.note("scb: " + std::string(option) + " has no effect: " + why);
+    };
+    const bool packed = any_packed(subjects);
+    std::vector<VolumeKind> reference;
+    for (const BenchSubject& s : subjects)
+        if (!s.layout) reference.push_back(s.kind);
+    const bool tests =
+        std::find(reference.begin(), reference.end(), VolumeKind::scb) != reference.end();
+    constexpr const char* own = "packed layouts have a test and a descent of their own.";
+    if (packed && !tests) {
+        if (options.query.test != defaults.query.test) note("--test", own);
+        if (options.query.threshold != defaults.query.threshold) note("--threshold", own);
+    } else {
+        note_doubts(options.query, reference, console);
+    }
+    if (reference.empty() && options.query.descent != defaults.query.descent)
+        note("--descent", own);
+    if (packed) return;
+    if (!tests && options.layouts != defaults.layouts)
+        note("--layout", "only slab cut balls have packed layouts.");
+    constexpr const char* of_packed = "it is of packed layouts; name one with --layout.";
+    if (options.leaf_triangles != defaults.leaf_triangles) note("--leaf", of_packed);
+    if (options.simd != defaults.simd) note("--simd", of_packed);
+}
+
+std::string conditions(const Options& options, bool shared) {
+    const std::string built = build_text(options.hierarchy.build());
+    return (built.empty() ? "" : "Hierarchies:" + built.substr(1) + ". ") +
            std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
-           (options.threads == 1
-                ? std::string(" One thread, processor time; ")
-                : " " + std::to_string(options.threads) +
-                      " threads share a query of packed layouts; time that passes; ") +
+           (!shared ? std::string(" One thread, processor time; ")
+                    : " " + std::to_string(options.threads) +
+                          " threads share a query of packed layouts; time that passes; ") +
            (options.repeats == 1 ? std::string("one run")
                                  : "median of " + std::to_string(options.repeats) + " runs") +
            " per frame, sorting the pairs included. Compiled by " + compiler_text() +
@@ -162,13 +196,16 @@ struct Report {
 int run(const Options& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
+    // Other queries have one thread each.
+    const bool shared = options.threads > 1 && any_packed(bench_options.subjects);
     QueryOptions one_test = options.query;
     one_test.test = split_list(options.query.test)[0];
     bench_options.collide = one_test.collide();
     bench_options.build = options.hierarchy.build();
     bench_options.packed.level = simd_level(options);
     check_threads(options.threads);
-    bench_options.packed.threads = bench_options.build.threads = options.threads;
+    bench_options.build.threads = options.threads;
+    if (shared) bench_options.packed.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -177,10 +214,8 @@ int run(const Options& options, const Console& console) {
     // Meshes first, see render_levels.cpp; and nothing is measured if one of them is refused.
     const std::vector<Entry> all = entries(options, console);
     // Two names are two bodies only where they are meshes.
-    if (all.size() == 1)
-        note_doubts(options.scene, options.query, options.hierarchy.kinds(), console);
-    else
-        note_doubts(options.query, options.hierarchy.kinds(), console);
+    if (all.size() == 1) note_same_pose(options.scene, console);
+    note_without_effect(options, bench_options.subjects, console);
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
@@ -214,7 +249,7 @@ int run(const Options& options, const Console& console) {
         report.scenes.push_back(bench_json(*bench));
         if (!writes) continue;
         BenchFigure figure = bench_figure(*bench);
-        figure.footnote = conditions(options);
+        figure.footnote = conditions(options, shared);
         figure.theme = options.picture.theme();
         Overlay overlay;
         const Picture picture =
@@ -227,8 +262,8 @@ int run(const Options& options, const Console& console) {
     if (options.json)
         print_result(report.json(options));
     else if (!report.table.empty())
-        print_result(report.table + "\n" + report.costs.table() + "\n" + conditions(options) +
-                     "\n");
+        print_result(report.table + "\n" + report.costs.table() + "\n" +
+                     conditions(options, shared) + "\n");
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");
@@ -255,6 +290,7 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->add_option("--layout", options->layouts,
                      "Layouts of slab cut balls: some of reference, " + layout_names() +
                          "; packed ones have the test 'symmetric'")
+        ->check(has_name())
         ->type_name("LIST")
         ->capture_default_str();
     add_leaf_option(*command, options->leaf_triangles);
@@ -262,6 +298,7 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->add_option("--simd", options->simd,
                      "Vector instructions of packed layouts: best, base, sse4, avx2 or avx512; "
                      "answers are the same")
+        ->check(has_name())
         ->type_name("LEVEL")
         ->capture_default_str();
     add_threads_option(*command, options->threads,
@@ -281,11 +318,10 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
     command->add_flag("--json", options->json, "Print JSON instead of a table");
     command->footer(
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
-        "slab cut "
-        "ball hierarchy;\n"
+        "slab cut ball hierarchy;\n"
         "ns/N_v: time per volume test, triangle tests included; bytes: of the hierarchies, per "
-        "triangle. Ctrl-C leaves what was finished, "
-        "and exits with 130.\n\n"
+        "triangle;\nfront: with --coherent, the share of queries that began where one before "
+        "ended. Ctrl-C leaves what was finished, and exits with 130.\n\n"
         "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
     command->callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

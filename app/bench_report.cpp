@@ -39,6 +39,11 @@ std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
                   entry->n_p);
 }
 
+/// The share of queries that began at a front.
+std::string front_cell(const SubjectBench& subject) {
+    return subject.subject.coherent ? format(" %4.0f %%", 100 * subject.from_front) : "      -";
+}
+
 }  // namespace
 
 std::string bench_table(const SceneBench& bench) {
@@ -52,8 +57,12 @@ std::string bench_table(const SceneBench& bench) {
     for (const SubjectBench& subject : bench.subjects)
         width = std::max(width, subject.subject.title().size());
     const int column = static_cast<int>(width);
+    const bool coherent =
+        std::any_of(bench.subjects.begin(), bench.subjects.end(),
+                    [](const SubjectBench& subject) { return subject.subject.coherent; });
     text += format("  %-*s", column, "hierarchy");
     text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
+    if (coherent) text += "  front";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
@@ -62,6 +71,7 @@ std::string bench_table(const SceneBench& bench) {
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
                 format(" %10.1f %9.1f %9.1f %8.1f %6.1f", n_v, mean(subject.n_p),
                        mean(subject.pairs), ratio(1e6 * ms, n_v), subject.bytes_per_triangle) +
+                (coherent ? front_cell(subject) : "") +
                 (subject.subject.layout ? "" : paper_cells(bench, subject.subject.kind)) + "\n";
     }
     if (in_paper && bench.scene == "hands")
@@ -93,7 +103,7 @@ std::string BenchCosts::table() const {
                queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s") +
         format("  %-*s", column, "hierarchy") +
         "  C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
-    bool doubtful = false;
+    bool doubtful = false, without_moves = false;
     for (std::size_t s = 0; s < samples.size(); ++s) {
         const CostEquation costs = fit_cost_equation(samples[s]);
         text += format("  %-*s", column, titles[s].c_str());
@@ -102,6 +112,7 @@ std::string BenchCosts::table() const {
             doubtful = true;
             continue;
         }
+        without_moves |= !costs.moves_apart;
         text += format(" %7.2f %7.2f ", costs.c_v, costs.c_p) +
                 (costs.moves_apart ? format("%7.2f", costs.c_u) : std::string("      -")) +
                 format(" %7.0f %% %7.0f %% ", 100 * costs.share_v, 100 * costs.share_p) +
@@ -109,9 +120,14 @@ std::string BenchCosts::table() const {
                                    : std::string("       -")) +
                 format(" %6.0f %%\n", 100 * costs.error);
     }
+    if (without_moves)
+        text +=
+            "  - of C_u: moves are in C_v, since each volume test has its own; packed layouts do "
+            "not count them.\n";
     if (doubtful)
         text +=
-            "  -: the counts go together in these queries, so their costs cannot be told apart; "
+            "  - of all: the counts go together in these queries, so their costs cannot be told "
+            "apart; "
             "time more and other scenes.\n";
     return text;
 }

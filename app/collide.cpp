@@ -2,6 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/build_text.h"
 #include "app/commands.h"
 #include "app/count_table.h"
 #include "app/exit_status.h"
@@ -113,11 +114,7 @@ std::string title_of(const Options& options, const SceneQuery& query) {
             text += format(", threshold %g", query.options.overlap.threshold);
     }
     text += ", descent by " + options.query.descent;
-    if (options.hierarchy.growth != HierarchyOptions{}.growth)
-        text += ", growth " + options.hierarchy.growth;
-    if (options.hierarchy.margin != 0) text += format(", margin %g", options.hierarchy.margin);
-    if (options.hierarchy.split != HierarchyOptions{}.split)
-        text += ", split by " + options.hierarchy.split;
+    text += build_text(query.build);
     if (options.limits.level) text += format("; pairs of nodes of level %d", *options.limits.level);
     return text + "\n\n";
 }

@@ -1,5 +1,7 @@
 #include "app/explained_pair.h"
 
+#include "app/build_text.h"
+
 #include <cmath>
 
 #include "core/error.h"
@@ -38,7 +40,10 @@ ExplainedPair explained_nodes(const SceneQuery& query, int frame,
             const V &a = of_a.volumes[both[0].index], &b = of_b.volumes[both[1].index];
             const Placement placed = query_placement(of_a, of_b, query.b_to_a(frame));
             const OverlapOptions& options = query.options.overlap;
-            return {query.kind, a, b, placed, options, explain(a, b, placed, options), {}, both};
+            const std::string built = build_text(query.build);
+            std::vector<std::string> notes;
+            if (!built.empty()) notes.push_back("Hierarchies:" + built.substr(1) + ".");
+            return {query.kind, a, b, placed, options, explain(a, b, placed, options), notes, both};
         },
         query.hierarchy(query.a));
 }

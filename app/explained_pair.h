@@ -27,7 +27,8 @@ struct ExplainedPair {
     Placement placed;
     OverlapOptions options;
     PairExplanation found;
-    std::vector<std::string> notes{};                     ///< see RawPair
+    std::vector<std::string> notes{};                     ///< see RawPair; how hierarchies were
+                                                          ///< built where that is unusual
     std::optional<std::array<ExplainedNode, 2>> nodes{};  ///< whose volumes they are
 };
 

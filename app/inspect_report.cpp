@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/build_text.h"
 #include "app/console.h"
 #include "app/explain_pictures.h"
 #include "app/inspect_findings.h"
@@ -199,6 +200,7 @@ std::string inspect_text(const InspectReport& report) {
         ", " + std::string(volume_title(header.volume));
     if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);
+    title += build_text({{.growth = header.growth, .margin = header.margin}, header.split});
     title += "\n\n";
     for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
     return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +

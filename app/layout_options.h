@@ -13,7 +13,7 @@ namespace scb {
 std::string layout_names(const std::string& separator = ", ");
 
 /// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
-/// reference, and an empty list for all packed ones. Throws InputError for an unknown name or
+/// reference. Throws InputError for an unknown name or
 /// another number than 1 to 4.
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
 

@@ -177,9 +177,11 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool se
         .add_option("--volume", options.volumes,
                     several ? "Bounding volumes: some of scb,ball,ritter,obb"
                             : "Bounding volume: one of scb, ball, ritter, obb")
+        ->check(has_name())
         ->type_name(several ? "LIST" : "VOLUME")
         ->capture_default_str();
     command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
+        ->check(has_name())
         ->type_name("RULE")
         ->capture_default_str();
     command
@@ -187,6 +189,7 @@ void add_hierarchy_options(CLI::App& command, HierarchyOptions& options, bool se
             "--split", options.split,
             "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
             "and less to query")
+        ->check(has_name())
         ->type_name("METHOD")
         ->capture_default_str();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")

@@ -91,6 +91,7 @@ void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_
                     std::string(several_tests ? "Overlap tests for slab cut balls: some of "
                                               : "Overlap test for slab cut balls: ") +
                         test_names() + " (printed misses collisions)")
+        ->check(has_name())
         ->type_name(several_tests ? "LIST" : "TEST")
         ->capture_default_str();
     command
@@ -114,6 +115,7 @@ void add_query_options(CLI::App& command, QueryOptions& options, bool several_te
     command
         .add_option("--descent", options.descent,
                     "Which of two nodes is divided, the larger or by turns: " + rule_names())
+        ->check(has_name())
         ->type_name("RULE")
         ->capture_default_str();
     command.add_option("--frames", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")

@@ -68,7 +68,7 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
         return;
     }
     query_ = open_query(scene, hierarchy, query, limits);
-    header_ = trace_header(scene, hierarchy, query_);
+    header_ = trace_header(scene, query_);
 }
 
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/build_text.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/level_index.h"
@@ -42,11 +43,7 @@ std::string subtitle_of(const LevelOptions& options, const Scene& scene, int fra
     std::string text = "of levels 0 to " + std::to_string(deepest_level);
     if (scene.frames > 1)
         text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
-    if (options.hierarchy.growth != HierarchyOptions{}.growth)
-        text += ", growth " + options.hierarchy.growth;
-    if (options.hierarchy.margin != 0) text += ", margin " + number_text(options.hierarchy.margin);
-    if (options.hierarchy.split != HierarchyOptions{}.split)
-        text += ", split by " + options.hierarchy.split;
+    text += build_text(options.hierarchy.build());
     if (orthographic) text += ", orthographic";
     return text;
 }

@@ -59,22 +59,21 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     const VolumeKind kind = hierarchy.kind();
     SceneQuery result;
     result.options = query.collide();
-    const BuildOptions build = hierarchy.build();
+    result.build = hierarchy.build();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
-    result.topologies = build_topologies(result.scene, build.topology());
+    result.topologies = build_topologies(result.scene, result.build.topology());
     result.kind = kind;
     limits.apply(result.options, deepest(result.topologies));
     if (query.frames == auto_frames)
         result.frames = {result.scene.default_frame};
     else
         result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
-    result.hierarchies = fit_meshes(result.topologies, kind, build);
+    result.hierarchies = fit_meshes(result.topologies, kind, result.build);
     return result;
 }
 
-TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                         const SceneQuery& query) {
+TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     TraceHeader header;
     header.scb_version = SCB_VERSION;
     header.source = utf8_names(scene.names);
@@ -83,19 +82,22 @@ TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hier
         const std::size_t body = side == 0 ? query.a : query.b;
         header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
     }
-    const BuildOptions build = hierarchy.build();
     header.volume = query.kind;
-    header.growth = build.fit.growth;
-    header.margin = build.fit.margin;
-    header.split = build.split;
+    header.growth = query.build.fit.growth;
+    header.margin = query.build.fit.margin;
+    header.split = query.build.split;
     header.options = query.options;
     return header;
 }
 
-void note_doubts(const SceneOptions& scene, const QueryOptions& query,
-                 const std::vector<VolumeKind>& kinds, const Console& console) {
+void note_same_pose(const SceneOptions& scene, const Console& console) {
     if (scene.names.size() == 2 && scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
+}
+
+void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+                 const std::vector<VolumeKind>& kinds, const Console& console) {
+    note_same_pose(scene, console);
     note_doubts(query, kinds, console);
 }
 

@@ -15,6 +15,7 @@ struct SceneQuery {
     std::size_t a = 0, b = 0;               ///< indices of Scene::bodies
     std::vector<MeshTopology> topologies;   ///< per mesh
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
+    BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
 
     const Mesh& mesh(std::size_t body) const;
@@ -34,10 +35,12 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
                       const QueryOptions& query, const QueryLimits& limits);
 
 /// What such queries are asked, as a trace says it.
-TraceHeader trace_header(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                         const SceneQuery& query);
+TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query);
 
-/// Notes what may surprise: two meshes left at the same pose, and what note_doubts says.
+/// Notes where two meshes are left at the same pose.
+void note_same_pose(const SceneOptions& scene, const Console& console);
+
+/// The same, and what note_doubts says.
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Console& console);
 

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/build_text.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/layout_options.h"
@@ -54,7 +56,7 @@ struct Measured {
     std::vector<std::string> bodies;
     std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
-    std::string split;
+    std::string split, built;  ///< built: see build_text
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
     std::vector<Packed> packed;  ///< of slab cut balls
@@ -118,6 +120,7 @@ std::vector<Measured> measure(const Options& options) {
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
             measured.split = options.hierarchy.split;
+            measured.built = build_text(build);
             measured.levels = level_statistics(hierarchy);
             add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
@@ -141,7 +144,7 @@ std::string table(const Measured& m) {
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
     std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
                        format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
-                       std::string(volume_kind_name(m.kind)) + " hierarchy\n\n" +
+                       std::string(volume_kind_name(m.kind)) + " hierarchy" + m.built + "\n\n" +
                        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
                        "max tau tau ratio  "
                        "     area     volume  split by\n";
@@ -223,7 +226,13 @@ Json json_of(const Measured& m) {
     return result;
 }
 
-int run(const Options& options) {
+int run(const Options& options, const Console& console) {
+    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
+    const Options defaults;
+    if (std::find(kinds.begin(), kinds.end(), VolumeKind::scb) == kinds.end() &&
+        (options.layouts != defaults.layouts || options.leaf_triangles != defaults.leaf_triangles))
+        console.note(
+            "scb: --layout and --leaf have no effect: only slab cut balls have packed layouts.");
     const std::vector<Measured> all = measure(options);
     std::string text;
     if (options.json) {
@@ -240,12 +249,13 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_stats(CLI::App& program, const Console&, Action& action) {
+void add_stats(CLI::App& program, const Console& console, Action& action) {
     CLI::App* command = program.add_subcommand("stats", "Hierarchy quality, level by level");
     const auto options = std::make_shared<Options>();
     add_scene_options(*command, options->scene, false);
     add_hierarchy_options(*command, options->hierarchy);
     command->add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
+        ->check(has_name())
         ->type_name("LIST")
         ->capture_default_str();
     add_leaf_option(*command, options->leaf_triangles);
@@ -258,9 +268,16 @@ void add_stats(CLI::App& program, const Console&, Action& action) {
         "the mesh's units;\n"
         "ratio: mean over the mean of the level above. On a smooth surface d halves every other "
         "level and tau\n"
-        "quarters (Section 3.1 of the paper).\n\n"
+        "quarters (Section 3.1 of the paper).\n"
+        "split by: how many nodes were divided how: across the longest, second or third side of "
+        "their box through its middle;\n"
+        "at the median of 7 randomly chosen centroids; sorted along the longest side and halved, "
+        "with fewer than 8 triangles;\n"
+        "by index, where centroids coincide; at the least cost, with --split cost.\n\n"
         "Example:\n  scb stats spheres-l1 --volume scb,ball");
-    command->callback([&action, options] { action = [options] { return run(*options); }; });
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
 }
 
 }  // namespace scb

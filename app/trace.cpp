@@ -42,7 +42,7 @@ int record(const Options& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;
-    TraceWriter writer(trace_header(options.scene, options.hierarchy, query));
+    TraceWriter writer(trace_header(options.scene, query));
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;

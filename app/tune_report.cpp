@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/build_text.h"
 #include "app/text_format.h"
 #include "render/bench_figure.h"
 #include "render/figure_layout.h"
@@ -90,7 +91,7 @@ std::string tune_table(const SceneTuning& tuning) {
     std::string text =
         tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
         format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
-        frames_text(tuning.frames) + "; means per frame\n\n" +
+        frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
         "  setting                                               N_v       N_p   operations / base";
     text += tuning.timed ? "        ms / base\n" : "\n";
     const TuneRow& base = tuning.rows[0];

@@ -27,6 +27,7 @@ struct SceneTuning {
     std::vector<std::string> bodies;     ///< names of A and B
     std::vector<std::size_t> triangles;  ///< of A and B
     std::vector<int> frames;
+    BuildOptions build;  ///< but for the growth
     std::vector<TuneRow> rows;
     bool timed = false;
     std::size_t fewest_operations = 0, least_time = 0;  ///< rows; the latter where timed

@@ -60,8 +60,10 @@ ComparisonLayout comparison_layout(int width, int height, ComparisonRows rows) {
     return layout;
 }
 
-std::size_t outline_differences(std::array<ComparedView, 2>& views, const Theme& theme) {
-    const std::vector<std::uint32_t> ids = differing_ids(views[0].pane, views[1].pane);
+std::size_t outline_differences(std::array<ComparedView, 2>& views, std::uint32_t first_id,
+                                const Theme& theme) {
+    std::vector<std::uint32_t> ids = differing_ids(views[0].pane, views[1].pane);
+    std::erase_if(ids, [first_id](std::uint32_t id) { return id < first_id; });
     for (ComparedView& view : views) view.pane.outline = {ids, theme.text, theme.background, 2};
     return ids.size();
 }

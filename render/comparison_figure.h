@@ -47,9 +47,10 @@ struct ComparisonLayout {
 };
 ComparisonLayout comparison_layout(int width, int height, ComparisonRows rows);
 
-/// Outlines in both views what they show differently. Returns how many things that are, whether
-/// they are in sight or not.
-std::size_t outline_differences(std::array<ComparedView, 2>& views, const Theme& theme);
+/// Outlines in both views what they show differently, of the things with this id or a larger one.
+/// Returns how many things that are, whether they are in sight or not.
+std::size_t outline_differences(std::array<ComparedView, 2>& views, std::uint32_t first_id,
+                                const Theme& theme);
 
 /// The views' cameras must be for the aspect of the views of comparison_layout.
 Picture compose(ComparisonFigure figure, const ComparisonLayout& layout, int width, int height,

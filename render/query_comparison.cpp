@@ -17,6 +17,11 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
     return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
 }
 
+/// Whether a node's number means the same node in both.
+bool nodes_comparable(const ComparedQueries& queries) {
+    return queries[0].header->split == queries[1].header->split;
+}
+
 /// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
 void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
                  const PairsOfOne& only_here, std::size_t outlined) {
@@ -31,17 +36,21 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
         views[1].numbers.emplace_back(PanelRow{
             names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});
     }
+    const char* of_what = nodes_comparable(queries) ? "" : "no nodes";
     for (std::size_t side = 0; side < 2; ++side) {
         views[side].numbers.emplace_back(PanelRow{
             "only here", {count_text(only_here[side].size()), ""}, {}, !only_here[side].empty()});
-        views[side].numbers.emplace_back(PanelRow{"outlined", {count_text(outlined), ""}});
+        views[side].numbers.emplace_back(PanelRow{"outlined", {count_text(outlined), of_what}});
     }
 }
 
 /// Outlines differences, and adds the numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
-    add_numbers(views, queries, only_here, outline_differences(views, theme));
+    // The ids of triangles are behind those of nodes.
+    const std::uint32_t first_id =
+        nodes_comparable(queries) ? 1 : queries[0].bodies[0].first_triangle_id;
+    add_numbers(views, queries, only_here, outline_differences(views, first_id, theme));
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ using PairsOfOne = std::array<std::vector<IndexPair>, 2>;
 PairsOfOne pairs_of_one(const ComparedQueries& queries);
 
 /// What pairs_figure, rejections_figure and heat_figure show of each, with the counts of both and
-/// the differences of the second's; what their views show differently is outlined. Cameras,
-/// captions and remarks are left open. Pairs that only one of them found are lines of their own in
-/// both views. Heat has one scale for both.
-/// The segments of the first query's pairs have the ids from `first_pair_id`, those of the second's
-/// follow.
+/// the differences of the second's; what their views show differently is outlined: but no nodes,
+/// where hierarchies divide them by other splits. Cameras, captions and remarks are left open.
+/// Pairs that only one of them found are lines of their own in both views. Heat has one scale for
+/// both. The segments of the first query's pairs have the ids from `first_pair_id`, those of the
+/// second's follow.
 std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
                                            const PairsOfOne& only_here, const PairsStyle& style,
                                            std::uint32_t first_pair_id);

@@ -129,6 +129,20 @@ TEST_F(CompareQueries, TracesNeedNotDifferByTestOrVolume) {
     EXPECT_EQ(index_of("rejections " + first + " " + first)["compare"], (json{"first", "second"}));
 }
 
+// Other splits make other nodes, so that the same number says nothing.
+TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
+    const std::string paper = folder / "1.scbtrace", cost = folder / "2.scbtrace";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + paper).status, 0);
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --split cost -o " + cost).status, 0);
+    const std::string both = paper + " " + cost;
+    EXPECT_EQ(index_of("rejections " + both)["files"][0]["outlined"], 0);
+    const auto outlined = [&](const std::string& options) {
+        return index_of("pairs " + options + both)["files"][0]["outlined"];
+    };
+    EXPECT_EQ(outlined(""), outlined("--no-leaves "));
+    EXPECT_GT(outlined("--heat volumes "), 0);
+}
+
 TEST_F(CompareQueries, RefusesWhatCannotBeCompared) {
     const std::string trace = folder / "t.scbtrace", other = folder / "o.scbtrace",
                       level = folder / "l.scbtrace";
