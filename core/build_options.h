@@ -8,7 +8,7 @@ namespace scb {
 /// How a hierarchy is built.
 struct BuildOptions {
     /// How its volumes are fitted.
-    FitOptions fit;
+    FitOptions fit{};
     /// How its nodes are divided; without effect where there is a topology already.
     SplitMethod split = SplitMethod::section_3;
     /// How many threads build it; it is the same for any number.

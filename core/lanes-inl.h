@@ -146,11 +146,11 @@ template <int count>
 HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, std::uint32_t* to) {
     constexpr int n = part_lanes(count);
     const hn::FixedTag<float, n> d;
+    const hn::FixedTag<std::uint32_t, n> whole;
     for (int p = 0; p < count; p += n) {
         const std::uint32_t some = (bits >> p) & ((std::uint32_t{1} << n) - 1);
-        // As floats, which are only moved.
-        const auto lanes = hn::LoadU(d, reinterpret_cast<const float*>(numbers + p));
-        hn::StoreU(ChosenLanes<n>(some)(lanes), d, reinterpret_cast<float*>(to));
+        const auto lanes = hn::BitCast(d, hn::LoadU(whole, numbers + p));
+        hn::StoreU(hn::BitCast(whole, ChosenLanes<n>(some)(lanes)), whole, to);
         to += std::popcount(some);
     }
 }

@@ -67,7 +67,8 @@ class LeafPairs {
         list.clear();
     }
 
-    static constexpr std::size_t ahead = 4;  // so many pairs
+    static constexpr std::size_t ahead = 4;        // so many pairs
+    static constexpr std::size_t line_words = 16;  // of a line of the cache
     // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
     // first triangle in the first four, its second in the next.
     static constexpr int side = most_leaf_triangles, n = part_lanes(side * side);
@@ -79,12 +80,10 @@ class LeafPairs {
         return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
     }
     HWY_INLINE void prefetch(std::uint32_t i, std::uint32_t j) const {
-        constexpr std::size_t line = 16, lines = 3;  // in words
-        const std::uint32_t *a = a_.words + PackedRef{i}.index(),
-                            *b = b_.words + PackedRef{j}.index();
-        for (std::size_t k = 0; k < lines; ++k) {
-            hwy::Prefetch(a + k * line);
-            hwy::Prefetch(b + k * line);
+        const float *a = a_.words + PackedRef{i}.index(), *b = b_.words + PackedRef{j}.index();
+        for (std::size_t k = 0; k < PackedLeaf::fetched_words; k += line_words) {
+            hwy::Prefetch(a + k);
+            hwy::Prefetch(b + k);
         }
     }
 
@@ -92,7 +91,7 @@ class LeafPairs {
     struct Gathered {
         std::uint32_t ref = 0;  // no leaf: bits of one are not 0
         // Whole vectors are loaded from the last numbers on.
-        std::uint32_t words[PackedLeaf::size(side, LeafCorners::stored) + side] = {};
+        float words[PackedLeaf::size(side, LeafCorners::stored) + side] = {};
     };
     HWY_INLINE PackedLeaf leaf(const PackedLeaves& leaves, std::uint32_t ref, Gathered& gathered) {
         const PackedLeaf bare{leaves.words + PackedRef{ref}.index()};
@@ -200,9 +199,8 @@ class LeafPairs {
         const ChosenLanes<n> chosen(bits);
         const auto store = [at, &chosen](float* row, Lanes<n> lanes)
                                HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
-        // Indices as floats, which are only moved.
-        store(open_.a, tiled(reinterpret_cast<const float*>(a.triangles()), first));
-        store(open_.b, spread(reinterpret_cast<const float*>(b.triangles()), first));
+        store(open_.a, tiled(a.triangle_bits(), first));
+        store(open_.b, spread(b.triangle_bits(), first));
         const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0, &pairs.q1, &pairs.q2};
         for (int k = 0; k < 5; ++k) {
             store(open_.points[3 * k], points[k]->x);

@@ -13,8 +13,8 @@ namespace scb {
 namespace {
 
 constexpr double largest = 1e8, smallest = 1e-8;
-// Kernels load four lanes of a leaf that may have one.
-constexpr std::size_t words_behind = 3;
+// Kernels load four lanes of a leaf that may have one, and fetch some lines ahead.
+constexpr std::size_t words_behind = PackedLeaf::fetched_words;
 
 double up(float value) { return static_cast<double>(value); }
 
@@ -114,12 +114,12 @@ class Packing {
 
     PackedRef set_leaf(std::uint32_t i, std::size_t at) {
         const TopologyNode& node = topology_.nodes[i];
-        std::uint32_t* words = packed_.leaves.data() + at;
+        float* words = packed_.leaves.data() + at;
         const PackedScb own = packed(volumes_[i], Vec3::Zero());
         std::memcpy(words, &own, sizeof own);
-        words[PackedLeaf::header - 1] = node.count;
+        words[PackedLeaf::header - 1] = std::bit_cast<float>(node.count);
         for (std::uint32_t k = 0; k < node.count; ++k)
-            words[PackedLeaf::header + k] = topology_.order[node.first + k];
+            words[PackedLeaf::header + k] = std::bit_cast<float>(topology_.order[node.first + k]);
         if (packed_.corners == LeafCorners::stored) PackedLeaf::write_corners(words, mesh_);
         return {static_cast<std::uint32_t>(at) | PackedRef::leaf_bit};
     }
@@ -135,17 +135,17 @@ class Packing {
 
 }  // namespace
 
-void PackedLeaf::write_corners(std::uint32_t* words, const Mesh& mesh) {
+void PackedLeaf::write_corners(float* words, const Mesh& mesh) {
     const PackedLeaf leaf{words};
     const std::size_t count = leaf.count();
     const float* const origin = leaf.center();
     for (std::size_t k = 0; k < count; ++k) {
-        const Triangle& triangle = mesh.triangles[words[header + k]];
+        const Triangle& triangle = mesh.triangles[leaf.triangle(k)];
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3& v = mesh.vertices[triangle[corner]];
             for (std::size_t axis = 0; axis < 3; ++axis)
-                words[header + count * (1 + 3 * corner + axis) + k] = std::bit_cast<std::uint32_t>(
-                    static_cast<float>(v[static_cast<int>(axis)] - up(origin[axis])));
+                words[header + count * (1 + 3 * corner + axis) + k] =
+                    static_cast<float>(v[static_cast<int>(axis)] - up(origin[axis]));
         }
     }
 }

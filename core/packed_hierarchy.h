@@ -38,29 +38,34 @@ struct PackedNode {
 
 /// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where
 /// they are stored, the coordinates of their corners relative to the volume's center: x of all
-/// first corners, y, z, then those of the second and third corners.
+/// first corners, y, z, then those of the second and third corners. Words are floats, of which
+/// counts and indices have the bits.
 struct PackedLeaf {
+    /// What queries fetch ahead: a short leaf may have fewer words.
+    static constexpr std::size_t fetched_words = 48;
     static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
-    const std::uint32_t* words = nullptr;
+    const float* words = nullptr;
 
     PackedScb own() const {
         PackedScb scb;
         std::memcpy(static_cast<void*>(&scb), words, sizeof scb);
         return scb;
     }
-    const float* center() const { return reinterpret_cast<const float*>(words); }
-    float radius() const { return center()[3]; }
-    std::uint32_t count() const { return words[header - 1]; }
-    const std::uint32_t* triangles() const { return words + header; }
-    const float* corners() const {
-        return reinterpret_cast<const float*>(words + header + count());
+    const float* center() const { return words; }
+    float radius() const { return words[3]; }
+    std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[header - 1]); }
+    /// The index of triangle k of `count()`, and where all of them are, as bits.
+    std::uint32_t triangle(std::size_t k) const {
+        return std::bit_cast<std::uint32_t>(triangle_bits()[k]);
     }
+    const float* triangle_bits() const { return words + header; }
+    const float* corners() const { return words + header + count(); }
     /// Words of a leaf of so many triangles.
     static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
         return header + (corners == LeafCorners::stored ? 10 : 1) * count;
     }
     /// Writes the corners behind the indices, rounded to the nearest floats.
-    static void write_corners(std::uint32_t* words, const Mesh& mesh);
+    static void write_corners(float* words, const Mesh& mesh);
 };
 
 /// A hierarchy of slab cut balls made for queries: wide nodes whose volumes and triangles are
@@ -69,7 +74,7 @@ struct PackedLeaf {
 template <class Codec>
 struct PackedHierarchy {
     std::vector<PackedNode<Codec>> nodes;  ///< parents first
-    std::vector<std::uint32_t> leaves;     ///< words, and a few that kernels may read behind them
+    std::vector<float> leaves;             ///< words, and a few that kernels may read behind them
     PackedRef root;
     LeafCorners corners = LeafCorners::stored;
     double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
@@ -77,7 +82,7 @@ struct PackedHierarchy {
 
     PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
     std::size_t bytes() const {
-        return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(std::uint32_t);
+        return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(float);
     }
 };
 

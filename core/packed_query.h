@@ -136,7 +136,7 @@ struct PackedFindings {
 /// The leaves of a packed hierarchy: words, see PackedLeaf; and the mesh that has their corners
 /// where they do not.
 struct PackedLeaves {
-    const std::uint32_t* words;
+    const float* words;
     const Mesh* mesh;
 };
 struct LeafQuery {

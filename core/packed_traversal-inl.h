@@ -127,12 +127,13 @@ class PackedTraversal {
         fetch(b_, j);
     }
     static HWY_INLINE void fetch(const PackedHierarchy<Codec>& side, PackedRef ref) {
-        constexpr std::size_t line = 64, leaf_lines = 3;
+        constexpr std::size_t line = 64;
         const auto* at = ref.is_leaf()
                              ? reinterpret_cast<const char*>(side.leaves.data() + ref.index())
                              : reinterpret_cast<const char*>(&side.nodes[ref.index()]);
-        const std::size_t lines = ref.is_leaf() ? leaf_lines : (sizeof(Node) + line - 1) / line;
-        for (std::size_t k = 0; k < lines; ++k) hwy::Prefetch(at + k * line);
+        const std::size_t bytes =
+            ref.is_leaf() ? sizeof(float) * PackedLeaf::fetched_words : sizeof(Node);
+        for (std::size_t k = 0; k < bytes; k += line) hwy::Prefetch(at + k);
     }
 
     /// Puts aside child lanes of A with one of B.

@@ -62,7 +62,8 @@ class PackedCheck {
             fail(sentence(name, " has ", leaf.count(), " triangles."));
             return {};
         }
-        const std::vector<std::uint32_t> all(leaf.triangles(), leaf.triangles() + leaf.count());
+        std::vector<std::uint32_t> all;
+        for (std::size_t k = 0; k < leaf.count(); ++k) all.push_back(leaf.triangle(k));
         for (std::size_t k = 0; k < all.size() && failure_.empty(); ++k) {
             if (all[k] >= met_.size() || ++met_[all[k]] > 1) {
                 fail(sentence("triangle ", all[k], " is not in exactly one leaf."));
@@ -76,7 +77,7 @@ class PackedCheck {
 
     void check_corners(const PackedLeaf& leaf, std::size_t k) {
         const Vec3 origin = center(leaf.own());
-        const std::uint32_t triangle = leaf.triangles()[k];
+        const std::uint32_t triangle = leaf.triangle(k);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3 p = mesh_.vertices[mesh_.triangles[triangle][corner]] - origin;
             for (std::size_t axis = 0; axis < 3; ++axis)

@@ -63,8 +63,9 @@ TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
     EXPECT_NE(
         said([](Packed& p) { p.nodes[0].child[1] = p.nodes[0].child[0]; }).find("exactly one"),
         std::string::npos);
-    EXPECT_NE(said([](Packed& p) { p.leaves[PackedLeaf::header + 5] ^= 1; }).find("nearest float"),
-              std::string::npos);
+    EXPECT_NE(
+        said([](Packed& p) { p.leaves[PackedLeaf::header + 5] *= 1.1f; }).find("nearest float"),
+        std::string::npos);
 }
 
 TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
