@@ -97,6 +97,29 @@ TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
     EXPECT_EQ(run_scb("bench soup --frames 0 --volume scb --coherent").status, 2);
 }
 
+TEST(BenchCommand, NotesWhatHasNoEffect) {
+    const auto notes = [](const std::string& arguments) {
+        const ProgramRun run = run_scb("bench soup --frames 0 --repeat 1 " + arguments);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return run.err;
+    };
+    for (const std::string option : {"--test printed", "--threshold 0.5", "--descent area"}) {
+        const std::string packed = notes("--volume scb --layout float8 " + option);
+        EXPECT_NE(packed.find("scb: " + option.substr(0, option.find(' ')) + " has no effect"),
+                  std::string::npos)
+            << packed;
+        EXPECT_EQ(packed.find("may be missing"), std::string::npos) << packed;
+    }
+    EXPECT_NE(notes("--volume ball --layout float8").find("--layout has no effect"),
+              std::string::npos);
+    EXPECT_NE(notes("--leaf 2").find("--leaf has no effect"), std::string::npos);
+    EXPECT_NE(notes("--simd base").find("--simd has no effect"), std::string::npos);
+    EXPECT_EQ(notes("--layout reference,float8 --test corrected --leaf 2 --simd base"), "");
+    // Without a packed layout no query is shared.
+    EXPECT_EQ(run_scb("bench soup --frames 0 --repeat 1 --threads 2").out.find("share"),
+              std::string::npos);
+}
+
 TEST(BenchCommand, TwoScenesAreNotTwoBodies) {
     const ProgramRun run = run_scb("bench soup cone --frames 0 --repeat 1 --volume scb");
     EXPECT_EQ(run.status, 0);

@@ -101,5 +101,27 @@ TEST(Collapse, HasEveryTriangleInOneLeaf) {
     }
 }
 
+TEST(Collapse, IsTheSameForAnyNumberOfThreads) {
+    const Topology topology = build_topology(height_field(130));  // divided among threads twice
+    const std::vector<double> cost = random_costs(topology, 94);
+    for (const int width : {2, 8}) {
+        const WideTopology one = collapse(topology, cost, width, 4);
+        for (const int threads : {2, 5}) {
+            const WideTopology other = collapse(topology, cost, width, 4, threads);
+            ASSERT_EQ(one.nodes.size(), other.nodes.size());
+            for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+                ASSERT_EQ(one.nodes[i].node, other.nodes[i].node);
+                ASSERT_EQ(one.nodes[i].first_child, other.nodes[i].first_child);
+                ASSERT_EQ(one.nodes[i].child_count, other.nodes[i].child_count);
+            }
+            ASSERT_EQ(one.children.size(), other.children.size());
+            for (std::size_t i = 0; i < one.children.size(); ++i) {
+                ASSERT_EQ(one.children[i].node, other.children[i].node);
+                ASSERT_EQ(one.children[i].wide, other.children[i].wide);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scb

@@ -125,6 +125,22 @@ TEST(FitVolumes, EqualsFittingEachNodeByItself) {
     }
 }
 
+TEST(FitVolumes, CountsTheSameWorkForAnyNumberOfThreads) {
+    const Mesh mesh = height_field(80);
+    const auto counted = [&](int threads) {
+        FitCounts counts;
+        build_hierarchy<Scb>(mesh, {.fit = {.counts = &counts}, .threads = threads});
+        return counts;
+    };
+    const FitCounts one = counted(1);
+    EXPECT_GT(one.point_visits, mesh.triangles.size());
+    EXPECT_GT(one.candidate_slabs, mesh.triangles.size());
+    for (const int threads : {2, 5}) {
+        EXPECT_EQ(counted(threads).point_visits, one.point_visits);
+        EXPECT_EQ(counted(threads).candidate_slabs, one.candidate_slabs);
+    }
+}
+
 TYPED_TEST(HierarchyOf, IsTheSameForAnyThreadsAndVectorInstructions) {
     // Large enough for several threads, and flat enough for many ties.
     for (const Mesh& mesh : {height_field(80), random_soup(62, 10000, 0.1)}) {

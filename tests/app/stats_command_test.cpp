@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+json hierarchies(const std::string& arguments) {
+    const ProgramRun run = run_scb("stats spheres-l1 --json " + arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return json::parse(run.out)["hierarchies"];
+}
+
+TEST(StatsCommand, ReportsThePackedLayoutsOfSlabCutBalls) {
+    const json all = hierarchies("--volume scb,ball");
+    ASSERT_EQ(all.size(), 4u);  // two spheres, two volumes
+    EXPECT_FALSE(all[1].contains("packed"));
+    const json& packed = all[0]["packed"];
+    EXPECT_EQ(packed.size(), 9u);
+    double least = 1e9, fastest = 0;
+    for (const json& layout : packed) {
+        const double per_triangle = layout["bytes_per_triangle"];
+        EXPECT_NEAR(layout["bytes"].get<double>() / all[0]["triangles"].get<double>(), per_triangle,
+                    1e-9);
+        least = std::min(least, per_triangle);
+        if (layout["layout"] == "quantized8") fastest = per_triangle;
+    }
+    EXPECT_LT(least, 40);
+    EXPECT_GT(fastest, 40);
+    EXPECT_LT(fastest, 80);
+}
+
+TEST(StatsCommand, ReportsTheLayoutsAndLeavesAskedFor) {
+    const json few = hierarchies("--layout indexed8,float2 --leaf 1")[0]["packed"];
+    ASSERT_EQ(few.size(), 2u);
+    EXPECT_EQ(few[0]["layout"], "indexed8");
+    EXPECT_EQ(few[1]["layout"], "float2");
+    EXPECT_GT(few[0]["bytes"], hierarchies("--layout indexed8")[0]["packed"][0]["bytes"]);
+}
+
+TEST(StatsCommand, SaysWhatHasNoEffectAndHowHierarchiesAreBuilt) {
+    const ProgramRun ball = run_scb("stats spheres-l1 --volume ball --layout float8");
+    EXPECT_EQ(ball.status, 0);
+    EXPECT_NE(ball.err.find("no effect"), std::string::npos) << ball.err;
+    const ProgramRun cost = run_scb("stats spheres-l1 --split cost --growth radius");
+    EXPECT_NE(cost.out.find("scb hierarchy, growth radius, split by cost"), std::string::npos);
+    EXPECT_EQ(cost.err, "");
+}
+
+// The times differ, the hierarchy does not.
+TEST(StatsCommand, IsTheSameForAnyNumberOfThreads) {
+    const auto without_times = [](json all) {
+        for (json& hierarchy : all) {
+            hierarchy.erase("time");
+            for (json& layout : hierarchy["packed"]) layout.erase("ms");
+        }
+        return all;
+    };
+    EXPECT_EQ(without_times(hierarchies("--threads 2")), without_times(hierarchies("")));
+}
+
+}  // namespace
+}  // namespace scb
