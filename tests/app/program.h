@@ -14,8 +14,8 @@ struct ProgramRun {
     std::string err;
 };
 
-/// Runs `scb ARGUMENTS` through the shell, without a terminal. `prefix` stands before the program:
-/// an environment, a limit.
+/// Runs `scb ARGUMENTS` through the shell, without a terminal or SCB_MODELS. `prefix` stands before
+/// the program: an environment, a limit.
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
 
 /// A prefix for a run that gets a signal once it has begun to give results: after a time that is
