@@ -146,12 +146,15 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneCo
         text += "\n";
     }
     // The legend, below both.
+    const std::size_t rows = (kinds.size() + 2) / 3;
+    const std::size_t font = rows <= 4 ? 18 : std::max<std::size_t>(8, 4 * 18 / rows);
     text +=
         "unset title\nunset border\nunset xtics\nunset ytics\nunset grid\nunset logscale\n"
         "set tmargin at screen 0.2\nset bmargin at screen 0\n"
         "set lmargin at screen 0\nset rmargin at screen 1\nset yrange [0:1]\n"
-        "set key at screen 0.5, screen 0.2 center top maxrows 3 width 3 spacing 1.2 Left reverse "
-        "textcolor rgb '#1C2026'\n";
+        "set key at screen 0.5, screen 0.2 center top maxrows " +
+        std::to_string(rows) + " width -1 samplen 3 spacing 1.2 Left reverse font '," +
+        std::to_string(font) + "' textcolor rgb '#1C2026'\n";
     if (std::any_of(scenes.begin(), scenes.end(), [](const SceneComparison& scene) {
             return std::any_of(scene.peers.begin(), scene.peers.end(),
                                [](const PeerResult& peer) { return !peer.difference.none(); });

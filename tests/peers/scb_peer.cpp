@@ -93,7 +93,7 @@ PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads) {
     const SplitMethod split = by_cost ? SplitMethod::cost : SplitMethod::section_3;
     PeerKind kind;
     kind.name = packed_layout_name(layout);
-    kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split at least cost" : "");
+    kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split by cost" : "");
     kind.method =
         "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
         "the time" +
