@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <memory>
 
@@ -122,21 +123,24 @@ bool any_packed(const std::vector<BenchSubject>& subjects) {
                        [](const BenchSubject& s) { return s.layout.has_value(); });
 }
 
-/// Notes which options have no effect on what is measured.
-void note_without_effect(const Options& options, const std::vector<BenchSubject>& subjects,
-                         const Console& console) {
+/// Notes which options have no effect on what is measured, and what else may surprise.
+void note_surprises(const Options& options, const std::vector<BenchSubject>& subjects,
+                    const Console& console) {
     const Options defaults;
     const auto note = [&console](const char* option, const char* why) {
         console.note("scb: " + std::string(option) + " has no effect: " + why);
     };
-    const bool packed = any_packed(subjects);
     std::vector<VolumeKind> reference;
-    for (const BenchSubject& s : subjects)
+    bool has_scb = false;
+    for (const BenchSubject& s : subjects) {
         if (!s.layout) reference.push_back(s.kind);
-    const bool tests =
+        has_scb |= s.kind == VolumeKind::scb;
+    }
+    const bool packed = any_packed(subjects);
+    const bool reference_scb =
         std::find(reference.begin(), reference.end(), VolumeKind::scb) != reference.end();
     constexpr const char* own = "packed layouts have a test and a descent of their own.";
-    if (packed && !tests) {
+    if (packed && !reference_scb) {
         if (options.query.test != defaults.query.test) note("--test", own);
         if (options.query.threshold != defaults.query.threshold) note("--threshold", own);
     } else {
@@ -145,16 +149,24 @@ void note_without_effect(const Options& options, const std::vector<BenchSubject>
     if (reference.empty() && options.query.descent != defaults.query.descent)
         note("--descent", own);
     if (packed) return;
-    if (!tests && options.layouts != defaults.layouts)
-        note("--layout", "only slab cut balls have packed layouts.");
-    constexpr const char* of_packed = "it is of packed layouts; name one with --layout.";
-    if (options.leaf_triangles != defaults.leaf_triangles) note("--leaf", of_packed);
-    if (options.simd != defaults.simd) note("--simd", of_packed);
+    const char* why = has_scb ? "it is of packed layouts; name one with --layout."
+                              : "only slab cut balls have packed layouts.";
+    if (options.layouts != defaults.layouts) note("--layout", why);
+    if (options.leaf_triangles != defaults.leaf_triangles) note("--leaf", why);
+    if (options.simd != defaults.simd) note("--simd", why);
 }
 
-std::string conditions(const Options& options, bool shared) {
-    const std::string built = build_text(options.hierarchy.build());
-    return (built.empty() ? "" : "Hierarchies:" + built.substr(1) + ". ") +
+/// The vector instructions of packed layouts.
+std::string simd_text(SimdLevel level) {
+    // The last one is the best.
+    if (level == SimdLevel::best) level = available_simd_levels().back();
+    return std::string(simd_level_name(level));
+}
+
+std::string conditions(const Options& options, const BenchOptions& bench) {
+    const bool shared = bench.packed.threads > 1;
+    const std::string built = build_sentence(options.hierarchy.build());
+    return (built.empty() ? "" : built + " ") +
            std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
            (!shared ? std::string(" One thread, processor time; ")
@@ -162,7 +174,11 @@ std::string conditions(const Options& options, bool shared) {
                           " threads share a query of packed layouts; time that passes; ") +
            (options.repeats == 1 ? std::string("one run")
                                  : "median of " + std::to_string(options.repeats) + " runs") +
-           " per frame, sorting the pairs included. Compiled by " + compiler_text() +
+           " per frame, sorting the pairs included. " +
+           (any_packed(bench.subjects)
+                ? "Packed layouts by the instructions '" + simd_text(bench.packed.level) + "'. "
+                : "") +
+           "Compiled by " + compiler_text() +
            ". Times differ from machine to machine and from run to run; counts do not.";
 }
 
@@ -172,8 +188,9 @@ struct Report {
     Json scenes = Json::array();
     BenchCosts costs;
 
-    std::string json(const Options& options) const {
+    std::string json(const Options& options, const std::string& simd, bool complete) const {
         const Json document = {{"scenes", scenes},
+                               {"complete", complete},
                                {"equation_1", costs.json()},
                                {"options",
                                 {{"threshold", options.query.threshold},
@@ -182,7 +199,7 @@ struct Report {
                                  {"margin", options.hierarchy.margin},
                                  {"split", options.hierarchy.split},
                                  {"leaf", options.leaf_triangles},
-                                 {"simd", options.simd},
+                                 {"simd", simd},
                                  {"threads", options.threads},
                                  {"coherent", options.coherent},
                                  {"repeats", options.repeats},
@@ -196,8 +213,6 @@ struct Report {
 int run(const Options& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
-    // Other queries have one thread each.
-    const bool shared = options.threads > 1 && any_packed(bench_options.subjects);
     QueryOptions one_test = options.query;
     one_test.test = split_list(options.query.test)[0];
     bench_options.collide = one_test.collide();
@@ -205,7 +220,8 @@ int run(const Options& options, const Console& console) {
     bench_options.packed.level = simd_level(options);
     check_threads(options.threads);
     bench_options.build.threads = options.threads;
-    if (shared) bench_options.packed.threads = options.threads;
+    // Other queries have one thread each.
+    if (any_packed(bench_options.subjects)) bench_options.packed.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -215,7 +231,14 @@ int run(const Options& options, const Console& console) {
     const std::vector<Entry> all = entries(options, console);
     // Two names are two bodies only where they are meshes.
     if (all.size() == 1) note_same_pose(options.scene, console);
-    note_without_effect(options, bench_options.subjects, console);
+    note_surprises(options, bench_options.subjects, console);
+
+    if (any_packed(bench_options.subjects))
+        for (const Entry& entry : all)
+            for (const std::size_t body : {entry.a, entry.b}) {
+                const NamedMesh& mesh = entry.scene.meshes[entry.scene.bodies[body].mesh];
+                check_packable(mesh.mesh, entry.scene.name + ", " + mesh.name);
+            }
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
@@ -229,7 +252,12 @@ int run(const Options& options, const Console& console) {
 
     const InterruptWatch watch;
     Report report;
-    for (std::size_t e = 0; e < all.size(); ++e) {
+    const auto json = [&] {
+        return report.json(options, simd_text(bench_options.packed.level),
+                           report.scenes.size() == all.size());
+    };
+    // Whether it was finished.
+    const auto measure = [&](std::size_t e) {
         const Entry& entry = all[e];
         Progress progress(console, entry.frames.size() * bench_options.subjects.size() *
                                        static_cast<std::size_t>(options.repeats));
@@ -241,15 +269,15 @@ int run(const Options& options, const Console& console) {
         };
         std::optional<SceneBench> bench =
             bench_scene(entry.scene, entry.a, entry.b, entry.frames, bench_options, step);
-        if (!bench) break;
+        if (!bench) return false;
         bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
         report.costs.add(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
-        if (!writes) continue;
+        if (!writes) return true;
         BenchFigure figure = bench_figure(*bench);
-        figure.footnote = conditions(options, shared);
+        figure.footnote = conditions(options, bench_options);
         figure.theme = options.picture.theme();
         Overlay overlay;
         const Picture picture =
@@ -257,13 +285,24 @@ int run(const Options& options, const Console& console) {
         const std::vector<std::uint8_t> png = encode_png(renderer->draw(picture, &overlay).image);
         write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
         write_file_whole(folder / "bench.csv", report.csv);
-        write_file_whole(folder / "bench.json", report.json(options));
+        write_file_whole(folder / "bench.json", json());
+        return true;
+    };
+    // What was measured is printed also where the rest fails.
+    std::exception_ptr failure;
+    try {
+        for (std::size_t e = 0; e < all.size() && measure(e); ++e) {
+        }
+    } catch (const std::exception&) {
+        failure = std::current_exception();
     }
+    if (failure && report.scenes.empty()) std::rethrow_exception(failure);
     if (options.json)
-        print_result(report.json(options));
+        print_result(json());
     else if (!report.table.empty())
         print_result(report.table + "\n" + report.costs.table() + "\n" +
-                     conditions(options, shared) + "\n");
+                     conditions(options, bench_options) + "\n");
+    if (failure) std::rethrow_exception(failure);
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");
@@ -295,9 +334,10 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         ->capture_default_str();
     add_leaf_option(*command, options->leaf_triangles);
     command
-        ->add_option("--simd", options->simd,
-                     "Vector instructions of packed layouts: best, base, sse4, avx2 or avx512; "
-                     "answers are the same")
+        ->add_option(
+            "--simd", options->simd,
+            "Vector instructions of packed layouts: best, base (none on x86-64: slow), sse4, "
+            "avx2 or avx512; answers are the same")
         ->check(has_name())
         ->type_name("LEVEL")
         ->capture_default_str();
@@ -320,8 +360,8 @@ void add_bench(CLI::App& program, const Console& console, Action& action) {
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
         "slab cut ball hierarchy;\n"
         "ns/N_v: time per volume test, triangle tests included; bytes: of the hierarchies, per "
-        "triangle;\nfront: with --coherent, the share of queries that began where one before "
-        "ended. Ctrl-C leaves what was finished, and exits with 130.\n\n"
+        "triangle;\nfront: with --coherent, the share of queries that began at the front of an "
+        "earlier one. Ctrl-C leaves what was finished, and exits with 130.\n\n"
         "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
     command->callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

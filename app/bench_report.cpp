@@ -39,9 +39,21 @@ std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
                   entry->n_p);
 }
 
-/// The share of queries that began at a front.
+/// The share of queries that began at the front of an earlier one.
 std::string front_cell(const SubjectBench& subject) {
-    return subject.subject.coherent ? format(" %4.0f %%", 100 * subject.from_front) : "      -";
+    return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
+}
+
+/// Whether all found the same pairs: "  All found the same pairs.", or which did not.
+std::string pairs_text(const SceneBench& bench) {
+    if (bench.subjects.size() < 2) return "";
+    const SubjectBench& first = bench.subjects.front();
+    std::string others;
+    for (const SubjectBench& subject : bench.subjects)
+        if (subject.pairs_hash != first.pairs_hash)
+            others += (others.empty() ? "" : ", ") + subject.subject.title();
+    return others.empty() ? "  All found the same pairs.\n"
+                          : "  Other pairs than " + first.subject.title() + ": " + others + "\n";
 }
 
 }  // namespace
@@ -62,7 +74,7 @@ std::string bench_table(const SceneBench& bench) {
                     [](const SubjectBench& subject) { return subject.subject.coherent; });
     text += format("  %-*s", column, "hierarchy");
     text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
-    if (coherent) text += "  front";
+    if (coherent) text += "   front";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
@@ -74,6 +86,7 @@ std::string bench_table(const SceneBench& bench) {
                 (coherent ? front_cell(subject) : "") +
                 (subject.subject.layout ? "" : paper_cells(bench, subject.subject.kind)) + "\n";
     }
+    text += pairs_text(bench);
     if (in_paper && bench.scene == "hands")
         text += "  (Table 3's hand is another mesh, of 654,666 triangles)\n";
     return text;
@@ -103,7 +116,7 @@ std::string BenchCosts::table() const {
                queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s") +
         format("  %-*s", column, "hierarchy") +
         "  C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
-    bool doubtful = false, without_moves = false;
+    bool doubtful = false, without_moves = false, none = false;
     for (std::size_t s = 0; s < samples.size(); ++s) {
         const CostEquation costs = fit_cost_equation(samples[s]);
         text += format("  %-*s", column, titles[s].c_str());
@@ -113,22 +126,31 @@ std::string BenchCosts::table() const {
             continue;
         }
         without_moves |= !costs.moves_apart;
-        text += format(" %7.2f %7.2f ", costs.c_v, costs.c_p) +
-                (costs.moves_apart ? format("%7.2f", costs.c_u) : std::string("      -")) +
-                format(" %7.0f %% %7.0f %% ", 100 * costs.share_v, 100 * costs.share_p) +
-                (costs.moves_apart ? format("%6.0f %%", 100 * costs.share_u)
-                                   : std::string("       -")) +
+        none |= costs.c_v == 0 || costs.c_p == 0;
+        const auto cost = [](double c) { return c > 0 ? format(" %7.2f", c) : "       -"; };
+        const auto share = [](double c, double of_all) {
+            return c > 0 ? format(" %7.0f %%", 100 * of_all) : "         -";
+        };
+        text += cost(costs.c_v) + cost(costs.c_p) + cost(costs.c_u) +
+                share(costs.c_v, costs.share_v) + share(costs.c_p, costs.share_p) +
+                share(costs.c_u, costs.share_u).substr(1) +
                 format(" %6.0f %%\n", 100 * costs.error);
     }
     if (without_moves)
         text +=
-            "  - of C_u: moves are in C_v, since each volume test has its own; packed layouts do "
-            "not count them.\n";
+            "  - of C_u: volumes are moved as their tests need it, so C_v holds that; packed "
+            "layouts do "
+            "not count it.\n";
+    if (none)
+        text +=
+            "  - of C_v or C_p: there were no such tests, or what they cost is in the other; time "
+            "more "
+            "and other scenes.\n";
     if (doubtful)
         text +=
-            "  - of all: the counts go together in these queries, so their costs cannot be told "
-            "apart; "
-            "time more and other scenes.\n";
+            "  - of all: the counts go together in these queries, or they are too few, so that "
+            "costs "
+            "cannot be told apart; time more and other scenes.\n";
     return text;
 }
 
@@ -136,7 +158,9 @@ Json BenchCosts::json() const {
     Json list = Json::array();
     for (std::size_t s = 0; s < samples.size(); ++s) {
         const CostEquation costs = fit_cost_equation(samples[s]);
-        const auto known = [&](double value) { return costs.determined ? Json(value) : Json(); };
+        const auto known = [&](double value) {
+            return costs.determined && value > 0 ? Json(value) : Json();
+        };
         list.push_back({{"hierarchy", titles[s]},
                         {"queries", samples[s].size()},
                         {"c_v_ns", known(costs.c_v)},
@@ -145,7 +169,7 @@ Json BenchCosts::json() const {
                         {"share_v", known(costs.share_v)},
                         {"share_p", known(costs.share_p)},
                         {"share_u", costs.moves_apart ? Json(costs.share_u) : Json()},
-                        {"error", known(costs.error)}});
+                        {"error", costs.determined ? Json(costs.error) : Json()}});
     }
     return list;
 }
@@ -155,7 +179,8 @@ Json bench_json(const SceneBench& bench) {
     Json hierarchies = Json::array();
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
-        Json row = {{"volume", volume_kind_name(subject.subject.kind)}};
+        Json row = {{"hierarchy", subject.subject.title()},
+                    {"volume", volume_kind_name(subject.subject.kind)}};
         if (subject.subject.layout)
             row["layout"] = packed_layout_name(*subject.subject.layout);
         else if (subject.subject.kind == VolumeKind::scb)
@@ -166,7 +191,8 @@ Json bench_json(const SceneBench& bench) {
         row["n_p"] = mean(subject.n_p);
         row["n_u"] = mean(subject.n_u);
         row["pairs"] = mean(subject.pairs);
-        row["ns_per_volume_test"] = ratio(1e6 * ms, n_v);
+        row["pairs_hash"] = hash_text(subject.pairs_hash);
+        row["ns_per_volume_test"] = n_v > 0 ? Json(ratio(1e6 * ms, n_v)) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
         if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
         if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))

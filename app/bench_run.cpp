@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "render/volume_titles.h"
 
 namespace scb {
@@ -41,23 +42,35 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     PackedWorkspace workspace;
     std::vector<PackedFront> fronts(options.subjects.size());
     const auto packed_query = [&](std::size_t s, std::size_t i) {
+        PackedOptions packed_options = options.packed;
+        packed_options.max_pairs = options.max_pairs;
         PackedCollision found =
             collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
-                           scene.meshes[mesh_b].mesh, poses[i], options.packed, &workspace,
+                           scene.meshes[mesh_b].mesh, poses[i], packed_options, &workspace,
                            options.subjects[s].coherent ? &fronts[s] : nullptr);
         Collision result;
         result.pairs = std::move(found.pairs);
         result.n_v = found.n_v;
         result.n_p = found.n_p;
+        result.complete = found.complete;
         return result;
     };
-    const auto query = [&](std::size_t s, std::size_t i) {
+    const auto any_query = [&](std::size_t s, std::size_t i) {
         if (!packed[s].empty()) return packed_query(s, i);
         CollideOptions collide_options = options.collide;
         collide_options.overlap.test = options.subjects[s].test;
+        collide_options.max_pairs = options.max_pairs + 1;
         const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
         return collide(h[mesh_a], scene.meshes[mesh_a].mesh, h[mesh_b], scene.meshes[mesh_b].mesh,
                        poses[i], collide_options);
+    };
+    const auto query = [&](std::size_t s, std::size_t i) {
+        Collision found = any_query(s, i);
+        if (!found.complete || found.pairs.size() > options.max_pairs)
+            throw InputError(scene.name + ", frame " + std::to_string(frames[i]) + ": more than " +
+                             std::to_string(options.max_pairs) +
+                             " pairs of triangles intersect; time other meshes or poses.");
+        return found;
     };
 
     SceneBench result;
@@ -69,7 +82,7 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
         result.triangles.push_back(scene.meshes[m].mesh.triangles.size());
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         const BenchSubject& subject = options.subjects[s];
-        result.subjects.push_back({subject, {}, {}, {}, {}, {}, 0, 0});
+        result.subjects.push_back({.subject = subject});
         const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
         std::size_t bytes = 0;
         for (const std::size_t m : {mesh_a, mesh_b}) {
@@ -79,9 +92,9 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
                          4 * scene.meshes[m].mesh.triangles.size();
                 continue;
             }
-            packed[s].push_back(pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]),
-                                         scene.meshes[m].mesh, scene.meshes[m].name,
-                                         options.build.threads));
+            packed[s].push_back(
+                pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]), scene.meshes[m].mesh,
+                         scene.name + ", " + scene.meshes[m].name, options.build.threads));
             bytes += bytes_of(packed[s].back());
         }
         result.subjects[s].bytes_per_triangle =
@@ -107,14 +120,15 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
         subject.n_p.push_back(found.n_p);
         subject.n_u.push_back(found.n_u);
         subject.pairs.push_back(found.pairs.size());
+        subject.pairs_hash = pairs_hash(found.pairs, subject.pairs_hash);
     };
     timing.step = step;
     const auto ms = time_queries(timing);
     if (!ms) return std::nullopt;
     for (std::size_t s = 0; s < ms->size(); ++s) {
         result.subjects[s].ms = (*ms)[s];
-        result.subjects[s].from_front =
-            static_cast<double>(fronts[s].used()) / static_cast<double>(frames.size());
+        result.subjects[s].from_front = static_cast<double>(fronts[s].used() - fronts[s].made()) /
+                                        static_cast<double>(frames.size());
     }
     return result;
 }

@@ -7,6 +7,7 @@
 #include "app/query_timing.h"
 #include "app/scene_query.h"
 #include "core/any_packed.h"
+#include "core/pairs_hash.h"
 #include "core/statistics.h"
 
 namespace scb {
@@ -24,11 +25,14 @@ struct BenchSubject {
 
 /// What one subject did in each frame of a scene, in the order of SceneBench::frames.
 struct SubjectBench {
-    BenchSubject subject;
-    std::vector<double> ms;  ///< processor time of a query: the median of the repeats
-    std::vector<std::uint64_t> n_v, n_p, n_u, pairs;
+    BenchSubject subject{};
+    std::vector<double> ms{};  ///< processor time of a query: the median of the repeats
+    std::vector<std::uint64_t> n_v{}, n_p{}, n_u{}, pairs{};
+    std::uint64_t pairs_hash = fnv_offset_basis;  ///< of the pairs of all frames, one after another
     double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
-    double from_front = 0;  ///< the share of queries that began at a front, where it is coherent
+    /// Where it is coherent, the share of queries that began at a front of an earlier one: others
+    /// began at the roots, and some of these made a front.
+    double from_front = 0;
 
     double mean_ms() const;
 };
@@ -48,13 +52,15 @@ struct BenchOptions {
     CollideOptions collide;
     BuildOptions build;
     PackedOptions packed;
+    std::size_t max_pairs = 100'000'000;  ///< of a query
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
 };
 
-/// Builds the hierarchies and times every query on one thread; before that it runs the first frame
-/// once, untimed. `step` is called after each query and ends the measurement by returning false;
-/// then there is no result.
+/// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
+/// `step` is called after each query and ends the measurement by returning false; then there is no
+/// result. Throws InputError where a mesh is none for a layout, or a query finds more than
+/// max_pairs.
 std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step);

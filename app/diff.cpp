@@ -62,8 +62,8 @@ Json json_of(const Options& options, const TraceDiff& d) {
             {"sum", counts_json(d.sum_a, d.sum_b)},
             {"frames", frames},
             {"pairs_comparable", d.pairs_comparable},
-            {"pairs_only_in_a", d.pairs_only_in_a},
-            {"pairs_only_in_b", d.pairs_only_in_b},
+            {"pairs_only_in_a", d.pairs_comparable ? Json(d.pairs_only_in_a) : Json()},
+            {"pairs_only_in_b", d.pairs_comparable ? Json(d.pairs_only_in_b) : Json()},
             {"lost", lost},
             {"first", first}};
 }

@@ -40,9 +40,9 @@ ExplainedPair explained_nodes(const SceneQuery& query, int frame,
             const V &a = of_a.volumes[both[0].index], &b = of_b.volumes[both[1].index];
             const Placement placed = query_placement(of_a, of_b, query.b_to_a(frame));
             const OverlapOptions& options = query.options.overlap;
-            const std::string built = build_text(query.build);
             std::vector<std::string> notes;
-            if (!built.empty()) notes.push_back("Hierarchies:" + built.substr(1) + ".");
+            if (const std::string built = build_sentence(query.build); !built.empty())
+                notes.push_back(built);
             return {query.kind, a, b, placed, options, explain(a, b, placed, options), notes, both};
         },
         query.hierarchy(query.a));

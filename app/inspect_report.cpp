@@ -200,7 +200,7 @@ std::string inspect_text(const InspectReport& report) {
         ", " + std::string(volume_title(header.volume));
     if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);
-    title += build_text({{.growth = header.growth, .margin = header.margin}, header.split});
+    title += build_text(build_options(header));
     title += "\n\n";
     for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
     return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +

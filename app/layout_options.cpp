@@ -1,6 +1,6 @@
 #include "app/layout_options.h"
 
-#include <algorithm>
+#include <set>
 
 #include "app/options.h"
 #include "core/error.h"
@@ -21,16 +21,15 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
                          std::to_string(most_leaf_triangles) + ".");
     std::vector<std::optional<PackedLayout>> result;
     const std::vector<std::string> names = split_list(list);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-            names.begin() + static_cast<std::ptrdiff_t>(i))
-            throw InputError("--layout " + list + ": '" + names[i] +
-                             "' is there twice; give each layout once.");
+    std::set<std::string> known;
     for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);
         if (!layout && name != "reference")
             throw InputError("--layout " + list + ": '" + name +
                              "' is no layout; give some of reference, " + layout_names() + ".");
+        if (!known.insert(name).second)
+            throw InputError("--layout " + list + ": '" + name +
+                             "' is there twice; give each layout once.");
         if (layout) layout->leaf_triangles = leaf_triangles;
         result.push_back(layout);
     }
@@ -38,7 +37,7 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
 }
 
 void add_leaf_option(CLI::App& command, int& leaf_triangles) {
-    command.add_option("--leaf", leaf_triangles, "Triangles of a packed leaf, at most")
+    command.add_option("--leaf", leaf_triangles, "Triangles of a packed leaf, at most: 1 to 4")
         ->check(decimal_number())
         ->type_name("N")
         ->capture_default_str();

@@ -13,8 +13,8 @@ namespace scb {
 std::string layout_names(const std::string& separator = ", ");
 
 /// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
-/// reference. Throws InputError for an unknown name or
-/// another number than 1 to 4.
+/// reference. Throws InputError for a name that is unknown or
+/// repeated, or another number than 1 to 4.
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
 
 /// --leaf, for layouts_of.

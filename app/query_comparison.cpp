@@ -28,7 +28,7 @@ void draw_comparison(const QueryView& view, const ComparedQueries& queries,
     for (const std::vector<IndexPair>& pairs : only_here)
         entry["only_in_one"].push_back(pairs.size());
     if (title == "pairs") entry["pair_ids"] = view.pair_ids(frames);
-    entry["outlined"] = views[0].pane.outline.ids.size();
+    entry["outlined"] = views[0].outlined ? nlohmann::ordered_json(*views[0].outlined) : nullptr;
     for (std::size_t i = 0; i < 2; ++i) {
         views[i].caption = view.labels()[i].caption;
         views[i].pane.camera = camera;

@@ -1,5 +1,6 @@
 #include "app/query_view.h"
 
+#include "app/build_text.h"
 #include "app/count_table.h"
 #include "app/text_format.h"
 #include "app/trace_report.h"
@@ -161,10 +162,11 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     }
     if (common("descent") && header.options.descent != CollideOptions{}.descent)
         add("descent by " + std::string(descent_rule_name(header.options.descent)));
-    if (common("growth") && header.growth != FitOptions{}.growth) add("growth radius");
-    if (common("margin") && header.margin != 0) add(format("margin %g", header.margin));
-    if (common("split") && header.split != BuildOptions{}.split)
-        add("split by " + std::string(split_method_name(header.split)));
+    BuildOptions build;
+    if (common("growth")) build.fit.growth = header.growth;
+    if (common("margin")) build.fit.margin = header.margin;
+    if (common("split")) build.split = header.split;
+    for (const std::string& part : build_parts(build)) add(part);
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
     if (spec_.orthographic.value_or(false)) add("orthographic");
@@ -182,8 +184,8 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
            (frame ? format("_frame-%04d", *frame) : "");
 }
 
-Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames) const {
-    const QueryBodies both = bodies(frames[0]->frame);
+Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames, std::size_t query) const {
+    const QueryBodies both = bodies(frames[0]->frame, query);
     for (const QueryBody& b : both) {
         const Topology& topology = topology_of(*b.hierarchy);
         if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
@@ -224,7 +226,11 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                           const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
     const PixelPosition at = *options_.picture.pick;
-    const Json what = what_is(pictures.id_at(at.x, at.y), frames);
+    const auto is_in = [&at](const PixelRect& r) {
+        return at.x >= r.x && at.x < r.x + r.width && at.y >= r.y && at.y < r.y + r.height;
+    };
+    const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
+    const Json what = what_is(pictures.id_at(at.x, at.y), frames, query);
     std::string text = name + format(".png at %d,%d: ", at.x, at.y);
     if (what.is_null())
         text += "nothing";

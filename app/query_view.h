@@ -53,9 +53,9 @@ class QueryView {
                              std::optional<int> frame = std::nullopt) const;
 
     /// What an id of a picture of this frame stands for: {"what": "node", "body": "A", "index":
-    /// 412,
-    /// ...}; null for 0.
-    nlohmann::ordered_json what_is(std::uint32_t id, const QueryFrames& frames) const;
+    /// 412, ...}; null for 0. `query` is that of the view: another's nodes may be others.
+    nlohmann::ordered_json what_is(std::uint32_t id, const QueryFrames& frames,
+                                   std::size_t query) const;
     /// For each query, the ids of the segments in which its pairs meet: {"first": ..., "count":
     /// ...}, in the order of `scb collide --pairs-out`.
     nlohmann::ordered_json pair_ids(const QueryFrames& frames) const;

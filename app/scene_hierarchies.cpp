@@ -27,7 +27,7 @@ std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies
                                      const BuildOptions& options) {
     std::vector<AnyHierarchy> result;
     for (const MeshTopology& mesh : topologies) {
-        result.push_back(fit_any(kind, mesh.topology, mesh.points, options));
+        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads));
         mutate(result.back());
     }
     return result;

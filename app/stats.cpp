@@ -56,7 +56,7 @@ struct Measured {
     std::vector<std::string> bodies;
     std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
-    std::string split, built;  ///< built: see build_text
+    BuildOptions build;
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
     std::vector<Packed> packed;  ///< of slab cut balls
@@ -108,7 +108,8 @@ std::vector<Measured> measure(const Options& options) {
         for (const VolumeKind kind : kinds) {
             Measured measured;
             start = Clock::now();
-            const AnyHierarchy hierarchy = fit_any(kind, topology, points, build);
+            const AnyHierarchy hierarchy =
+                fit_any(kind, topology, points, build.fit, build.threads);
             measured.fit_ms = milliseconds_since(start);
             measured.topology_ms = topology_ms;
             measured.mesh = scene.meshes[m].name;
@@ -119,8 +120,7 @@ std::vector<Measured> measure(const Options& options) {
             measured.nodes = topology->nodes.size();
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
-            measured.split = options.hierarchy.split;
-            measured.built = build_text(build);
+            measured.build = build;
             measured.levels = level_statistics(hierarchy);
             add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
@@ -144,7 +144,8 @@ std::string table(const Measured& m) {
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
     std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
                        format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
-                       std::string(volume_kind_name(m.kind)) + " hierarchy" + m.built + "\n\n" +
+                       std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build) +
+                       "\n\n" +
                        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
                        "max tau tau ratio  "
                        "     area     volume  split by\n";
@@ -213,7 +214,9 @@ Json json_of(const Measured& m) {
     Json result = {{"mesh", m.mesh},
                    {"bodies", m.bodies},
                    {"volume", volume_kind_name(m.kind)},
-                   {"split", m.split},
+                   {"growth", ball_growth_name(m.build.fit.growth)},
+                   {"margin", m.build.fit.margin},
+                   {"split", split_method_name(m.build.split)},
                    {"triangles", m.triangles},
                    {"points", m.points},
                    {"nodes", m.nodes},
@@ -229,10 +232,13 @@ Json json_of(const Measured& m) {
 int run(const Options& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     const Options defaults;
-    if (std::find(kinds.begin(), kinds.end(), VolumeKind::scb) == kinds.end() &&
-        (options.layouts != defaults.layouts || options.leaf_triangles != defaults.leaf_triangles))
-        console.note(
-            "scb: --layout and --leaf have no effect: only slab cut balls have packed layouts.");
+    if (std::find(kinds.begin(), kinds.end(), VolumeKind::scb) == kinds.end())
+        for (const auto& [option, given] :
+             {std::pair("--layout", options.layouts != defaults.layouts),
+              std::pair("--leaf", options.leaf_triangles != defaults.leaf_triangles)})
+            if (given)
+                console.note("scb: " + std::string(option) +
+                             " has no effect: only slab cut balls have packed layouts.");
     const std::vector<Measured> all = measure(options);
     std::string text;
     if (options.json) {

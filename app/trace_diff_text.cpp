@@ -72,7 +72,8 @@ BodyNames printable_names(const BodyNames& names) {
 std::string lost_text(const TraceDiff& d, const TraceNames& names) {
     if (d.nodes_comparable && !d.pairs_comparable)
         return "\nThey stop at different levels, so their pairs cannot be compared.\n";
-    if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
+    if (d.pairs_only_in_a + d.pairs_only_in_b == 0)
+        return d.pairs_comparable && !d.nodes_comparable ? "\nBoth found the same pairs.\n" : "";
     std::string text = "\n" + lost_pairs_text(d, names);
     const bool some = d.lost.size() < d.pairs_only_in_a + d.pairs_only_in_b;
     text += some ? format("; %zu of them:\n", d.lost.size()) : std::string(":\n");
@@ -128,7 +129,7 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
     if (!d.nodes_comparable)
         text += d.meshes_differ
                     ? "\nThe meshes differ, so nodes and triangles cannot be compared.\n"
-                    : "\nNodes were split in other ways, so tests cannot be compared.\n";
+                    : "\nNodes were divided by other splits, so tests cannot be compared.\n";
     else if (d.first)
         text += "\nThey part first at " + words_of(*d.first, printable_names(d.bodies), names);
     else

@@ -170,7 +170,7 @@ std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::si
         result.triangles.push_back(scene.meshes[scene.bodies[body].mesh].mesh.triangles.size());
     result.frames = frames;
     result.build = options.build;
-    result.build.fit.growth = FitOptions{}.growth;
+    result.build.fit.growth = FitOptions{}.growth;  // each setting has its own
     result.timed = timed;
     result.fewest_operations = best_trial(run.trials(), run.column(&TuneRow::operations), 0);
     if (timed)

@@ -23,17 +23,17 @@ std::optional<VolumeKind> volume_kind_of(std::string_view name) {
 std::span<const VolumeKind> all_volume_kinds() { return kinds; }
 
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
-                     const LeafOrder& points, BuildOptions options) {
+                     const LeafOrder& points, FitOptions options, int threads) {
     const auto fitted = [&]<class V>(V) -> AnyHierarchy {
-        std::vector<V> volumes = fit_volumes<V>(*topology, points, options);
+        std::vector<V> volumes = fit_volumes<V>(*topology, points, options, threads);
         return Hierarchy<V>{std::move(topology), std::move(volumes)};
     };
     switch (kind) {
         case VolumeKind::ball:
-            options.fit.ball_method = BallMethod::minimum;
+            options.ball_method = BallMethod::minimum;
             return fitted(Ball{});
         case VolumeKind::ritter:
-            options.fit.ball_method = BallMethod::ritter;
+            options.ball_method = BallMethod::ritter;
             return fitted(Ball{});
         case VolumeKind::obb:
             return fitted(Obb{});

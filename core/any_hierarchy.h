@@ -24,7 +24,7 @@ using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb
 
 /// Fits volumes of the kind to a topology; `ritter` sets FitOptions::ball_method.
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
-                     const LeafOrder& points, BuildOptions options = {});
+                     const LeafOrder& points, FitOptions options = {}, int threads = 1);
 
 const Topology& topology_of(const AnyHierarchy& hierarchy);
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);

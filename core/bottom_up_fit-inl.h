@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/build_options.h"
 #include "core/dop26-inl.h"
 #include "core/fit_obb-inl.h"
 #include "core/fit_scb-inl.h"
@@ -50,21 +49,25 @@ HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t coun
 template <class V>
 class BottomUpFit {
   public:
-    BottomUpFit(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
-                std::span<V> volumes)
-        : topology_(topology), points_(points), options_(options), volumes_(volumes) {}
+    BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                int threads, std::span<V> volumes)
+        : topology_(topology),
+          points_(points),
+          options_(options),
+          threads_(threads),
+          volumes_(volumes) {}
 
     void run(std::uint32_t root) {
         // Above some thousand triangles, the two halves at once.
         constexpr std::uint32_t divided_from = 4096;
         const TopologyNode& node = topology_.nodes[root];
-        if (options_.threads == 1 || node.count < divided_from) {
+        if (threads_ == 1 || node.count < divided_from) {
             in_turn(root);
             return;
         }
-        BottomUpFit right(topology_, points_, options_, volumes_);
+        BottomUpFit right(topology_, points_, options_, threads_, volumes_);
         both(
-            options_.threads, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
+            threads_, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
         append(right);
         merge_top_two();
         fit_top(node, volumes_[root]);
@@ -174,7 +177,7 @@ class BottomUpFit {
             input.parts = {gathered_.view(), own};
             if constexpr (needs_dop) extremal_points(top.dop, all, few_, pairs_);
         }
-        fit(volume, input, options_.fit, counts_);
+        fit(volume, input, options_, counts_);
     }
 
     void gather_few(std::span<const std::uint32_t> shared, const PointsView& own,
@@ -194,7 +197,8 @@ class BottomUpFit {
 
     const Topology& topology_;
     const LeafOrder& points_;
-    const BuildOptions& options_;
+    const FitOptions& options_;
+    const int threads_;
     std::span<V> volumes_;
     FitCounts counts_;
     std::vector<Subtree> stack_;

@@ -9,7 +9,7 @@ namespace scb {
 struct BuildOptions {
     /// How its volumes are fitted.
     FitOptions fit{};
-    /// How its nodes are divided; without effect where there is a topology already.
+    /// How its nodes are divided.
     SplitMethod split = SplitMethod::section_3;
     /// How many threads build it; it is the same for any number.
     int threads = 1;

@@ -12,24 +12,24 @@ namespace scb {
 namespace HWY_NAMESPACE {
 
 template <class V>
-void fit_tree(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
-              std::span<V> volumes) {
-    BottomUpFit<V> fit(topology, points, options, volumes);
+void fit_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+              int threads, std::span<V> volumes) {
+    BottomUpFit<V> fit(topology, points, options, threads, volumes);
     fit.run(0);
-    if (options.fit.counts != nullptr) options.fit.counts->add(fit.counts());
+    if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
-void fit_scb_tree(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
-                  std::span<Scb> volumes) {
-    fit_tree(topology, points, options, volumes);
+void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                  int threads, std::span<Scb> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
 }
-void fit_ball_tree(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
-                   std::span<Ball> volumes) {
-    fit_tree(topology, points, options, volumes);
+void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                   int threads, std::span<Ball> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
 }
-void fit_obb_tree(const Topology& topology, const LeafOrder& points, const BuildOptions& options,
-                  std::span<Obb> volumes) {
-    fit_tree(topology, points, options, volumes);
+void fit_obb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                  int threads, std::span<Obb> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -45,21 +45,21 @@ HWY_EXPORT(fit_obb_tree);
 
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const BuildOptions& options) {
+                           const FitOptions& options, int threads) {
     std::vector<V> volumes(topology.nodes.size());
     const std::span<V> all(volumes);
     if constexpr (std::is_same_v<V, Scb>)
-        SCB_AT_LEVEL(fit_scb_tree, options.fit.simd)(topology, points, options, all);
+        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, all);
     else if constexpr (std::is_same_v<V, Ball>)
-        SCB_AT_LEVEL(fit_ball_tree, options.fit.simd)(topology, points, options, all);
+        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, all);
     else if constexpr (std::is_same_v<V, Obb>)
-        SCB_AT_LEVEL(fit_obb_tree, options.fit.simd)(topology, points, options, all);
+        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, all);
     return volumes;
 }
 
-template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const BuildOptions&);
-template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const BuildOptions&);
-template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const BuildOptions&);
+template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
 
 }  // namespace scb
 #endif

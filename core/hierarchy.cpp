@@ -12,7 +12,8 @@ Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options, std:
         throw InputError(std::string(name) +
                          ": the margin is below 0 or not a number; give a share of the radius.");
     MeshTopology shared = mesh_topology(mesh, options.topology());
-    std::vector<V> volumes = fit_volumes<V>(*shared.topology, shared.points, options);
+    std::vector<V> volumes =
+        fit_volumes<V>(*shared.topology, shared.points, options.fit, options.threads);
     return {std::move(shared.topology), std::move(volumes)};
 }
 

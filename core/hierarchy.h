@@ -21,13 +21,13 @@ struct Hierarchy {
 
 /// Fits a volume to the points of every node, bottom up: the 26-DOP and the surface moments of a
 /// node come from its children, the rest of the fit from its points. The same volumes as fitting
-/// each node by itself. O(n log n).
+/// each node by itself, on any number of threads. O(n log n).
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const BuildOptions& options = {});
+                           const FitOptions& options = {}, int threads = 1);
 
-/// Topology and volumes at once. Throws InputError where check_mesh does; `name` says which mesh it
-/// is.
+/// Topology and volumes at once. Throws InputError where check_mesh does and where the margin is
+/// below 0 or not a number; `name` says which mesh it is.
 template <Volume V>
 Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options = {},
                              std::string_view name = "mesh");

@@ -24,6 +24,11 @@ constexpr int part_lanes(int count) {
     return count < int{HWY_LANES(float)} ? count : int{HWY_LANES(float)};
 }
 
+/// The lowest bits, 32 at most.
+constexpr std::uint32_t low_bits(std::uint32_t count) {
+    return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
+}
+
 /// n floats in one vector. Every operation is one rounding in each lane, so that results are the
 /// same bits on every target.
 template <int n>
@@ -148,7 +153,7 @@ HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, s
     const hn::FixedTag<float, n> d;
     const hn::FixedTag<std::uint32_t, n> whole;
     for (int p = 0; p < count; p += n) {
-        const std::uint32_t some = (bits >> p) & ((std::uint32_t{1} << n) - 1);
+        const std::uint32_t some = (bits >> p) & low_bits(n);
         const auto lanes = hn::BitCast(d, hn::LoadU(whole, numbers + p));
         hn::StoreU(hn::BitCast(whole, ChosenLanes<n>(some)(lanes)), whole, to);
         to += std::popcount(some);

@@ -6,13 +6,12 @@
 #define SCB_CORE_LEAF_PAIRS_INL_H_
 #endif
 
-#include <hwy/cache_control.h>
-
 #include <bit>
 #include <cstring>
 
 #include "core/float_placement-inl.h"
 #include "core/packed_query.h"
+#include "core/prefetch.h"
 #include "core/triangle_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,32 +58,22 @@ class LeafPairs {
     HWY_INLINE void run(RefPairs& list, Test test) {
         const std::size_t count = list.size();
         const std::uint32_t *a = list.a_begin(), *b = list.b_begin();
-        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch(a[i], b[i]);
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair(a[i], b[i]);
         for (std::size_t i = 0; i < count; ++i) {
-            if (i + ahead < count) prefetch(a[i + ahead], b[i + ahead]);
+            if (i + ahead < count) prefetch_pair(a[i + ahead], b[i + ahead]);
             test(a[i], b[i]);
         }
         list.clear();
     }
 
-    static constexpr std::size_t ahead = 4;        // so many pairs
-    static constexpr std::size_t line_words = 16;  // of a line of the cache
+    static constexpr std::size_t ahead = 4;  // so many pairs
     // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
     // first triangle in the first four, its second in the next.
     static constexpr int side = most_leaf_triangles, n = part_lanes(side * side);
 
-    static HWY_INLINE std::uint32_t all_bits(std::uint32_t count) {
-        return (std::uint32_t{1} << count) - 1;
-    }
-    static HWY_INLINE std::uint32_t all_bits_of(int count) {
-        return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
-    }
-    HWY_INLINE void prefetch(std::uint32_t i, std::uint32_t j) const {
-        const float *a = a_.words + PackedRef{i}.index(), *b = b_.words + PackedRef{j}.index();
-        for (std::size_t k = 0; k < PackedLeaf::fetched_words; k += line_words) {
-            hwy::Prefetch(a + k);
-            hwy::Prefetch(b + k);
-        }
+    HWY_INLINE void prefetch_pair(std::uint32_t i, std::uint32_t j) const {
+        prefetch_leaf(a_.words + PackedRef{i}.index());
+        prefetch_leaf(b_.words + PackedRef{j}.index());
     }
 
     /// A leaf with its corners, which are gathered where it has none; often it is that of before.
@@ -179,7 +168,7 @@ class LeafPairs {
         const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
         const std::uint32_t count_a = a.count(), count_b = b.count();
         found_.n_p += count_a * count_b;
-        const std::uint32_t valid = all_bits(count_a) * 0x1111u;  // each four lanes have A's
+        const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
         const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
         const Lanes3<n> t = Lanes3<n>::all(o.t);
         const int lanes = static_cast<int>(count_b) * side;
@@ -188,7 +177,8 @@ class LeafPairs {
             const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
                                             corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
                                             corner_b(2, first) + to_q,  error};
-            each(pairs, (valid & all_bits_of(lanes)) >> first, a, b, first);
+            each(pairs, (valid & low_bits(static_cast<std::uint32_t>(lanes))) >> first, a, b,
+                 first);
         }
     }
 
@@ -224,8 +214,9 @@ class LeafPairs {
         };
         const Certainty<n> result = intersection(
             TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4), lanes(15)});
-        std::uint32_t yes = result.intersect.bits() & all_bits_of(static_cast<int>(count));
-        std::uint32_t unsure = result.open.bits() & all_bits_of(static_cast<int>(count)) & ~yes;
+        std::uint32_t yes = result.intersect.bits() & low_bits(static_cast<std::uint32_t>(count));
+        std::uint32_t unsure =
+            result.open.bits() & low_bits(static_cast<std::uint32_t>(count)) & ~yes;
         for (; yes != 0; yes &= yes - 1) {
             const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(yes));
             found_.pairs.push_back(open_.pair(k));

@@ -13,21 +13,11 @@ namespace scb {
 /// whose centers are relative to the node's own. A codec has `encode`, `decode` and the arrays that
 /// kernels read; see load_children. What it decodes to is exactly what kernels compute with.
 
-/// Floats behind arrays of which kernels load more than they hold. Counts there would be denormal
-/// floats, with which some CPUs take many times as long.
-template <int count>
-struct ZerosBehind {
-    float zeros[count];
-};
-template <>
-struct ZerosBehind<0> {};
-
 /// 36 bytes for each: 9 floats.
 template <int width_>
 struct FloatCodec {
     static constexpr int width = width_;
     float c[3][width], r[width], n[3][width], m[width], h[width];
-    [[no_unique_address]] ZerosBehind < width<4 ? 4 - width : 0> behind;
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);

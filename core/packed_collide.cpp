@@ -1,6 +1,7 @@
 #include "core/packed_collide.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <utility>
 
@@ -36,18 +37,43 @@ struct AnyQuery {
     SimdLevel level;
 };
 
-/// Traverses what the lists have, and decides on every pair of triangles.
-void finish(const AnyQuery& query, Work& work) {
-    auto& [lists, open, found] = work;
-    while (!lists.empty()) {
-        divide_nodes(query.nodes, query.level, lists, found);
-        test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
-    }
-    decide_open(query.leaves, query.level, open, found);
+/// How many pairs all threads have found, and how many they may.
+struct PairLimit {
+    std::size_t most;
+    std::atomic<std::size_t> found{0};
+
+    bool is_passed() const { return found.load(std::memory_order_relaxed) > most; }
+};
+
+void decide_exactly(const AnyQuery& query, PackedFindings& found) {
     for (const IndexPair& pair : found.undecided)
         if (triangles_overlap(corners(query.a, pair.a),
                               transform_corners(query.b_to_a, corners(query.b, pair.b))))
             found.pairs.push_back(pair);
+    found.n_exact += found.undecided.size();
+    found.undecided.clear();
+}
+
+/// Traverses what the lists have, and decides on every pair of triangles; or ends before, where
+/// there are too many.
+void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
+    constexpr std::size_t many =
+        4096;  // held no longer than it takes to see that they are too many
+    auto& [lists, open, found] = work;
+    std::size_t counted = 0;
+    const auto count = [&, &pairs = found.pairs] {
+        limit.found.fetch_add(pairs.size() - counted, std::memory_order_relaxed);
+        counted = pairs.size();
+    };
+    while (!lists.empty() && !limit.is_passed()) {
+        divide_nodes(query.nodes, query.level, lists, found);
+        test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
+        if (found.undecided.size() >= many) decide_exactly(query, found);
+        if (found.pairs.size() >= counted + many) count();
+    }
+    decide_open(query.leaves, query.level, open, found);
+    decide_exactly(query, found);
+    count();
 }
 
 /// The share of `list` that is chunk `i` of `count`.
@@ -58,7 +84,8 @@ void append_share(RefPairs& to, const RefPairs& list, std::size_t i, std::size_t
 
 /// Divides the lists of `work` among threads, where there is enough to divide, and gathers what
 /// they find: the same in any order.
-void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads) {
+void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads,
+                       PairLimit& limit) {
     // As many pairs of nodes as keep a thread busy for some ten microseconds, and the chunks so
     // many that they end at about the same time.
     constexpr std::size_t pairs_of_chunk = 32, chunks_of_thread = 8;
@@ -66,7 +93,7 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     while (work.lists.inner_size() != 0 && work.lists.size() < pairs_of_chunk * most)
         divide_once(query.nodes, query.level, work.lists, work.found);
     const std::size_t count = work.lists.size() / pairs_of_chunk;
-    if (count < 2) return finish(query, work);
+    if (count < 2) return finish(query, work, limit);
     chunks.resize(std::max(chunks.size(), std::min(count, most)));
     const std::size_t used = std::min(count, most);
     in_threads(threads, used, [&](std::size_t i) {
@@ -76,17 +103,18 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
         append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
         append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
         append_share(chunk.lists.leaf_leaf, work.lists.leaf_leaf, i, used);
-        finish(query, chunk);
+        finish(query, chunk, limit);
     });
     work.lists.clear();
     for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
 }
 
-void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads) {
+void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads,
+         PairLimit& limit) {
     if (threads > 1)
-        finish_in_threads(query, work, chunks, threads);
+        finish_in_threads(query, work, chunks, threads, limit);
     else
-        finish(query, work);
+        finish(query, work, limit);
 }
 
 template <class Codec>
@@ -151,6 +179,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     auto& [work, chunks, room] = workspace->parts();
     PackedFindings& found = work.found;
     work.clear();
+    PairLimit limit{options.max_pairs};
     const Placement placed = placement_of(a, b, b_to_a);
     bool from_front = false;
     if (front != nullptr) {
@@ -162,7 +191,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                 const Placement there = placement_of(a, b, plan->b_to_a);
                 work.lists.add(a.hierarchy.root, b.hierarchy.root);
                 run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
-                    options.threads);
+                    options.threads, limit);
             } catch (...) {
                 front->clear();  // it would have the pairs of another pose
                 throw;
@@ -174,9 +203,11 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
         if (from_front) work.lists.append(pairs);
     }
     if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
-    run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads);
+    run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads, limit);
+    const bool complete = !limit.is_passed();
+    if (!complete) found.pairs.clear();
     sort_pairs(found.pairs, room);
-    return {found.pairs, found.n_v, found.n_p, found.undecided.size()};
+    return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
 }
 
 #define SCB_COLLIDE(Codec)                                                             \

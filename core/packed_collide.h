@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/collide.h"
@@ -20,6 +21,8 @@ struct PackedOptions {
     SimdLevel level = SimdLevel::best;
     /// How many threads share a query, this one included; of a small query this one does all.
     int threads = 1;
+    /// The query ends once it has found more than this many pairs.
+    std::size_t max_pairs = std::numeric_limits<std::size_t>::max();
 };
 
 /// Memory that queries need while they run, kept from one to the next. For one query at a time.
@@ -43,6 +46,8 @@ struct PackedCollision {
     std::uint64_t n_v = 0;         ///< pairs of volumes that were tested
     std::uint64_t n_p = 0;         ///< pairs of triangles that were tested, in floats
     std::uint64_t n_exact = 0;     ///< of these, pairs that floats could not decide on
+    bool complete = true;  ///< false where there are more than max_pairs: then none is here, and
+                           ///< counts are of what was done
 };
 
 /// Finds the triangles of A and B that intersect, B moved by `b_to_a` into A's frame: the same

@@ -1,5 +1,6 @@
 #include "core/packed_hierarchy.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -17,16 +18,6 @@ constexpr double largest = 1e8, smallest = 1e-8;
 constexpr std::size_t words_behind = PackedLeaf::fetched_words;
 
 double up(float value) { return static_cast<double>(value); }
-
-void check_range(const Mesh& mesh, std::string_view name) {
-    const Box box = bounding_box(mesh);
-    const double reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-    const double size = (box.upper - box.lower).maxCoeff();
-    if (reach <= largest && (size >= smallest || size == 0)) return;
-    throw InputError(std::string(name) +
-                     ": packed layouts hold coordinates up to 1e8 and sizes from 1e-8 on; scale "
-                     "it, or use the reference layout.");
-}
 
 template <class Codec>
 class Packing {
@@ -135,6 +126,16 @@ class Packing {
 
 }  // namespace
 
+void check_packable(const Mesh& mesh, std::string_view name) {
+    const Box box = bounding_box(mesh);
+    const double reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+    const double size = (box.upper - box.lower).maxCoeff();
+    if (reach <= largest && (size >= smallest || size == 0)) return;
+    throw InputError(std::string(name) +
+                     ": packed layouts hold coordinates up to 1e8 and sizes from 1e-8 on; scale "
+                     "it, or use the reference layout.");
+}
+
 void PackedLeaf::write_corners(float* words, const Mesh& mesh) {
     const PackedLeaf leaf{words};
     const std::size_t count = leaf.count();
@@ -154,7 +155,7 @@ template <class Codec>
 PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, int leaf_triangles,
                             LeafCorners corners, std::string_view name, int threads) {
     assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
-    check_range(mesh, name);
+    check_packable(mesh, name);
     return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
 }
 

@@ -25,23 +25,25 @@ struct PackedRef {
 };
 
 /// A node with up to `width` children, and its own volume, whose center is the origin of theirs.
-/// Kernels load four numbers of an array of two: what is behind the arrays is theirs to read.
+/// Kernels load four numbers of an array of two: what is behind the volumes is theirs to read. So
+/// floats are: whole numbers would be denormal ones, with which tests take up to twice as long.
 template <class Codec>
 struct PackedNode {
-    PackedScb own;
     std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
-    Codec volumes;
-    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
     std::uint16_t count = 0;
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
+    Codec volumes;
+    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    PackedScb own;
 };
 
 /// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where
 /// they are stored, the coordinates of their corners relative to the volume's center: x of all
 /// first corners, y, z, then those of the second and third corners. Words are floats, of which
-/// counts and indices have the bits.
+/// counts and indices have the bits: these are moved and compared, not computed with.
 struct PackedLeaf {
-    /// What queries fetch ahead: a short leaf may have fewer words.
+    /// What queries fetch ahead, three lines of a cache, nearly all of the largest leaf. Shorter
+    /// leaves have fewer, so that as many are allocated behind the last one.
     static constexpr std::size_t fetched_words = 48;
     static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
     const float* words = nullptr;
@@ -54,10 +56,11 @@ struct PackedLeaf {
     const float* center() const { return words; }
     float radius() const { return words[3]; }
     std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[header - 1]); }
-    /// The index of triangle k of `count()`, and where all of them are, as bits.
+    /// The index of triangle k of `count()`.
     std::uint32_t triangle(std::size_t k) const {
         return std::bit_cast<std::uint32_t>(triangle_bits()[k]);
     }
+    /// The bits of all indices.
     const float* triangle_bits() const { return words + header; }
     const float* corners() const { return words + header + count(); }
     /// Words of a leaf of so many triangles.
@@ -86,10 +89,14 @@ struct PackedHierarchy {
     }
 };
 
+/// Throws InputError, naming the mesh, where its coordinates are beyond what floats hold with room
+/// for their products: 1e8 in magnitude, or a size below 1e-8.
+void check_packable(const Mesh& mesh, std::string_view name);
+
 /// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf; the same
-/// for any number of threads. Throws InputError, naming the mesh, where its coordinates are beyond
-/// what floats hold with room for their products: 1e8 in magnitude, or a size below 1e-8; and where
-/// its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners. O(n).
+/// for any number of threads. Throws InputError, naming the mesh, where check_packable does, and
+/// where its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners.
+/// O(n).
 template <class Codec>
 PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                             int leaf_triangles = most_leaf_triangles,

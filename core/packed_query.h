@@ -115,6 +115,7 @@ struct PackedLists {
 struct PackedFindings {
     std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
     std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
+    std::uint64_t n_exact = 0;         ///< of these, how many it has decided on
     PackedLists kept;                  ///< of a query that makes a front: it has no pairs then
     std::uint64_t n_v = 0, n_p = 0;
 
@@ -122,7 +123,7 @@ struct PackedFindings {
         pairs.clear();
         undecided.clear();
         kept.clear();
-        n_v = n_p = 0;
+        n_v = n_p = n_exact = 0;
     }
     void add(const PackedFindings& other) {
         pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
@@ -130,6 +131,7 @@ struct PackedFindings {
         kept.append(other.kept);
         n_v += other.n_v;
         n_p += other.n_p;
+        n_exact += other.n_exact;
     }
 };
 

@@ -6,11 +6,10 @@
 #define SCB_CORE_PACKED_TRAVERSAL_INL_H_
 #endif
 
-#include <hwy/cache_control.h>
-
 #include <bit>
 
 #include "core/packed_query.h"
+#include "core/prefetch.h"
 #include "core/volume_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -116,24 +115,21 @@ class PackedTraversal {
         std::size_t count = (lists_.*which).take(a, b, batch);
         if (skin_ > 0) count = keep_small(a, b, count, found_.kept.*which);
         lists_.reserve(count * (W * W + 16));
-        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch({a[i]}, {b[i]});
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair({a[i]}, {b[i]});
         for (std::size_t i = 0; i < count; ++i) {
-            if (i + ahead < count) prefetch({a[i + ahead]}, {b[i + ahead]});
+            if (i + ahead < count) prefetch_pair({a[i + ahead]}, {b[i + ahead]});
             each({a[i]}, {b[i]});
         }
     }
-    HWY_INLINE void prefetch(PackedRef i, PackedRef j) const {
+    HWY_INLINE void prefetch_pair(PackedRef i, PackedRef j) const {
         fetch(a_, i);
         fetch(b_, j);
     }
     static HWY_INLINE void fetch(const PackedHierarchy<Codec>& side, PackedRef ref) {
-        constexpr std::size_t line = 64;
-        const auto* at = ref.is_leaf()
-                             ? reinterpret_cast<const char*>(side.leaves.data() + ref.index())
-                             : reinterpret_cast<const char*>(&side.nodes[ref.index()]);
-        const std::size_t bytes =
-            ref.is_leaf() ? sizeof(float) * PackedLeaf::fetched_words : sizeof(Node);
-        for (std::size_t k = 0; k < bytes; k += line) hwy::Prefetch(at + k);
+        if (ref.is_leaf())
+            prefetch_leaf(side.leaves.data() + ref.index());
+        else
+            prefetch(reinterpret_cast<const char*>(&side.nodes[ref.index()]), sizeof(Node));
     }
 
     /// Puts aside child lanes of A with one of B.
@@ -157,9 +153,6 @@ class PackedTraversal {
         list.grow(static_cast<std::size_t>(std::popcount(bits)));
     }
 
-    static HWY_INLINE std::uint32_t all_bits(std::uint32_t count) {
-        return (std::uint32_t{1} << count) - 1;
-    }
     static HWY_INLINE PackedScb centered(PackedScb scb) {
         scb.c[0] = scb.c[1] = scb.c[2] = 0;
         return scb;
@@ -174,7 +167,7 @@ class PackedTraversal {
         std::uint32_t bits = 0;
         for (int first = 0; first < W; first += n)
             bits |= overlap(load_children(a.volumes, first), b, wide).bits() << first;
-        return bits & all_bits(a.count);
+        return bits & low_bits(a.count);
     }
 
     HWY_INLINE void inner_inner(PackedRef i, PackedRef j) {
@@ -193,7 +186,7 @@ class PackedTraversal {
                                              &of_b.r,        &of_b.m,        &of_b.h};
             for (int row = 0; row < 9; ++row) lanes[row]->store(rows[row] + first);
         }
-        for (left &= all_bits(b.count); left != 0; left &= left - 1) {
+        for (left &= low_bits(b.count); left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
             const auto row = [&rows, k](int r) HWY_ATTR { return Lanes<n>::all(rows[r][k]); };
             const Part one = {
@@ -220,7 +213,7 @@ class PackedTraversal {
         std::uint32_t bits = 0;
         for (int first = 0; first < W; first += n)
             bits |= overlap(own, children_of_b(b, first, o), wide).bits() << first;
-        put_b(i, b, bits & all_bits(b.count));
+        put_b(i, b, bits & low_bits(b.count));
     }
 
     const PackedHierarchy<Codec>&a_, &b_;

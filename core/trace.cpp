@@ -51,6 +51,14 @@ BodyNames body_names(const TraceHeader& header) {
     return {header.bodies[0].name, header.bodies[1].name};
 }
 
+BuildOptions build_options(const TraceHeader& header) {
+    BuildOptions options;
+    options.fit.growth = header.growth;
+    options.fit.margin = header.margin;
+    options.split = header.split;
+    return options;
+}
+
 TestTree test_tree(const TraceHeader& header, const TraceFrame& frame) {
     const bool stops = header.options.stop_level >= 0;
     return test_tree(frame.events,

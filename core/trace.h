@@ -44,6 +44,8 @@ struct TraceHeader {
 };
 
 BodyNames body_names(const TraceHeader& header);
+/// How the hierarchies were built.
+BuildOptions build_options(const TraceHeader& header);
 
 /// One query.
 struct TraceFrame {

@@ -72,11 +72,12 @@ std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes
 
 /// Looks for the test of `other` that left out the pair which `finder` found.
 LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const TraceFrame& other,
-                   const TestTree& other_tree, bool of_nodes, IndexPair pair) {
+                   const TestTree& other_tree, const TraceDiff& d, IndexPair pair) {
     LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
+    if (!d.nodes_comparable) return lost;
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
     std::set<std::uint32_t> ancestors_a, ancestors_b;
-    for (std::size_t i = test_of(finder, finder_tree, of_nodes, pair);;
+    for (std::size_t i = test_of(finder, finder_tree, d.of_nodes, pair);;
          i = finder_tree.parents[i]) {
         ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
         ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
@@ -110,12 +111,12 @@ void compare_pairs(const TraceFrame& frame_a, const TestTree& tree_a, const Trac
     if (only_a.empty() && only_b.empty()) return;
     for (const IndexPair& pair : only_a) {
         if (result.lost.size() == TraceDiff::most_lost) return;
-        result.lost.push_back(lost_pair(frame_a, tree_a, frame_b, tree_b, result.of_nodes, pair));
+        result.lost.push_back(lost_pair(frame_a, tree_a, frame_b, tree_b, result, pair));
         result.lost.back().found_by_a = true;
     }
     for (const IndexPair& pair : only_b) {
         if (result.lost.size() == TraceDiff::most_lost) return;
-        result.lost.push_back(lost_pair(frame_b, tree_b, frame_a, tree_a, result.of_nodes, pair));
+        result.lost.push_back(lost_pair(frame_b, tree_b, frame_a, tree_a, result, pair));
     }
 }
 
@@ -163,8 +164,9 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.nodes_comparable &= a.split == b.split;
     result.bodies = body_names(a);
     result.of_nodes = a.options.stop_level >= 0;
-    result.pairs_comparable =
-        result.nodes_comparable && a.options.stop_level == b.options.stop_level;
+    result.pairs_comparable = !result.meshes_differ &&
+                              a.options.stop_level == b.options.stop_level &&
+                              (result.nodes_comparable || !result.of_nodes);
     const TraceFrame* frame_a = frames_a();
     const TraceFrame* frame_b = frames_b();
     while (frame_a || frame_b) {
@@ -186,14 +188,14 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         difference.a.add(frame_a->found);
         difference.b.add(frame_b->found);
         std::optional<std::size_t> test;
+        const TestTree tree_a = test_tree(a, *frame_a), tree_b = test_tree(b, *frame_b);
         if (result.nodes_comparable) {
-            const TestTree tree_a = test_tree(a, *frame_a), tree_b = test_tree(b, *frame_b);
             test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
             if (test && !result.first)
                 result.first = Parting{frame_a->frame, *test, traced(*frame_a, tree_a, *test),
                                        traced(*frame_b, tree_b, *test)};
-            if (result.pairs_comparable) compare_pairs(*frame_a, tree_a, *frame_b, tree_b, result);
         }
+        if (result.pairs_comparable) compare_pairs(*frame_a, tree_a, *frame_b, tree_b, result);
         if (test || difference.poses_differ || difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();

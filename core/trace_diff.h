@@ -74,7 +74,8 @@ struct TraceDiff {
     bool meshes_differ = false;
     std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
     bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
-    bool pairs_comparable = true;  ///< false where nodes are not, or levels to stop at differ
+    bool pairs_comparable = true;  ///< false where meshes, or levels to stop at, or the nodes that
+                                   ///< pairs are of, differ
     std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;
     std::vector<LostPair> lost;  ///< of these, the first ones
 
@@ -91,8 +92,8 @@ using TraceFrames = std::function<const TraceFrame*()>;
 /// Compares what was asked, and then the frames that are in both, also where something else was
 /// asked: two overlap tests on one scene part somewhere, and where is the question. Frames differ
 /// where poses, counts or tests do. Indices of nodes depend on the mesh alone, so tests are
-/// compared for different volumes too, but not for different meshes, where frames are compared by
-/// counts. The versions of scb are not compared.
+/// compared for different volumes too, but not for different splits, where pairs and counts are
+/// compared, nor for different meshes, where counts are. The versions of scb are not compared.
 TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
                const TraceFrames& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct ComparedView {
     std::vector<PanelItem> numbers;  ///< below the view
     std::vector<PanelItem> legend;   ///< beside the numbers, or below where there is no room
     std::string remark;              ///< in the view, at the top
+    /// How many things are outlined, see outline_differences; nothing where what is shown is not
+    /// comparable.
+    std::optional<std::size_t> outlined{};
 };
 
 /// A picture with two views of one scene, by one camera on one scale, and the numbers of each below

@@ -1,6 +1,7 @@
 #include "render/query_comparison.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "render/ending_colors.h"
@@ -24,7 +25,7 @@ bool nodes_comparable(const ComparedQueries& queries) {
 
 /// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
 void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
-                 const PairsOfOne& only_here, std::size_t outlined) {
+                 const PairsOfOne& only_here) {
     const auto counts = [&](std::size_t side) {
         const Collision& found = queries[side].frame->found;
         return std::array<std::uint64_t, 4>{found.pairs.size(), found.n_v, found.n_p, found.n_u};
@@ -36,21 +37,27 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
         views[1].numbers.emplace_back(PanelRow{
             names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});
     }
-    const char* of_what = nodes_comparable(queries) ? "" : "no nodes";
     for (std::size_t side = 0; side < 2; ++side) {
         views[side].numbers.emplace_back(PanelRow{
             "only here", {count_text(only_here[side].size()), ""}, {}, !only_here[side].empty()});
-        views[side].numbers.emplace_back(PanelRow{"outlined", {count_text(outlined), of_what}});
+        if (views[side].outlined)
+            views[side].numbers.emplace_back(
+                PanelRow{"outlined", {count_text(*views[side].outlined), ""}});
     }
 }
 
 /// Outlines differences, and adds the numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
-    // The ids of triangles are behind those of nodes.
-    const std::uint32_t first_id =
-        nodes_comparable(queries) ? 1 : queries[0].bodies[0].first_triangle_id;
-    add_numbers(views, queries, only_here, outline_differences(views, first_id, theme));
+    const QueryBodies& bodies = queries[0].bodies;
+    assert(bodies[0].first_triangle_id > bodies[1].first_node_id &&
+           "the ids of triangles are behind those of nodes");
+    const std::uint32_t first_id = nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id;
+    std::optional<std::size_t> outlined = outline_differences(views, first_id, theme);
+    // Nodes alone.
+    if (!nodes_comparable(queries) && views[0].pane.meshes.empty()) outlined.reset();
+    for (ComparedView& view : views) view.outlined = outlined;
+    add_numbers(views, queries, only_here);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace scb {
 
 /// One of two queries that are compared: of the same bodies at the same poses.
 struct ComparedQuery {
-    QueryBodies bodies;  ///< with the ids of the other's
+    QueryBodies bodies;  ///< with the ids of the other's, those of triangles behind all of nodes
     const TraceHeader* header = nullptr;
     const TraceFrame* frame = nullptr;
 };

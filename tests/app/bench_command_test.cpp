@@ -88,8 +88,9 @@ TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
     const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_FALSE(rows[1].contains("from_front"));
-    // The knots do not move relative to each other: only the first query begins at the roots.
-    EXPECT_EQ(rows[2]["from_front"], 0.9);
+    // The knots do not move relative to each other: the first query begins at the roots, the second
+    // makes a front.
+    EXPECT_EQ(rows[2]["from_front"], 0.8);
     EXPECT_EQ(rows[2]["pairs"], rows[1]["pairs"]);
     EXPECT_LT(rows[2]["n_v"], rows[1]["n_v"]);
     EXPECT_NE(file_text(folder / "out/bench.csv").find("knots-l1,scb,float8 front,0,"),
@@ -110,13 +111,18 @@ TEST(BenchCommand, NotesWhatHasNoEffect) {
             << packed;
         EXPECT_EQ(packed.find("may be missing"), std::string::npos) << packed;
     }
-    EXPECT_NE(notes("--volume ball --layout float8").find("--layout has no effect"),
-              std::string::npos);
+    const std::string balls = notes("--volume ball --layout float8 --leaf 2");
+    EXPECT_NE(balls.find("--layout has no effect: only slab cut"), std::string::npos) << balls;
+    EXPECT_NE(balls.find("--leaf has no effect: only slab cut"), std::string::npos) << balls;
     EXPECT_NE(notes("--leaf 2").find("--leaf has no effect"), std::string::npos);
     EXPECT_NE(notes("--simd base").find("--simd has no effect"), std::string::npos);
-    EXPECT_EQ(notes("--layout reference,float8 --test corrected --leaf 2 --simd base"), "");
+    EXPECT_EQ(notes("--layout reference,float8 --test extents --leaf 2 --simd base"), "");
+    EXPECT_EQ(notes("--volume scb,ball --layout float8 --descent area"), "");
     // Without a packed layout no query is shared.
     EXPECT_EQ(run_scb("bench soup --frames 0 --repeat 1 --threads 2").out.find("share"),
+              std::string::npos);
+    EXPECT_NE(run_scb("bench soup --frames 0 --repeat 1 --threads 2 --layout float8")
+                  .out.find("2 threads share"),
               std::string::npos);
 }
 

@@ -135,12 +135,21 @@ TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + paper).status, 0);
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --split cost -o " + cost).status, 0);
     const std::string both = paper + " " + cost;
-    EXPECT_EQ(index_of("rejections " + both)["files"][0]["outlined"], 0);
+    EXPECT_TRUE(index_of("rejections " + both)["files"][0]["outlined"].is_null());
     const auto outlined = [&](const std::string& options) {
         return index_of("pairs " + options + both)["files"][0]["outlined"];
     };
     EXPECT_EQ(outlined(""), outlined("--no-leaves "));
     EXPECT_GT(outlined("--heat volumes "), 0);
+    // A node is that of the view: "node 12 of A, depth 9, 4 triangles".
+    const std::string picked = render("rejections " + both + " --pick 220,90").out;
+    const std::size_t at = picked.find(": node ");
+    ASSERT_NE(at, std::string::npos) << picked;
+    const std::string node = picked.substr(at + 2, picked.find('\n', at) - at - 2);
+    const std::string index = node.substr(5, node.find(' ', 5) - 5);
+    const std::string pair = node.find(" of A") != std::string::npos ? index + ",0" : "0," + index;
+    EXPECT_NE(run_scb("explain " + cost + " --pair " + pair).out.find(node), std::string::npos);
+    EXPECT_EQ(run_scb("explain " + paper + " --pair " + pair).out.find(node), std::string::npos);
 }
 
 TEST_F(CompareQueries, RefusesWhatCannotBeCompared) {

@@ -106,7 +106,7 @@ TEST(FitVolumes, EqualsFittingEachNodeByItself) {
         const LeafOrder points = leaf_order(mesh, topology);
         for (const BallGrowth growth : {BallGrowth::radius, BallGrowth::ritter}) {
             const FitOptions options{.growth = growth};
-            const std::vector<Scb> volumes = fit_volumes<Scb>(topology, points, {.fit = options});
+            const std::vector<Scb> volumes = fit_volumes<Scb>(topology, points, options);
             for (std::size_t i = 0; i < volumes.size(); ++i) {
                 const TopologyNode& node = topology.nodes[i];
                 std::set<std::uint32_t> ids;

@@ -328,6 +328,23 @@ TEST(TraceDiff, OtherVolumesOfTheSameMeshAreComparedNodeByNode) {
     EXPECT_TRUE(d.first);
 }
 
+TEST(TraceDiff, OfOtherSplitsPairsAreCompared) {
+    const Trace a = slide(OverlapTest::symmetric);
+    Trace b = a;
+    b.header.split = SplitMethod::cost;
+    ASSERT_FALSE(b.frames[1].found.pairs.empty());
+    b.frames[1].found.pairs.pop_back();
+    const TraceDiff d = diff(a, b);
+    EXPECT_FALSE(d.nodes_comparable);
+    EXPECT_TRUE(d.pairs_comparable);
+    EXPECT_FALSE(d.first);
+    EXPECT_EQ(d.pairs_only_in_a, 1u);
+    EXPECT_EQ(d.pairs_only_in_b, 0u);
+    ASSERT_EQ(d.lost.size(), 1u);
+    EXPECT_EQ(d.lost[0].pair, a.frames[1].found.pairs.back());
+    EXPECT_FALSE(d.lost[0].lost_at) << "its nodes are others";
+}
+
 TEST(TraceDiff, OtherMeshesAreComparedByCountsAlone) {
     const Trace a = slide(OverlapTest::symmetric),
                 b = record_trace(mesh_b(), mesh_a(),

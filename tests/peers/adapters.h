@@ -9,7 +9,7 @@ namespace scb {
 // peers.cpp.
 
 PeerKind reference_peer();
-/// `by_cost`: its hierarchies are split at least cost.
+/// `by_cost`: its hierarchies are split by cost.
 PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads);
 PeerKind fcl_peer();
 PeerKind bullet_peer();

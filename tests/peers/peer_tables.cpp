@@ -128,7 +128,7 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
         if (!other) continue;
         for (std::size_t p = 0; p < kinds.size(); ++p) {
             if (!kinds[p].own || kinds[p].name == reference_name) continue;
-            text += "- " + kinds[p].title + " is quicker than " + kinds[*other].title + ",";
+            text += "- " + kinds[p].title + " against " + kinds[*other].title + ":";
             for (const auto& [times, order] :
                  {std::pair{&PeerTimes::cold, "cold"}, std::pair{&PeerTimes::warm, "warm"}}) {
                 double least = INFINITY, most = 0;
@@ -145,7 +145,7 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
                         factor(least) +
                         (scenes.size() > 1 ? " (" + where + ") to " + factor(most) : "");
             }
-            text += ".\n";
+            text += " as quick.\n";
         }
     }
     return text.empty() ? text : text + "\n";

@@ -38,7 +38,7 @@ std::vector<Library> libraries() {
     return all;
 }
 
-/// Behind the name of a layout: its hierarchy is split at least cost.
+/// Behind the name of a layout: its hierarchy is split by cost.
 constexpr std::string_view cost_suffix = "-cost";
 
 std::string known_names() {
