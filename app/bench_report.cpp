@@ -81,8 +81,9 @@ std::string bench_table(const SceneBench& bench) {
         text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
-                format(" %10.1f %9.1f %9.1f %8.1f %6.1f", n_v, mean(subject.n_p),
-                       mean(subject.pairs), ratio(1e6 * ms, n_v), subject.bytes_per_triangle) +
+                format(" %10.1f %9.1f %9.1f", n_v, mean(subject.n_p), mean(subject.pairs)) +
+                (n_v > 0 ? format(" %8.1f", 1e6 * ms / n_v) : "        -") +
+                format(" %6.1f", subject.bytes_per_triangle) +
                 (coherent ? front_cell(subject) : "") +
                 (subject.subject.layout ? "" : paper_cells(bench, subject.subject.kind)) + "\n";
     }
