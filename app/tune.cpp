@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/build_text.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
@@ -54,8 +55,12 @@ TuneOptions tune_options(const Options& options) {
 }
 
 std::string conditions(const Options& options) {
-    if (options.no_time) return "";
-    return "Time: at each frame the settings take turns, each after an untimed query of the same "
+    BuildOptions build = options.hierarchy.build();
+    build.fit.growth = FitOptions{}.growth;  // each setting has its own
+    const std::string built = build_sentence(build);
+    if (options.no_time) return built;
+    return (built.empty() ? "" : built + " ") +
+           "Time: at each frame the settings take turns, each after an untimed query of the same "
            "nodes; one thread, processor time, median of " +
            std::to_string(options.repeats) + (options.repeats == 1 ? " run" : " runs") +
            " per frame, sorting the pairs included. Compiled by " + compiler_text() +

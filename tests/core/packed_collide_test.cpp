@@ -162,6 +162,32 @@ TEST(CollidePacked, OfALayoutChosenAtRunTime) {
     EXPECT_FALSE(packed_layout_of("float3"));
 }
 
+TEST(CollidePacked, EndsAtMorePairsThanItMayFind) {
+    // Some that floats decide on, and many that they leave open.
+    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    same.triangles.assign(150, {0, 1, 2});
+    for (const Mesh& mesh : {random_soup(73, 1500, 0.3), same}) {
+        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        const auto packed = pack<FloatCodec<8>>(hierarchy, mesh);
+        const auto found = [&](std::size_t max_pairs, int threads) {
+            return collide_packed<FloatCodec<8>>({packed, mesh}, {packed, mesh}, Pose{},
+                                                 {SimdLevel::best, threads, max_pairs});
+        };
+        const std::size_t all = found(1'000'000, 1).pairs.size();
+        ASSERT_GT(all, 5000u);
+        for (const int threads : {1, 3}) {
+            EXPECT_TRUE(found(all, threads).complete);
+            EXPECT_EQ(found(all, threads).pairs.size(), all);
+            for (const std::size_t few : {all - 1, std::size_t{1}}) {
+                EXPECT_FALSE(found(few, threads).complete);
+                EXPECT_TRUE(found(few, threads).pairs.empty());
+            }
+        }
+        // It stops early.
+        EXPECT_LT(found(1, 1).n_p, found(all, 1).n_p);
+    }
+}
+
 TEST(CollidePacked, OfOneTriangleEach) {
     const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     expect_packed(BuiltMesh(one), BuiltMesh(one), {});
