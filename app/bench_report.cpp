@@ -140,18 +140,15 @@ std::string BenchCosts::table() const {
     if (without_moves)
         text +=
             "  - of C_u: volumes are moved as their tests need it, so C_v holds that; packed "
-            "layouts do "
-            "not count it.\n";
+            "layouts do not count it.\n";
     if (none)
         text +=
             "  - of C_v or C_p: there were no such tests, or what they cost is in the other; time "
-            "more "
-            "and other scenes.\n";
+            "more and other scenes.\n";
     if (doubtful)
         text +=
             "  - of all: the counts go together in these queries, or they are too few, so that "
-            "costs "
-            "cannot be told apart; time more and other scenes.\n";
+            "costs cannot be told apart; time more and other scenes.\n";
     return text;
 }
 
@@ -193,7 +190,7 @@ Json bench_json(const SceneBench& bench) {
         row["n_u"] = mean(subject.n_u);
         row["pairs"] = mean(subject.pairs);
         row["pairs_hash"] = hash_text(subject.pairs_hash);
-        row["ns_per_volume_test"] = n_v > 0 ? Json(ratio(1e6 * ms, n_v)) : Json();
+        row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
         if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
         if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))

@@ -57,8 +57,8 @@ void decide_exactly(const AnyQuery& query, PackedFindings& found) {
 /// Traverses what the lists have, and decides on every pair of triangles; or ends before, where
 /// there are too many.
 void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
-    constexpr std::size_t many =
-        4096;  // held no longer than it takes to see that they are too many
+    // Pairs are counted, and undecided ones held, so many at a time: all might be too many.
+    constexpr std::size_t many = 4096;
     auto& [lists, open, found] = work;
     std::size_t counted = 0;
     const auto count = [&, &pairs = found.pairs] {

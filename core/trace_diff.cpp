@@ -188,7 +188,11 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         difference.a.add(frame_a->found);
         difference.b.add(frame_b->found);
         std::optional<std::size_t> test;
-        const TestTree tree_a = test_tree(a, *frame_a), tree_b = test_tree(b, *frame_b);
+        TestTree tree_a, tree_b;
+        if (result.nodes_comparable || result.pairs_comparable) {
+            tree_a = test_tree(a, *frame_a);
+            tree_b = test_tree(b, *frame_b);
+        }
         if (result.nodes_comparable) {
             test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
             if (test && !result.first)
