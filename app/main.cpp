@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <new>
 
-#include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/mutation.h"
-#include "app/version.h"
-#include "core/error.h"
-#include "render/context.h"
-#include "render/output_file.h"
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/mutation.h"
+#include "app/cli/version.h"
+#include "render/files/output_file.h"
+#include "render/gl/context.h"
+#include "scb/error.h"
 
 namespace scb {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "render/output_file.h"
+#include "render/files/output_file.h"
 
 namespace scb {
 

@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/hierarchy.h"
-#include "core/orientation.h"
-#include "core/random.h"
-#include "core/triangle_overlap.h"
-#include "core/triangle_segment.h"
-#include "core/trigonometry.h"
-#include "scenes/mesh_file.h"
+#include "core/base/random.h"
+#include "core/base/trigonometry.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/triangle_segment.h"
+#include "scb/hierarchy.h"
+#include "scb/triangle_overlap.h"
+#include "scenes/meshes/mesh_file.h"
 
 namespace scb {
 namespace {

@@ -6,16 +6,16 @@
 #include <variant>
 #include <vector>
 
-#include "core/hierarchy.h"
-#include "golden/files_equal.h"
-#include "golden/id_difference.h"
-#include "golden/image_difference.h"
-#include "render/fit_camera.h"
-#include "render/image_file.h"
-#include "render/output_file.h"
-#include "render/palette.h"
-#include "render/renderer.h"
-#include "scenes/procedural.h"
+#include "golden/compare/id_difference.h"
+#include "golden/compare/image_difference.h"
+#include "golden/suite/files_equal.h"
+#include "render/draw/renderer.h"
+#include "render/files/image_file.h"
+#include "render/files/output_file.h"
+#include "render/view/fit_camera.h"
+#include "render/view/palette.h"
+#include "scb/hierarchy.h"
+#include "scenes/shapes/procedural.h"
 #include "tests/temporary_folder.h"
 
 // Pairs of pictures of 512x512 as `scb golden check` compares them, on one core: a level of a

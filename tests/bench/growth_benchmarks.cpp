@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "core/any_packed.h"
-#include "scenes/motion.h"
-#include "scenes/procedural.h"
+#include "scb/any_packed.h"
+#include "scenes/scene/motion.h"
+#include "scenes/shapes/procedural.h"
 
 // How build and query grow with the number of triangles, from 20 thousand to 5 million: two spheres
 // of triangles, every one of which is divided into four from size to size. A query's work goes with

@@ -3,10 +3,10 @@
 #include <array>
 #include <memory>
 
-#include "core/collide.h"
-#include "core/exact_overlap.h"
-#include "core/placed_volume.h"
-#include "scenes/load_scene.h"
+#include "core/explain/exact_overlap.h"
+#include "core/volumes/placed_volume.h"
+#include "scb/collide.h"
+#include "scenes/scene/load_scene.h"
 
 namespace scb {
 namespace {

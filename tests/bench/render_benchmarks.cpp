@@ -1,11 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include "core/hierarchy.h"
-#include "render/fit_camera.h"
-#include "render/image_file.h"
-#include "render/palette.h"
-#include "render/renderer.h"
-#include "scenes/procedural.h"
+#include "render/draw/renderer.h"
+#include "render/files/image_file.h"
+#include "render/view/fit_camera.h"
+#include "render/view/palette.h"
+#include "scb/hierarchy.h"
+#include "scenes/shapes/procedural.h"
 
 namespace scb {
 namespace {

@@ -12,12 +12,12 @@
 #include <string>
 #include <thread>
 
-#include "core/trace.h"
-#include "render/encode_queue.h"
-#include "render/pairs_figure.h"
-#include "render/rejections_figure.h"
-#include "render/renderer.h"
-#include "scenes/builtin.h"
+#include "core/analysis/trace.h"
+#include "render/draw/renderer.h"
+#include "render/figures/pairs_figure.h"
+#include "render/figures/rejections_figure.h"
+#include "render/files/encode_queue.h"
+#include "scenes/scene/builtin.h"
 
 // Sequences of pictures as `scb render rejections` and `scb render pairs` draw them: spheres-l1 at
 // 1280x720, every frame queried, drawn, encoded and written. Load, hierarchies, context and camera

@@ -1,4 +1,4 @@
-#include "core/collide.h"
+#include "scb/collide.h"
 
 #if defined(SCB_OBSERVER_NEVER_CALLED) != defined(SCB_NO_CALLS)
 #error "not the header that was asked for"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/packed_layout.h"
+#include "scb/packed_layout.h"
 #include "tests/peers/peer.h"
 
 namespace scb {

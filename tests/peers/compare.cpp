@@ -8,12 +8,12 @@
 #include <iostream>
 #include <new>
 
-#include "app/exit_status.h"
-#include "core/error.h"
-#include "render/child_process.h"
-#include "render/output_file.h"
-#include "scenes/builtin.h"
-#include "scenes/load_scene.h"
+#include "app/cli/exit_status.h"
+#include "render/files/child_process.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/scene/builtin.h"
+#include "scenes/scene/load_scene.h"
 #include "tests/peers/peer_json.h"
 #include "tests/peers/peer_plot.h"
 #include "tests/peers/peer_tables.h"

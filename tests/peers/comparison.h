@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/scene.h"
+#include "scenes/scene/scene.h"
 #include "tests/peers/pair_difference.h"
 #include "tests/peers/peer_timing.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh.h"
-#include "core/pose.h"
+#include "scb/mesh.h"
+#include "scb/pose.h"
 #include "tests/peers/peer.h"
 
 namespace scb {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collide.h"
-#include "core/error.h"
+#include "scb/collide.h"
+#include "scb/error.h"
 #include "tests/peers/adapters.h"
 #include "tests/peers/core_mesh.h"
 

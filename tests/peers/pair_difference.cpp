@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/collide.h"
+#include "scb/collide.h"
 
 namespace scb {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "core/collision.h"
-#include "core/mesh.h"
-#include "core/pose.h"
+#include "core/collide/collision.h"
+#include "scb/mesh.h"
+#include "scb/pose.h"
 
 namespace scb {
 

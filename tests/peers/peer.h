@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/collision.h"
+#include "core/collide/collision.h"
 
 namespace scb {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/statistics.h"
+#include "core/base/statistics.h"
 #include "tests/peers/peer_tables.h"
 #include "tests/peers/peers.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/any_hierarchy.h"
-#include "render/child_process.h"
-#include "render/output_file.h"
-#include "render/palette.h"
+#include "render/files/child_process.h"
+#include "render/files/output_file.h"
+#include "render/view/palette.h"
+#include "scb/any_hierarchy.h"
 #include "tests/peers/peer_tables.h"
 #include "tests/peers/peers.h"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/statistics.h"
+#include "core/base/statistics.h"
 
 namespace scb {
 namespace {

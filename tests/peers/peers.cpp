@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "scb/error.h"
 #include "tests/peers/adapters.h"
 
 namespace scb {

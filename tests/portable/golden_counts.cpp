@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/any_packed.h"
-#include "scenes/builtin.h"
-#include "tests/core/built_mesh.h"
+#include "scb/any_packed.h"
+#include "scenes/scene/builtin.h"
+#include "tests/core/hierarchy/built_mesh.h"
 
 namespace scb {
 namespace {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "golden/report.h"
-#include "render/image_file.h"
-#include "render/output_file.h"
+#include "golden/report/html_report.h"
+#include "render/files/image_file.h"
+#include "render/files/output_file.h"
 
 namespace scb {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "core/error.h"
-#include "core/mesh.h"
+#include "scb/error.h"
+#include "scb/mesh.h"
 #include "tests/temporary_folder.h"
 
 namespace scb {

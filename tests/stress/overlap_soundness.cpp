@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/core/overlap_tally.h"
+#include "tests/core/overlap/overlap_tally.h"
 
 namespace {
 

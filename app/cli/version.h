@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/gl/context.h"
+
+namespace scb {
+
+/// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order.
+/// Without an OpenGL context, the first and the last ones.
+std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl);
+
+/// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
+std::string compiler_text();
+
+/// The versions as text, one a line; makes a context to ask it.
+std::string version_text();
+
+}  // namespace scb

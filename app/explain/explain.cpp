@@ -1,0 +1,110 @@
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/explain/explain_pictures.h"
+#include "app/explain/explain_report.h"
+#include "app/explain/explain_volumes.h"
+#include "core/base/text_format.h"
+#include "render/figures/volume_titles.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A scene or a trace of one, at a frame.
+struct SceneAtFrame {
+    QuerySource source;
+    int frame;
+};
+
+SceneAtFrame open_scene(const ExplainOptions& options) {
+    QueryOptions query = options.query;
+    const std::string& name = options.scene.names[0];
+    const bool trace = options.scene.names.size() == 1 && names_trace(name);
+    if (trace) refuse_for_trace(options.recording, name);
+    if (trace && options.scene.frame) query.frames = std::to_string(*options.scene.frame);
+    QuerySource source(options.scene, options.hierarchy, query, {});
+    const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
+    if (trace) source.frame(frame);  // refuses bodies that are elsewhere by now
+    return {std::move(source), frame};
+}
+
+int explain_scene(const ExplainOptions& options, const Console& console) {
+    const SceneAtFrame at = open_scene(options);
+    const SceneQuery& query = at.source.query();
+    const Scene& scene = query.scene;
+    note_doubts(options.scene, options.query, {query.kind}, console);
+    const ExplainedPair pair =
+        explained_nodes(query, at.frame, options.nodes(), "--pair " + options.pair);
+    const int status = pair.found.answer == Answer::false_negative ? exit_different : exit_done;
+    if (status != exit_done) console.alarm("scb: the test rejected volumes that overlap.");
+    Json entry = {{"scene", scene.name}, {"frame", at.frame}};
+    entry.update(explanation_json(pair));
+    const std::string title = printable(scene.name) + ", frame " + std::to_string(at.frame) + ": " +
+                              printable(node_names(pair)) + "\n",
+                      text = title + explanation_text(pair, console.colors_results());
+    if (!options.draws()) {
+        print_result(options.picture.json ? json_text(Json::array({entry}), 2) + "\n" : text);
+        return status;
+    }
+    PictureRun pictures(options.picture);
+    pictures.guard(
+        [&](const std::string& path) { refuse_inputs(path, "-o", options.scene, scene); });
+    ExplainPicture picture;
+    const auto& [a, b] = *pair.nodes;
+    picture.name =
+        explain_name(scene.name, query.kind, at.frame, {{{a.body, a.index}, {b.body, b.index}}});
+    picture.title = scene.name + " · " + std::string(volume_title(query.kind)) + " · explain · " +
+                    node_names(pair);
+    picture.subtitle = asked_words(pair);
+    if (scene.frames > 1)
+        picture.subtitle += (picture.subtitle.empty() ? "" : ", ") + format("frame %d", at.frame);
+    place_nodes(picture, query, at.frame, pair);
+    picture.camera = asked_camera(options.camera, &scene);
+    picture.orthographic = options.camera.orthographic;
+    draw_explanation(pictures, options.picture, pair, picture, entry);
+    pictures.say(text);
+    entry["file"] = picture.name + ".png";
+    if (options.picture.json) pictures.print_instead(json_text(Json::array({entry}), 2) + "\n");
+    pictures.finish(explain_index_head(options));
+    return status;
+}
+
+int run(const ExplainOptions& options, const Console& console) {
+    options.check();
+    return options.pairs_file.empty() ? explain_scene(options, console)
+                                      : explain_volumes(options, console);
+}
+
+}  // namespace
+
+void add_explain(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "explain", "One overlap test of two volumes, step by step, and whether it is right");
+    const auto options = std::make_shared<ExplainOptions>();
+    add_explain_options(*command, *options);
+    command->footer(
+        "A step that separates has a positive slack: by that much; the first one made decides. "
+        "Then what is so, exactly,\nwith what proves it, and what the other tests say. Exit status "
+        "1 "
+        "where the test rejected volumes that overlap.\n\n"
+        "FILE.json is a list of pairs, or one: {\"a\": VOLUME, \"b\": VOLUME, \"pose\": [12 "
+        "numbers, [R|t] row by row, B in A's\nframe; may be left out]}, where VOLUME is one of\n"
+        "  {\"center\": [x,y,z], \"radius\": r, \"normal\": [x,y,z], \"e\": e, \"f\": f}\n"
+        "  {\"center\": [x,y,z], \"radius\": r}\n"
+        "  {\"center\": [x,y,z], \"axes\": [[x,y,z],[x,y,z],[x,y,z]], \"half\": [x,y,z]}\n\n"
+        "Examples:\n"
+        "  scb explain spheres-l1 --frame 250 --pair 7164,1873 --test corrected\n"
+        "  scb explain spheres-l1 --frame 50 --pair 25912,15272 --test printed\n"
+        "  scb explain --pairs volumes.json --json\n"
+        "  scb explain --pairs volumes.json -o out/");
+    command->callback([&action, &console, command, options] {
+        note_given(*command, *options);
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

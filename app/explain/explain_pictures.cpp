@@ -1,0 +1,100 @@
+#include "app/explain/explain_pictures.h"
+
+#include "core/base/text_format.h"
+#include "core/hierarchy/node_mesh.h"
+#include "render/figures/explain_layout.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+
+std::optional<CameraSpec> asked_camera(const CameraOptions& options, const Scene* scene) {
+    if ((options.camera.empty() && options.up.empty()) || options.follows_contact())
+        return std::nullopt;
+    if (scene != nullptr) return camera_spec_for(options, *scene);
+    CameraSpec spec;
+    if (!options.camera.empty()) spec = parse_camera(options.camera);
+    if (!options.up.empty()) spec.up = options.up_vector();
+    if (options.orthographic) spec.orthographic = true;
+    return spec;
+}
+
+std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
+                         const std::array<std::pair<std::string, std::uint32_t>, 2>& nodes) {
+    std::string name =
+        scene + "_" + std::string(volume_kind_name(kind)) + format("_explain_frame-%04d", frame);
+    for (const auto& [body, node] : nodes)
+        name += "_" + file_name_of(body) + "-" + std::to_string(node);
+    return name;
+}
+
+void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
+                 const ExplainedPair& pair) {
+    const std::size_t bodies[] = {query.a, query.b};
+    picture.triangles.emplace();
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t body = bodies[side];
+        picture.to_world[side] = pose_at(query.scene.bodies[body].motion, frame);
+        (*picture.triangles)[side] = node_mesh(query.mesh(body), topology_of(query.hierarchy(body)),
+                                               (*pair.nodes)[side].index);
+    }
+}
+
+void draw_explanation(PictureRun& pictures, const PictureOptions& options,
+                      const ExplainedPair& pair, const ExplainPicture& picture,
+                      nlohmann::ordered_json entry) {
+    ExplainFigure figure;
+    figure.title = picture.title;
+    figure.subtitle = picture.subtitle;
+    figure.but = picture.but;
+    const auto name = [&](std::size_t side) {
+        const std::string raw = side == 0 ? "A" : "B";
+        if (!pair.nodes) return raw;
+        const ExplainedNode& node = (*pair.nodes)[side];
+        return node.body + " " + std::to_string(node.index);
+    };
+    figure.names = {name(0), name(1)};
+    figure.kind = pair.kind;
+    figure.a = pair.a;
+    figure.b = b_seen_from_a(pair);
+    figure.options = pair.options;
+    figure.found = &pair.found;
+    figure.to_world = picture.to_world[0];
+    figure.orthographic = picture.orthographic;
+    figure.theme = options.theme();
+    if (picture.triangles) {
+        figure.triangles.emplace();
+        for (std::size_t side = 0; side < 2; ++side) {
+            MeshDraw& mesh = (*figure.triangles)[side];
+            mesh.mesh = pictures.renderer().upload((*picture.triangles)[side]);
+            mesh.pose = picture.to_world[side];
+        }
+    }
+    const int width = options.width(), height = options.height();
+    if (picture.camera) {
+        const std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
+                                                placed(figure.b, figure.to_world)};
+        const PixelRect view = explain_layout(width, height, figure).view_box();
+        figure.camera = camera_for(*picture.camera, support_of(volumes), aspect_of(view));
+    }
+    const Picture composed = compose(figure, width, height, options.samples, pictures.overlay());
+    pictures.draw(picture.name, composed, std::move(entry));
+    if (figure.triangles)
+        for (const MeshDraw& mesh : *figure.triangles) pictures.renderer().release(mesh.mesh);
+}
+
+std::string asked_words(const ExplainedPair& pair) {
+    if (pair.kind != VolumeKind::scb) return "";
+    return "test " + overlap_title(pair.options);
+}
+
+nlohmann::ordered_json explain_index_head(const ExplainOptions& options) {
+    nlohmann::ordered_json head = {{"command", "explain"}};
+    head["options"] = {{"test", options.query.test},
+                       {"threshold", options.query.threshold},
+                       {"size", {options.picture.width(), options.picture.height()}},
+                       {"samples", options.picture.samples},
+                       {"background", options.picture.background}};
+    return head;
+}
+
+}  // namespace scb

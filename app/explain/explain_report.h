@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/explain/explained_pair.h"
+
+namespace scb {
+
+/// The explanation for a reader, several lines; `colored`: with the escape codes of a terminal for
+/// what is wrong.
+std::string explanation_text(const ExplainedPair& pair, bool colored);
+
+/// The same in machine form, with all digits: `stage` (per test), `exact`, `answer`, `steps`, ...
+nlohmann::ordered_json explanation_json(const ExplainedPair& pair);
+
+/// JSON as text: on one line (`indent` -1) or on several.
+std::string json_text(const nlohmann::ordered_json& json, int indent);
+
+/// "A 412, B 97"; empty for raw volumes.
+std::string node_names(const ExplainedPair& pair);
+
+}  // namespace scb

@@ -1,0 +1,75 @@
+#include "app/explain/explained_pair.h"
+
+#include "app/cli/build_text.h"
+
+#include <cmath>
+
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+ExplainedNode node_of(const SceneQuery& query, std::size_t body, std::int64_t node,
+                      const std::string& option) {
+    const Topology& topology = topology_of(query.hierarchy(body));
+    const std::string& name = query.scene.bodies[body].name;
+    if (node < 0 || node >= static_cast<std::int64_t>(topology.nodes.size()))
+        throw InputError(option + ": there is no node " + std::to_string(node) + " of " + name +
+                         "; its hierarchy has the nodes 0 to " +
+                         std::to_string(topology.nodes.size() - 1) + ".");
+    const auto index = static_cast<std::uint32_t>(node);
+    return {name, index, node_depths(topology)[index], topology.nodes[index].count};
+}
+
+template <class V>
+constexpr VolumeKind raw_kind = VolumeKind::scb;
+template <>
+constexpr VolumeKind raw_kind<Ball> = VolumeKind::ball;
+template <>
+constexpr VolumeKind raw_kind<Obb> = VolumeKind::obb;
+
+}  // namespace
+
+ExplainedPair explained_nodes(const SceneQuery& query, int frame,
+                              const std::array<std::int64_t, 2>& nodes, const std::string& option) {
+    const std::array<ExplainedNode, 2> both = {node_of(query, query.a, nodes[0], option),
+                                               node_of(query, query.b, nodes[1], option)};
+    return std::visit(
+        [&]<class V>(const Hierarchy<V>& of_a) -> ExplainedPair {
+            const auto& of_b = std::get<Hierarchy<V>>(query.hierarchy(query.b));
+            const V &a = of_a.volumes[both[0].index], &b = of_b.volumes[both[1].index];
+            const Placement placed = query_placement(of_a, of_b, query.b_to_a(frame));
+            const OverlapOptions& options = query.options.overlap;
+            std::vector<std::string> notes;
+            if (const std::string built = build_sentence(query.build); !built.empty())
+                notes.push_back(built);
+            return {query.kind, a, b, placed, options, explain(a, b, placed, options), notes, both};
+        },
+        query.hierarchy(query.a));
+}
+
+ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& options) {
+    return std::visit(
+        [&]<class V>(const RawPair<V>& p) -> ExplainedPair {
+            const Placement placed = placement(p.b_to_a, reach(p.a), reach(p.b));
+            return {raw_kind<V>, p.a, p.b, placed, options, explain(p.a, p.b, placed, options),
+                    p.notes};
+        },
+        pair);
+}
+
+AnyVolume b_seen_from_a(const ExplainedPair& pair) {
+    return std::visit([&](const auto& b) { return AnyVolume(seen_from_a(b, pair.placed)); },
+                      pair.b);
+}
+
+double normal_angle(const ExplainedPair& pair) {
+    constexpr double degrees_per_radian = 57.29577951308232;
+    const Vec3 a = std::get<Scb>(pair.a).n, b = std::get<Scb>(b_seen_from_a(pair)).n;
+    // Accurate where it is small.
+    const double degrees =
+        std::atan2(std::sqrt(squared_norm(cross(a, b))), dot(a, b)) * degrees_per_radian;
+    return std::round(degrees * 1e9) / 1e9;
+}
+
+}  // namespace scb

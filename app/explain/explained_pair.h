@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/query/query_source.h"
+#include "core/explain/pair_explanation.h"
+#include "render/view/any_volume.h"
+#include "scenes/scene/raw_pairs.h"
+
+namespace scb {
+
+/// A node of a body's hierarchy.
+struct ExplainedNode {
+    std::string body;
+    std::uint32_t index = 0;
+    int depth = 0;
+    std::uint32_t triangles = 0;  ///< below it
+};
+
+/// Two volumes, what an overlap test says of them step by step, and what is so.
+struct ExplainedPair {
+    VolumeKind kind{};
+    AnyVolume a, b;  ///< of one type, each in its own frame
+    Placement placed;
+    OverlapOptions options;
+    PairExplanation found;
+    std::vector<std::string> notes{};                     ///< see RawPair; how hierarchies were
+                                                          ///< built where that is unusual
+    std::optional<std::array<ExplainedNode, 2>> nodes{};  ///< whose volumes they are
+};
+
+/// Two nodes of the query's bodies, placed as in the query itself. Throws InputError where there is
+/// no such node; `option` is what named them.
+ExplainedPair explained_nodes(const SceneQuery& query, int frame,
+                              const std::array<std::int64_t, 2>& nodes, const std::string& option);
+
+ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& options);
+
+/// B as seen from A.
+AnyVolume b_seen_from_a(const ExplainedPair& pair);
+
+/// The angle between the normals of two slab cut balls, in degrees, without the digits in which C
+/// libraries differ.
+double normal_angle(const ExplainedPair& pair);
+
+}  // namespace scb

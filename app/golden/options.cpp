@@ -1,0 +1,105 @@
+#include "app/golden/options.h"
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "app/pictures/picture_options.h"
+#include "app/query/scene_options.h"
+#include "golden/suite/shell_word.h"
+#include "scb/error.h"
+
+namespace scb {
+
+void GoldenOptions::check() const {
+    if (jobs < 0 || jobs > 256)
+        throw InputError("--jobs " + std::to_string(jobs) + ": give 1 to 256.");
+    if (!gl_backend_from_string(gl)) throw InputError("--gl " + gl + ": give osmesa or egl.");
+}
+
+std::filesystem::path GoldenOptions::baselines_folder() const {
+    if (!baselines.empty()) return baselines;
+    return std::filesystem::path(suite).parent_path() / "baselines";
+}
+
+std::vector<GoldenCase> GoldenOptions::chosen(const Suite& all) const {
+    std::set<std::string> wanted(names.begin(), names.end());
+    std::vector<GoldenCase> cases;
+    for (const GoldenCase& golden : all.cases)
+        if (names.empty() || wanted.erase(golden.name) > 0)
+            cases.push_back(seen_from_here(golden, all.file.parent_path(), models));
+    if (!wanted.empty())
+        throw InputError(*wanted.begin() + ": " + suite +
+                         " has no case of that name; `scb golden list` shows them.");
+    return cases;
+}
+
+GoldenRunSettings GoldenOptions::settings() const {
+    GoldenRunSettings settings;
+    std::error_code error;
+    settings.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    if (error)
+        throw InputError("/proc/self/exe cannot be read (" + error.message() +
+                         "), by which cases are run; mount /proc.");
+    settings.folder = std::filesystem::absolute(suite).parent_path().string();
+    if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
+    settings.gl = gl;
+    for (const std::string& word : split_list(runner, ' '))
+        if (!word.empty()) settings.runner.push_back(word);
+    // Not one that PATH has: cases run in another folder.
+    if (!settings.runner.empty() && settings.runner[0].find('/') != std::string::npos)
+        settings.runner[0] = std::filesystem::absolute(settings.runner[0]).string();
+    return settings;
+}
+
+std::size_t GoldenOptions::job_count() const {
+    return jobs > 0 ? static_cast<std::size_t>(jobs)
+                    : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
+std::string GoldenOptions::suite_words() const {
+    std::string words;
+    if (suite != GoldenOptions{}.suite) words += " --suite " + shell_word(suite);
+    if (!baselines.empty()) words += " --baselines " + shell_word(baselines);
+    return words;
+}
+
+void add_suite_options(CLI::App& command, GoldenOptions& options) {
+    command.add_option("NAME", options.names, "Cases; all of them where none is named")
+        ->type_name("");
+    command.add_option("--suite", options.suite, "The file that describes the cases")
+        ->check(has_name())
+        ->type_name("FILE.json")
+        ->capture_default_str();
+    command
+        .add_option("--baselines", options.baselines,
+                    "The folder of the baselines; else baselines/ beside the suite")
+        ->check(has_name())
+        ->type_name("DIR");
+}
+
+void add_golden_options(CLI::App& command, GoldenOptions& options) {
+    add_suite_options(command, options);
+    options.gl = PictureOptions{}.gl;
+    command
+        .add_option("--models", options.models,
+                    "Where meshes are looked for that are not beside the suite or their scene file")
+        ->envname("SCB_MODELS")
+        ->check(has_name())
+        ->type_name("DIR");
+    command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
+        ->check(decimal_number())
+        ->type_name("J")
+        ->capture_default_str();
+    command
+        .add_option("--runner", options.runner,
+                    "Run each case, in the folder of the suite, with this program in front: "
+                    "\"qemu-x86_64 -cpu Nehalem\"")
+        ->check(has_name())
+        ->type_name("WORDS");
+    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
+}  // namespace scb

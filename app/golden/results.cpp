@@ -1,0 +1,154 @@
+#include "app/golden/results.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <optional>
+
+#include "app/cli/version.h"
+#include "app/query/scene_options.h"
+#include "golden/compare/number_words.h"
+#include "golden/report/github.h"
+#include "golden/report/junit.h"
+#include "golden/report/plain_text.h"
+#include "golden/report/report_folder.h"
+#include "golden/report/result_lines.h"
+#include "golden/suite/files_equal.h"
+#include "render/files/output_file.h"
+#include "render/gl/context.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment_value(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+/// The same for every name of a file or folder, also of one that is not there yet.
+fs::path one_name(const fs::path& path) {
+    std::error_code ignored;
+    // With something behind it, a folder's name ends alike with and without a slash.
+    return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
+}
+
+void tell_github(const SuiteResult& result) {
+    if (environment_value("GITHUB_ACTIONS") == "true") print_result(github_annotations(result));
+    const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
+    if (summary.empty()) return;
+    std::error_code ignored;
+    // A pipe would wait for a reader.
+    if (fs::exists(summary, ignored) && !is_there(summary))
+        throw OutputError("Cannot write \"" + summary +
+                          "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
+                          "one.");
+    std::ofstream file(summary, std::ios::app | std::ios::binary);
+    file << github_summary(result);
+    if (!file.flush())
+        throw OutputError("Cannot write \"" + summary + "\", which GITHUB_STEP_SUMMARY names.");
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> golden_environment(
+    const GoldenRunSettings& settings) {
+    const auto with_compiler = [](const GlInfo* info) {
+        auto all = versions(info);
+        all.emplace_back("compiler", compiler_text());
+        return all;
+    };
+    try {
+        const Context context(*gl_backend_from_string(settings.gl));
+        const GlInfo info = context.info();
+        return with_compiler(&info);
+    } catch (const GlError&) {
+        // Then the cases have said so.
+        return with_compiler(nullptr);
+    }
+}
+
+void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const {
+    const fs::path folder(report);
+    if (!report.empty() && one_name(folder) == one_name(baselines))
+        throw InputError("--report " + report +
+                         ": this is the folder of the baselines, which only an update changes; "
+                         "name another.");
+    std::vector<std::pair<std::string, fs::path>> written = {{"--junit", junit}, {"--json", json}};
+    for (const char* name : {"report.html", "results.json"})
+        if (!report.empty()) written.emplace_back("--report", folder / name);
+    for (const auto& [option, file] : written) {
+        if (file.empty()) continue;
+        const fs::path name = one_name(file);
+        if (name == one_name(suite) || name.parent_path() == one_name(baselines))
+            throw InputError(option + " would write " + file.string() +
+                             (name == one_name(suite) ? ", which is the suite"
+                                                      : ", which is among the baselines") +
+                             "; name another place.");
+    }
+}
+
+void add_result_files(CLI::App& command, ResultFiles& files) {
+    command
+        .add_option("--report", files.report,
+                    "Folder for report.html, results.json and the pictures of failing cases")
+        ->check(has_name())
+        ->type_name("DIR");
+    command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
+        ->check(has_name())
+        ->type_name("FILE.xml");
+    command.add_option("--json", files.json, "Also write the results as JSON")
+        ->check(has_name())
+        ->type_name("FILE.json");
+}
+
+void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
+    std::optional<OutputError> failed;
+    // Where one cannot be written, the others still can: the terminal may have gone.
+    const auto attempt = [&](auto write) {
+        try {
+            write();
+        } catch (const OutputError& error) {
+            if (!failed) failed = error;
+        }
+    };
+    attempt([&] { print_result(results_text(result)); });
+    if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
+    if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
+    if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });
+    attempt([&] { tell_github(result); });
+    if (failed) throw *failed;
+}
+
+std::string results_text(const SuiteResult& result) {
+    std::string text;
+    std::map<Verdict, std::size_t> counts;
+    std::size_t tolerated = 0;
+    for (const CaseResult& c : result.cases) {
+        ++counts[c.verdict];
+        tolerated += is_tolerated(c);
+        if (c.verdict == Verdict::same) continue;
+        text += plain_text(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
+                plain_text(c.message) + "\n";
+        for (const std::string& line : result_lines(c)) text += "    " + line + "\n";
+        if (!c.reproduce.empty()) text += "    " + plain_text(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + plain_text(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + plain_text(c.update) + "\n";
+    }
+    if (!result.incomplete.empty()) text += "incomplete. " + plain_text(result.incomplete) + "\n";
+    text += words::counted(result.cases.size(), "case", "cases");
+    if (result.cases.empty() && !result.shard.empty())
+        text += "; none are left for shard " + plain_text(result.shard);
+    const char* separator = ": ";
+    for (const auto& [verdict, count] : counts) {
+        text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));
+        if (verdict == Verdict::same && tolerated > 0)
+            text += " (" + std::to_string(tolerated) + " within the tolerance)";
+        separator = ", ";
+    }
+    return text + "\n";
+}
+
+}  // namespace scb

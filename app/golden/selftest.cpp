@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/mutation.h"
+#include "app/cli/progress.h"
+#include "app/golden/results.h"
+#include "core/base/text_format.h"
+#include "golden/run/check_cases.h"
+#include "golden/run/work_folder.h"
+#include "golden/suite/baseline.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+/// In which comparisons of a suite a mutation must show, by the kind of case in which it does; null
+/// where it need not show.
+struct Expected {
+    Mutation mutation;
+    const char *counts, *ids, *colors;
+};
+
+constexpr const char *a_query = "`collide` of slab cut balls and many frames",
+                     *level_7 = "`levels --levels 7`", *level_5 = "`levels --levels 5`",
+                     *rejections = "`rejections` of slab cut balls";
+
+constexpr Expected expectations[] = {
+    {Mutation::drop_node, a_query, level_7, level_7},
+    {Mutation::nudge_radius, nullptr, level_5, level_5},
+    {Mutation::flip_comparison, a_query, rejections, rejections},
+    {Mutation::swap_stages, a_query, nullptr, rejections},
+    {Mutation::shift_color, nullptr, nullptr, "`levels`"},
+};
+
+/// What the cases that run compare: no more can be asked of them.
+struct Compared {
+    bool counts = false, ids = false, colors = false;
+};
+
+/// The cases in which a mutation showed.
+struct Caught {
+    std::vector<std::string> counts, ids, colors, could_not_run;
+    std::size_t cases = 0;
+
+    void add(const CaseResult& result) {
+        if (!is_failure(result.verdict)) return;
+        // What crashed has compared nothing.
+        if (result.verdict == Verdict::could_not_run) return could_not_run.push_back(result.name);
+        ++cases;
+        if (!result.counts.empty()) counts.push_back(result.name);
+        if (result.ids) ids.push_back(result.name);
+        if (result.colors) colors.push_back(result.name);
+    }
+};
+
+std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 4;
+    if (names.empty()) return "none";
+    std::string text = std::to_string(names.size()) + ": ";
+    for (std::size_t i = 0; i < names.size() && i < most; ++i)
+        text += (i == 0 ? "" : ", ") + names[i];
+    return text + (names.size() > most ? ", ..." : "");
+}
+
+/// What a mutation came to.
+struct Judgement {
+    std::string text;
+    bool caught = true;
+};
+
+Judgement judgement(const Expected& expected, const Compared& compared, const Caught& caught,
+                    std::size_t cases) {
+    Judgement judged;
+    std::string lacking, lines, advice;
+    const auto judge = [&](const char* what, bool is_compared, const char* shows_in,
+                           const std::vector<std::string>& names) {
+        lines += format("    %-8s", what) + (is_compared ? some_of(names) : "not compared") + "\n";
+        if (!is_compared || shows_in == nullptr || !names.empty()) return;
+        lacking += (lacking.empty() ? "" : ", ") + std::string(what);
+        advice += "    To catch it by " + std::string(what) + ", add a case of " + shows_in +
+                  " that compares " + what + ".\n";
+    };
+    judge("counts", compared.counts, expected.counts, caught.counts);
+    judge("ids", compared.ids, expected.ids, caught.ids);
+    judge("colors", compared.colors, expected.colors, caught.colors);
+    if (!caught.could_not_run.empty())
+        lines += "    could not run " + some_of(caught.could_not_run) + "\n";
+    judged.caught = lacking.empty();
+    judged.text =
+        format("%-16s caught by %zu of %zu cases",
+               std::string(mutation_name(expected.mutation)).c_str(), caught.cases, cases);
+    if (!judged.caught) judged.text += ": NOT CAUGHT by " + lacking;
+    judged.text += "\n" + lines + advice;
+    return judged;
+}
+
+/// What the cases compare, those left out that were skipped. Throws InputError where one differs:
+/// then nothing would be proven.
+Compared compared_by(const std::vector<GoldenCase>& cases, const std::vector<CaseResult>& results) {
+    Compared compared;
+    for (const CaseResult& result : results) {
+        if (is_failure(result.verdict))
+            throw InputError(result.name + " differs without any error: " + result.message +
+                             " Mend or update that first.");
+        if (result.verdict == Verdict::skipped) continue;
+        const auto golden = std::find_if(
+            cases.begin(), cases.end(), [&](const GoldenCase& c) { return c.name == result.name; });
+        compared.counts |= golden->counts;
+        compared.ids |= golden->ids;
+        compared.colors |= golden->colors;
+    }
+    if (!compared.counts && !compared.ids && !compared.colors)
+        throw InputError("All cases were skipped, so nothing can be proven: " + results[0].message);
+    return compared;
+}
+
+int run(const GoldenOptions& options, const Console& console) {
+    options.check();
+    const Suite suite = load_suite(options.suite);
+    check_readable(options.baselines_folder());
+    GoldenCheck check;
+    check.cases = options.chosen(suite);
+    check.settings = options.settings();
+    check.jobs = options.job_count();
+    const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
+    Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
+    const auto results = [&](const std::string& mutation) {
+        const GoldenWork work;
+        check.folders = {options.baselines_folder(), work.candidates(), ""};
+        check.settings.mutation = mutation;
+        return check_cases(check,
+                           [&] {
+                               progress.step("cases");
+                               return watch.signal() == 0;
+                           })
+            .results;
+    };
+    const std::vector<CaseResult> unharmed = results("");
+    const Compared compared = watch.signal() == 0 ? compared_by(check.cases, unharmed) : Compared{};
+    std::string text;
+    bool all_caught = true;
+    for (const Expected& expected : expectations) {
+        if (watch.signal() != 0) break;
+        Caught caught;
+        for (const CaseResult& result : results(std::string(mutation_name(expected.mutation))))
+            caught.add(result);
+        if (watch.signal() != 0) break;
+        const Judgement judged = judgement(expected, compared, caught, check.cases.size());
+        all_caught &= judged.caught;
+        text += judged.text;
+    }
+    print_result(text);
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; not all errors were tried.");
+        return exit_interrupted(watch.signal());
+    }
+    return all_caught ? exit_done : exit_different;
+}
+
+}  // namespace
+
+void add_golden_selftest(CLI::App& golden, const Console& console, Action& action) {
+    CLI::App* command = golden.add_subcommand(
+        "selftest", "Prove that the suite can fail: errors on purpose must turn cases red");
+    const auto options = std::make_shared<GoldenOptions>();
+    add_golden_options(*command, *options);
+    command->footer(
+        "The errors: a node dropped, a radius nudged by a thousandth, a comparison of the overlap "
+        "test flipped, two of\nits stages swapped, a color shifted by 1 of 255. Each must show in "
+        "counts, ids and colors wherever it can, as far\nas the cases compare them. Exit status 1 "
+        "where one does not; then it says which kind of case would show it.");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

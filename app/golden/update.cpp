@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/golden/results.h"
+#include "golden/compare/number_words.h"
+#include "golden/report/plain_text.h"
+#include "golden/run/check_cases.h"
+#include "golden/run/work_folder.h"
+#include "golden/suite/baseline.h"
+#include "golden/suite/baseline_lock.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+struct Options : GoldenOptions {
+    bool failing = false, missing = false, all = false;
+
+    void check() const;
+    /// Whether the baseline of a case that came to that is replaced.
+    bool takes(Verdict verdict) const;
+};
+
+void Options::check() const {
+    GoldenOptions::check();
+    const char* ci = std::getenv("CI");
+    if (ci != nullptr && *ci != '\0')
+        throw InputError(
+            "CI is set, and a run in CI must not change what it is compared with; update where a "
+            "person looks at the pictures.");
+    if (failing + missing + all + !names.empty() != 1)
+        throw InputError("which baselines? Give names of cases, or --failing, --missing or --all.");
+}
+
+bool Options::takes(Verdict verdict) const {
+    if (verdict == Verdict::could_not_run || verdict == Verdict::skipped) return false;
+    if (missing) return verdict == Verdict::missing_baseline;
+    if (failing) return is_failure(verdict);
+    return true;
+}
+
+/// What an update did, as far as it came.
+struct Updated {
+    std::string text;  ///< a line per file, or per case that could not be updated
+    std::size_t cases = 0, failed = 0;
+};
+
+/// Updates the baseline of a case that came to `result`, where that is asked for.
+void update_case(const Options& options, const GoldenCheck& check, const GoldenCase& golden,
+                 const CaseResult& result, Updated& updated) {
+    const auto fail = [&](const std::string& sentence) {
+        updated.text += plain_text(result.name + ": " + sentence) + "\n";
+        ++updated.failed;
+    };
+    if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders))
+        return fail("could not run. " + result.message);
+    if (result.verdict == Verdict::skipped && !options.names.empty())
+        fail("skipped. " + result.message);
+    // A baseline that cannot be read is replaced where it is asked for.
+    const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
+    if (!broken && !options.takes(result.verdict)) return;
+    const std::string trouble = record_trace(golden, check.settings, check.folders.candidates);
+    if (check.settings.stopped()) return;
+    if (!trouble.empty())
+        fail("its trace could not be recorded, and the old one stays as it is. " + trouble);
+    const std::vector<std::string> files =
+        replace_baseline(check.folders.baselines, check.folders.candidates, result.name,
+                         trouble.empty() ? OldTrace::removed : OldTrace::kept);
+    if (files.empty()) return;
+    ++updated.cases;
+    for (const std::string& file : files) updated.text += plain_text(file) + "\n";
+}
+
+void print(const Updated& updated, std::size_t cases) {
+    print_result(updated.text + words::grouped(updated.cases) + " of " +
+                 words::counted(cases, "case", "cases") + " updated\n");
+}
+
+int run(const Options& options, const Console& console) {
+    options.check();
+    const Suite suite = load_suite(options.suite);
+    const GoldenWork work;
+    GoldenCheck check;
+    check.cases = options.chosen(suite);
+    check.settings = options.settings();
+    check.folders = {options.baselines_folder(), work.candidates(), ""};
+    check.jobs = options.job_count();
+    const BaselineLock lock(check.folders.baselines);
+    if (lock.held()) remove_unfinished(check.folders.baselines);
+    const InterruptWatch watch;
+    check.settings.stopped = [&watch] { return watch.signal() != 0; };
+    Progress progress(console, check.cases.size());
+    const std::vector<CaseResult> results = check_cases(check, [&] {
+                                                progress.step("cases");
+                                                return watch.signal() == 0;
+                                            }).results;
+
+    Updated updated;
+    try {
+        for (const CaseResult& result : results) {
+            if (watch.signal() != 0) break;
+            const auto golden =
+                std::find_if(check.cases.begin(), check.cases.end(),
+                             [&](const GoldenCase& c) { return c.name == result.name; });
+            update_case(options, check, *golden, result, updated);
+        }
+    } catch (...) {
+        print(updated, results.size());
+        throw;
+    }
+    if (options.all)
+        for (const std::string& file : stray_files(check.folders.baselines, suite))
+            updated.text +=
+                plain_text(file) + ": belongs to no case; remove it by hand if it is not needed.\n";
+    print(updated, results.size());
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; what is listed was updated, the rest is as it was.");
+        return exit_interrupted(watch.signal());
+    }
+    return updated.failed > 0 ? exit_different : exit_done;
+}
+
+}  // namespace
+
+void add_golden_update(CLI::App& golden, const Console& console, Action& action) {
+    CLI::App* command =
+        golden.add_subcommand("update", "Run cases and make what they give their baselines");
+    const auto options = std::make_shared<Options>();
+    add_golden_options(*command, *options);
+    command->get_option("NAME")->description("Cases");
+    command->add_flag("--failing", options->failing, "All cases that differ or have no baseline");
+    command->add_flag("--missing", options->missing, "All cases that have no baseline");
+    command->add_flag("--all", options->all, "All cases");
+    command->footer(
+        "Lists the files that changed. A baseline is replaced whole or not at all; other accepted "
+        "pictures of a case\nare removed where its picture changes. Refused where CI is set, and "
+        "while another update has the baselines.\n\n"
+        "Examples:\n"
+        "  scb golden update levels-spheres-scb\n"
+        "  scb golden update --failing --suite my/cases.json");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,273 @@
+#include <memory>
+
+#include "app/cli/command_text.h"
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/explain/explain_report.h"
+#include "app/inspect/inspect_csv.h"
+#include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_page.h"
+#include "app/inspect/inspect_pictures.h"
+#include "app/inspect/inspect_report.h"
+#include "app/query/query_source.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+/// With -o: nobody looks at more, and they fill disks.
+constexpr int most_pictured = 200;
+
+/// What is written at the end, beside index.json.
+const std::vector<std::string> tables = {"index.html", "frames.csv", "pairs.csv"};
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    QueryLimits limits;
+    PictureOptions picture{.output = ""};
+    std::vector<std::string> recording;    ///< see given_recording_options
+    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
+    std::string command, explain;          ///< see InspectPage
+    std::optional<int> frame;
+    int top = 10;
+
+    bool draws() const { return !picture.output.empty(); }
+    void check();
+};
+
+void Options::check() {
+    hierarchy.kind();
+    hierarchy.build();
+    query.collide();
+    if (top < 1 || top > 10000)
+        throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
+    for (const std::string& name : scene.names)
+        if (names_trace(name)) refuse_for_trace(recording, name);
+    if (frame) query.frames = std::to_string(*frame);
+    picture.check();
+    if (!draws() && !of_pictures.empty())
+        throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
+    if (!draws()) return;
+    if (top > most_pictured)
+        throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
+                         std::to_string(most_pictured) + " pairs, each of which is drawn.");
+    std::vector<std::string> files = tables;
+    files.emplace_back("index.json");
+    for (const std::string& file : files)
+        refuse_overwriting(std::filesystem::path(picture.output) / file, "-o", scene);
+}
+
+/// Adds frame after frame.
+class Inspector {
+  public:
+    Inspector(const QuerySource& source, int top)
+        : query_(source.query()),
+          wrong_(static_cast<std::size_t>(top)),
+          weak_tests_(PassReason::weak_test, static_cast<std::size_t>(top)),
+          loose_fits_(PassReason::loose_fit, static_cast<std::size_t>(top)) {
+        report_.header = source.header();
+        for (const OverlapOptions& other : other_tests(report_.header)) {
+            report_.others.emplace_back();
+            report_.others.back().overlap = other;
+        }
+    }
+
+    void add(const TraceFrame& frame) {
+        const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
+        const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
+        const TestTree tree = test_tree(report_.header, frame);
+        const Attribution attribution =
+            attribute(a, b, report_.header, frame, tree,
+                      all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
+        report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
+        report_.sum += report_.frames.back().found;
+        wrong_.add(frame, attribution);
+        weak_tests_.add(frame, tree, attribution);
+        loose_fits_.add(frame, tree, attribution);
+        for (OtherTest& other : report_.others)
+            other.add(try_other_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
+                                     other.overlap));
+    }
+
+    std::size_t frames() const { return report_.frames.size(); }
+
+    InspectReport report() && {
+        report_.wrong = wrong_.pairs();
+        report_.weak_tests = weak_tests_.pairs();
+        report_.loose_fits = loose_fits_.pairs();
+        for (auto* worst : {&report_.weak_tests, &report_.loose_fits})
+            for (FalsePair& pair : *worst)
+                sharpen_margin(pair, query_.hierarchy(query_.a), query_.hierarchy(query_.b),
+                               query_.b_to_a(pair.frame));
+        sort_by_waste(report_.frames);
+        return std::move(report_);
+    }
+
+  private:
+    const SceneQuery& query_;
+    WorstRejections wrong_;
+    WorstPairs weak_tests_, loose_fits_;
+    InspectReport report_;
+};
+
+/// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
+bool write_report(PictureRun& pictures, const Options& options, const SceneQuery& query,
+                  const InspectReport& report, const Console& console,
+                  const InterruptWatch& watch) {
+    Progress progress(
+        console, 1 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
+    const auto step = [&] {
+        progress.step("pictures");
+        return watch.signal() == 0;
+    };
+    const bool whole = draw_inspection(pictures, options.picture, query, report, step);
+    const InspectPage page{
+        inspect_summary_name(report) + ".png",   options.picture.width(), options.picture.height(),
+        options.picture.theme() == &light_theme, options.command,         options.explain};
+    nlohmann::ordered_json head = {{"command", "inspect"}};
+    head.update(inspect_json(report));
+    if (whole) {
+        pictures.write("frames.csv", frames_csv(report));
+        pictures.write("pairs.csv", pairs_csv(report));
+        pictures.write("index.html", inspect_html(report, page));
+        pictures.finish(std::move(head));
+    }
+    return whole;
+}
+
+void print_report(const Options& options, const InspectReport& report) {
+    print_result(options.picture.json ? json_text(inspect_json(report), 2) + "\n"
+                                      : inspect_text(report));
+}
+
+QuerySource open_source(const Options& options) {
+    try {
+        return {options.scene, options.hierarchy, options.query, options.limits};
+    } catch (const InputError& error) {
+        // --frame is one of --frames, but not what the user typed.
+        const std::string said = error.what(), frames = "--frames ";
+        if (!options.frame || !said.starts_with(frames)) throw;
+        throw InputError("--frame " + said.substr(frames.size()));
+    }
+}
+
+int run(Options& options, const Console& console) {
+    const InterruptWatch watch;
+    options.check();
+    QuerySource source = open_source(options);
+    const SceneQuery& query = source.query();
+    note_doubts(options.scene, options.query, {query.kind}, console);
+    std::optional<PictureRun> pictures;
+    if (options.draws()) {
+        // Before the old page is removed: it may be a link to one of these.
+        const auto refuse = [&](const std::string& path) {
+            refuse_inputs(path, "-o", options.scene, query.scene);
+            for (const std::string& name : source.header().source)
+                refuse_overwriting(path, "-o",
+                                   SceneOptions{{name}, {}, options.scene.models_dir, {}});
+        };
+        for (const std::string& file : tables)
+            refuse((std::filesystem::path(options.picture.output) / file).string());
+        pictures.emplace(options.picture, tables);
+        pictures->guard(refuse);
+    }
+
+    Progress progress(console, source.frames().size());
+    Inspector inspector(source, options.top);
+    for (const int number : source.frames()) {
+        if (watch.signal() != 0) break;
+        inspector.add(source.frame(number));
+        progress.step("frames");
+    }
+    const std::size_t done = inspector.frames();
+    InspectReport report = std::move(inspector).report();
+    if (pictures && watch.signal() == 0) {
+        report.drawn = true;
+        if (options.picture.json)
+            pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
+        else
+            pictures->say(inspect_text(report));
+        if (!write_report(*pictures, options, query, report, console, watch)) {
+            report.drawn = false;
+            print_report(options, report);
+            console.note("scb: interrupted; not all pictures are drawn, and there is no page.");
+            return exit_interrupted(watch.signal());
+        }
+    } else {
+        print_report(options, report);
+    }
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; " + std::to_string(done) + " of " +
+                     std::to_string(source.frames().size()) + " frames were inspected" +
+                     (pictures ? ", and nothing is drawn." : "."));
+        return exit_interrupted(watch.signal());
+    }
+    const PassCounts& counts = report.sum.counts;
+    if (counts.wrongly_rejected == 0) return exit_done;
+    console.alarm("scb: " + wrong_rejections_sentence(counts));
+    return exit_different;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "inspect", "Which pairs passed the overlap test that should not have, and what that cost");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    command->get_option("SCENE")->description(
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
+        "trace`)");
+    add_hierarchy_options(*command, options->hierarchy, false);
+    add_query_options(*command, options->query, false);
+    add_query_limits(*command, options->limits);
+    CLI::Option* frames = command->get_option("--frames");
+    command->add_option("--frame", options->frame, "One frame")
+        ->check(decimal_number())
+        ->excludes(frames)
+        ->type_name("N");
+    command
+        ->add_option("--top", options->top,
+                     "How many of the worst pairs to list, of each reason, each at its worst frame")
+        ->check(decimal_number())
+        ->type_name("K")
+        ->capture_default_str();
+    add_picture_options(*command, options->picture);
+    options->picture.samples = PictureOptions{}.samples;
+    command->get_option("--output")
+        ->default_str("")
+        ->description("Also write a page with pictures of the worst pairs, CSV and JSON");
+    command->get_option("--json")->description("Print JSON");
+    command->footer(
+        "A pair of nodes passes the test for one of three reasons: triangles below it intersect "
+        "(true); its volumes\n"
+        "meet, but no triangles do (fit: the volumes are too loose); or not even the volumes meet "
+        "(test: too weak).\n"
+        "What it led to is wasted but in the first case. The volumes are decided exactly, each "
+        "verdict with a proof.\n"
+        "Exit status 1 where the test rejected volumes that meet, as --test printed does.\n\n"
+        "Examples:\n"
+        "  scb inspect spheres-l1 --frames 0:499:50\n"
+        "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"
+        "  scb inspect knots-l1 --frame 0 --json");
+    command->callback([&action, &console, command, options] {
+        options->recording = given_recording_options(*command);
+        for (const char* option : {"--size", "--background", "--gl", "--jobs"})
+            if (command->count(option) > 0) options->of_pictures.emplace_back(option);
+        const std::vector<std::string> of_queries = {
+            "SCENE",    "--pose",  "--models", "--volume",    "--growth",
+            "--margin", "--split", "--test",   "--threshold", "--bodies"};
+        options->explain = "scb explain" + given_text(*command, of_queries);
+        options->command = "scb inspect" + given_text(*command, of_queries) +
+                           given_text(*command, {"--descent", "--frames", "--frame", "--max-pairs",
+                                                 "--level", "--top", "--size", "--background"}) +
+                           " -o DIR";
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

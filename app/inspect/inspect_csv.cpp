@@ -1,0 +1,70 @@
+#include "app/inspect/inspect_csv.h"
+
+#include <algorithm>
+
+#include "core/base/text_format.h"
+
+namespace scb {
+namespace {
+
+std::string row(std::initializer_list<std::uint64_t> values) {
+    std::string text;
+    for (const std::uint64_t value : values)
+        text += (text.empty() ? "" : ",") + std::to_string(value);
+    return text;
+}
+
+std::string pair_row(int frame, const VolumeTest& test, const char* reason) {
+    return std::to_string(frame) + "," +
+           row({test.nodes.a, test.nodes.b, test.depth_a, test.depth_b}) + "," + reason;
+}
+
+}  // namespace
+
+std::string frames_csv(const InspectReport& report) {
+    std::string text =
+        "frame,pairs,n_v,n_p,passed,true,fit,test,wrongly_rejected,missed_pairs,operations,wasted_"
+        "n_v,"
+        "wasted_n_p,wasted_operations,wasted_by_test_n_v,wasted_by_test_n_p,"
+        "wasted_by_test_operations\n";
+    std::vector<const InspectedFrame*> frames;
+    for (const InspectedFrame& frame : report.frames) frames.push_back(&frame);
+    std::sort(frames.begin(), frames.end(),
+              [](const auto* x, const auto* y) { return x->frame < y->frame; });
+    for (const InspectedFrame* frame : frames) {
+        const PassCounts& c = frame->found.counts;
+        text += std::to_string(frame->frame) + "," +
+                row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
+                     c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
+                     c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
+                     c.all.operations, c.wasted.volume_tests, c.wasted.triangle_tests,
+                     c.wasted.operations, c.wasted_by_tests.volume_tests,
+                     c.wasted_by_tests.triangle_tests, c.wasted_by_tests.operations}) +
+                "\n";
+    }
+    return text;
+}
+
+std::string pairs_csv(const InspectReport& report) {
+    std::string text =
+        "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,depth,leaves,wasted_n_v,wasted_n_p,"
+        "wasted_operations,stage,missed_pairs,file\n";
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst) {
+            const Work& below = p.pair.below;
+            text +=
+                pair_row(p.frame, p.test, std::string(pass_reason_name(p.pair.reason)).c_str()) +
+                "," + std::string(contact_name(p.pair.exact)) +
+                format(p.pair.exact == Contact::disjoint ? ",%.17g,," : ",,%.17g,", p.margin) +
+                row({p.pair.leaves, below.volume_tests, below.triangle_tests, below.operations}) +
+                ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
+        }
+    for (const WronglyRejectedPair& w : report.wrong)
+        text += pair_row(w.frame, w.test, "wrongly rejected") + "," +
+                std::string(contact_name(w.rejection.exact)) + ",,,,,,," +
+                std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
+                "," + file_of(report, w.frame, w.test) + "\n";
+    return text;
+}
+
+}  // namespace scb

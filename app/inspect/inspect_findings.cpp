@@ -1,0 +1,115 @@
+#include "app/inspect/inspect_findings.h"
+
+#include <algorithm>
+
+#include "core/base/text_format.h"
+#include "render/figures/inspect_figure.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+namespace {
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return share_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+    return count_text(count) + " " + (count == 1 ? one : many);
+}
+
+std::string triangles(const PassCounts& counts) {
+    const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted.triangle_tests;
+    if (wasted == 0) return "";
+    return " Of " + counted(all, "triangle test", "triangle tests") + " " + share(wasted, all) +
+           " were.";
+}
+
+std::string waste(const InspectReport& report) {
+    const PassCounts& counts = report.sum.counts;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
+                        by_tests = counts.wasted_by_tests.volume_tests;
+    const std::string tests = counted(all, "volume test", "volume tests");
+    if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
+    return "Of " + tests + ", " + share(wasted, all) +
+           " were wasted: " + share(wasted - by_tests, all) + " since volumes are too loose, and " +
+           share(by_tests, all) + " since the overlap test is too weak." + triangles(counts);
+}
+
+std::string worst_frame(const InspectReport& report) {
+    const InspectedFrame& frame = report.frames.front();
+    return "Frame " + std::to_string(frame.frame) + " wastes the most: " +
+           counted(frame.found.counts.wasted.volume_tests, "volume test.", "volume tests.");
+}
+
+/// The least depth that, with those above it, has half of the waste.
+std::string where(const InspectReport& report) {
+    const std::vector<DepthInspection>& depths = report.sum.depths;
+    const std::uint64_t wasted = report.sum.counts.wasted.volume_tests;
+    std::uint64_t so_far = 0;
+    std::size_t depth = 0;
+    for (; depth < depths.size(); ++depth) {
+        so_far += depths[depth].wasted;
+        if (2 * so_far >= wasted) break;
+    }
+    const auto worst = std::max_element(
+        depths.begin(), depths.end(),
+        [](const DepthInspection& x, const DepthInspection& y) { return x.wasted < y.wasted; });
+    return format("Half of the waste is at depths up to %zu of %zu; depth %zu alone has the most.",
+                  depth, depths.size() - 1, static_cast<std::size_t>(worst - depths.begin()));
+}
+
+std::string change(std::uint64_t from, std::uint64_t to, const char* saves, const char* takes) {
+    const double ratio = static_cast<double>(to) / static_cast<double>(from);
+    return format("%s %.1f %%", ratio < 1 ? saves : takes, 100 * std::abs(ratio - 1));
+}
+
+std::string best_other(const InspectReport& report) {
+    const Work& all = report.sum.counts.all;
+    const OtherTest& best = *std::max_element(
+        report.others.begin(), report.others.end(),
+        [](const OtherTest& x, const OtherTest& y) { return x.caught < y.caught; });
+    const std::string weak = count_text(report.sum.counts.passed(PassReason::weak_test));
+    if (best.caught == 0)
+        return "None of the other tests catches any of the " + weak +
+               " pairs whose volumes are disjoint.";
+    return "Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
+           count_text(best.caught) + " of the " + weak + " pairs whose volumes are disjoint: it " +
+           change(all.volume_tests, best.all.volume_tests, "saves", "makes") +
+           (best.all.volume_tests < all.volume_tests ? " of the volume tests"
+                                                     : " more volume tests") +
+           " and " + change(all.operations, best.all.operations, "saves", "takes") +
+           (best.all.operations < all.operations ? " of the operations." : " more operations.");
+}
+
+}  // namespace
+
+std::string missed_words(const WrongRejection& rejection) {
+    return counted(rejection.missed, "pair", "pairs") + " of triangles missed";
+}
+
+std::string wrong_rejections_sentence(const PassCounts& counts) {
+    return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
+           " of volumes that meet, and so missed " +
+           (counts.missed == 0 ? "no pairs" : counted(counts.missed, "pair", "pairs")) +
+           " of triangles that intersect.";
+}
+
+std::vector<std::string> inspect_findings(const InspectReport& report) {
+    std::vector<std::string> sentences;
+    const PassCounts& counts = report.sum.counts;
+    if (counts.wrongly_rejected > 0) {
+        sentences.push_back(wrong_rejections_sentence(counts));
+        sentences.back().front() = 'T';
+    }
+    sentences.push_back(waste(report));
+    if (counts.wasted.volume_tests > 0) {
+        if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
+        sentences.push_back(where(report));
+    }
+    // Queries that miss contacts are no measure of others.
+    if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
+        sentences.push_back(best_other(report));
+    return sentences;
+}
+
+}  // namespace scb

@@ -1,0 +1,236 @@
+#include "app/inspect/inspect_page.h"
+
+#include <cassert>
+#include <kainjow/mustache.hpp>
+
+#include "app/cli/console.h"
+#include "app/cli/version.h"
+#include "app/inspect/inspect_findings.h"
+#include "core/base/text_format.h"
+#include "render/figures/inspect_figure.h"
+#include "render/figures/volume_titles.h"
+#include "render/gl/embedded.h"
+#include "render/overlay/figure_layout.h"
+#include "scenes/text/utf8.h"
+
+SCB_DECLARE_EMBEDDED(inspect_html)
+
+namespace scb {
+namespace {
+
+using kainjow::mustache::data;
+using kainjow::mustache::mustache;
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return share_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+std::string percents(std::uint64_t part, std::uint64_t whole) {
+    return format("%.2f",
+                  whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+data frame_row(const std::string& name, const Inspection& found) {
+    const PassCounts& counts = found.counts;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
+                        by_tests = counts.wasted_by_tests.volume_tests;
+    data row;
+    row["frame"] = name;
+    row["pairs"] = count_text(found.pairs);
+    row["n_v"] = count_text(all);
+    row["passed"] = count_text(counts.passed());
+    for (const PassReason reason :
+         {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
+        row[std::string(pass_reason_name(reason))] = count_text(counts.passed(reason));
+    row["wasted"] = count_text(wasted);
+    const std::uint64_t n_p = counts.wasted.triangle_tests;
+    row["wasted_n_p"] = count_text(n_p);
+    row["share_n_p"] = share(n_p, counts.all.triangle_tests);
+    row["wrong"] = count_text(counts.wrongly_rejected);
+    row["missed"] = count_text(counts.missed);
+    row["share"] = share(wasted, all);
+    row["true_width"] = percents(all - wasted, all);
+    row["fit_width"] = percents(wasted - by_tests, all);
+    row["test_width"] = percents(by_tests, all);
+    return row;
+}
+
+data frame_rows(const InspectReport& report) {
+    data rows(data::type::list);
+    for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
+        data row = frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+        row["sum"] = data(data::type::bool_false);
+        rows << row;
+    }
+    if (report.frames.size() > 1) {
+        data row = frame_row("sum", report.sum);
+        row["sum"] = data(data::type::bool_true);
+        rows << row;
+    }
+    return rows;
+}
+
+data reason_rows(const PassCounts& counts) {
+    data rows(data::type::list);
+    const auto add = [&](const char* because, const char* color, PassReason reason,
+                         const Work* wasted) {
+        const auto r = static_cast<std::size_t>(reason);
+        data row;
+        row["because"] = because;
+        row["color"] = color;
+        row["inner"] = count_text(counts.inner[r]);
+        row["leaves"] = count_text(counts.leaves[r]);
+        row["n_v"] = wasted == nullptr ? "" : count_text(wasted->volume_tests);
+        row["n_p"] = wasted == nullptr ? "" : count_text(wasted->triangle_tests);
+        row["operations"] = wasted == nullptr ? "" : count_text(wasted->operations);
+        rows << row;
+    };
+    const Work by_fit = counts.wasted_by_fit();
+    add("true contact", "neutral", PassReason::triangles_meet, nullptr);
+    add("fit too loose", "fit", PassReason::loose_fit, &by_fit);
+    add("test too weak", "test", PassReason::weak_test, &counts.wasted_by_tests);
+    return rows;
+}
+
+data other_rows(const InspectReport& report) {
+    const Work& all = report.sum.counts.all;
+    data rows(data::type::list);
+    for (const OtherTest& other : report.others) {
+        data row;
+        row["test"] = overlap_title(other.overlap);
+        row["caught"] = count_text(other.caught);
+        row["n_v"] = count_text(other.all.volume_tests);
+        row["n_v_change"] = change_text(all.volume_tests, other.all.volume_tests);
+        row["n_p"] = count_text(other.all.triangle_tests);
+        row["n_p_change"] = change_text(all.triangle_tests, other.all.triangle_tests);
+        row["operations"] = count_text(other.all.operations);
+        row["operations_change"] = change_text(all.operations, other.all.operations);
+        rows << row;
+    }
+    return rows;
+}
+
+/// The close-ups of one list of pairs.
+class Group {
+  public:
+    Group(const InspectReport& report, const InspectPage& page, const char* id, const char* color,
+          const char* heading, const char* words)
+        : report_(report), page_(page) {
+        group_["id"] = id;
+        group_["color"] = color;
+        group_["heading"] = heading;
+        group_["words"] = words;
+    }
+
+    void add(int frame, const VolumeTest& test, const std::string& detail) {
+        const auto& bodies = report_.header.bodies;
+        const std::string nodes = std::to_string(test.nodes.a) + "," + std::to_string(test.nodes.b);
+        data pair;
+        pair["file"] = file_of(report_, frame, test);
+        pair["caption"] = printable(bodies[0].name) + " " + std::to_string(test.nodes.a) + ", " +
+                          printable(bodies[1].name) + " " + std::to_string(test.nodes.b);
+        pair["detail"] =
+            format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
+        pair["command"] = page_.explain + " --frame " + std::to_string(frame) + " --pair " + nodes;
+        pairs_ << pair;
+        empty_ = false;
+    }
+
+    void append_to(data& groups) {
+        if (empty_) return;
+        group_.set("pairs", pairs_);
+        groups << group_;
+    }
+
+  private:
+    const InspectReport& report_;
+    const InspectPage& page_;
+    data group_, pairs_{data::type::list};
+    bool empty_ = true;
+};
+
+std::string wasted_words(const Work& below) {
+    return count_text(below.volume_tests) + " volume and " + count_text(below.triangle_tests) +
+           (below.triangle_tests == 1 ? " triangle test wasted" : " triangle tests wasted");
+}
+
+data groups_of(const InspectReport& report, const InspectPage& page) {
+    data groups(data::type::list);
+    Group wrong(report, page, "rejected-wrongly", "alarm", "Rejected wrongly",
+                "The volumes meet, and the test says that they do not: an error of the test. "
+                "The worst first.");
+    for (const WronglyRejectedPair& w : report.wrong)
+        wrong.add(w.frame, w.test,
+                  "rejected at " + std::string(stage_name(w.test.stage)) + ", " +
+                      missed_words(w.rejection));
+    wrong.append_to(groups);
+    Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
+                "The volumes overlap, but no triangles below them intersect: no overlap test could "
+                "have rejected them; tighter volumes or other splits could have.");
+    for (const FalsePair& p : report.loose_fits)
+        loose.add(p.frame, p.test, wasted_words(p.pair.below));
+    loose.append_to(groups);
+    Group weak(report, page, "test-too-weak", "test", "Test too weak, the worst first",
+               "The volumes are disjoint, and the test did not see it: a stronger one would have.");
+    for (const FalsePair& p : report.weak_tests)
+        weak.add(p.frame, p.test,
+                 wasted_words(p.pair.below) + ", " + number_text(p.margin) + " apart");
+    weak.append_to(groups);
+    return groups;
+}
+
+}  // namespace
+
+std::string inspect_title(const InspectReport& report) {
+    return printable(report.header.scene) + " · " +
+           std::string(volume_title(report.header.volume)) + " · inspect";
+}
+
+std::string inspect_subtitle(const InspectReport& report) {
+    const TraceHeader& header = report.header;
+    std::string text =
+        printable(header.bodies[0].name) + " and " + printable(header.bodies[1].name);
+    if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
+    return text + (report.frames.size() == 1
+                       ? ", frame " + std::to_string(report.frames[0].frame)
+                       : ", " + std::to_string(report.frames.size()) + " frames");
+}
+
+std::string inspect_html(const InspectReport& report, const InspectPage& page) {
+    data values;
+    values["title"] = inspect_title(report);
+    values["subtitle"] = inspect_subtitle(report);
+    data findings(data::type::list);
+    for (const std::string& sentence : inspect_findings(report)) {
+        data finding;
+        finding["text"] = sentence;
+        const bool alarm = findings.is_empty_list() && report.sum.counts.wrongly_rejected > 0;
+        finding["alarm"] = data(alarm ? data::type::bool_true : data::type::bool_false);
+        findings << finding;
+    }
+    values.set("findings", findings);
+    values["summary"] = page.summary;
+    values["width"] = std::to_string(page.width);
+    values["height"] = std::to_string(page.height);
+    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
+    values["reasons"] = reason_rows(report.sum.counts);
+    values["frames"] = frame_rows(report);
+    if (report.frames.size() > most_frame_rows)
+        values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
+                                count_text(report.frames.size()) +
+                                " frames; frames.csv has all of them.";
+    values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
+                                                                      : data::type::bool_false);
+    values["has_others"] =
+        data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
+    values["others"] = other_rows(report);
+    values["weak"] = count_text(report.sum.counts.passed(PassReason::weak_test));
+    values["groups"] = groups_of(report, page);
+    values["version"] = SCB_VERSION;
+    values["command"] = page.command;
+    mustache html{std::string(SCB_EMBEDDED(inspect_html))};
+    assert(html.is_valid() && "the template is part of the program");
+    return as_utf8(html.render(values));
+}
+
+}  // namespace scb

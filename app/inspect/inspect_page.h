@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "app/inspect/inspect_report.h"
+
+namespace scb {
+
+/// What the page of `scb inspect -o` needs beside the report.
+struct InspectPage {
+    std::string summary;        ///< file name of the picture of the whole
+    int width = 0, height = 0;  ///< of all pictures, in pixels
+    bool light = true;          ///< the background of the pictures, which the page has too
+    std::string command;        ///< that made it
+    std::string explain;        ///< the command that explains a pair, up to the frame
+};
+
+/// One HTML file; the pictures are files beside it.
+std::string inspect_html(const InspectReport& report, const InspectPage& page);
+
+/// "spheres-l1 · SCB · inspect", and "A and B, test symmetric, 10 frames", as UTF-8.
+std::string inspect_title(const InspectReport& report);
+std::string inspect_subtitle(const InspectReport& report);
+
+}  // namespace scb

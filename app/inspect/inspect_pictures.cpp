@@ -1,0 +1,78 @@
+#include "app/inspect/inspect_pictures.h"
+
+#include "app/explain/explain_pictures.h"
+#include "app/explain/explain_report.h"
+#include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_page.h"
+#include "core/base/text_format.h"
+#include "render/figures/inspect_figure.h"
+#include "render/figures/volume_titles.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string loose = "fit too loose";
+
+void draw_summary(PictureRun& pictures, const PictureOptions& options,
+                  const InspectReport& report) {
+    InspectFigure figure;
+    figure.title = inspect_title(report);
+    figure.subtitle = inspect_subtitle(report);
+    figure.frames = report.frames;
+    figure.sum = report.sum;
+    figure.others = report.others;
+    figure.theme = options.theme();
+    const Picture picture = compose(figure, options.width(), options.height(), pictures.overlay());
+    pictures.draw(inspect_summary_name(report), picture, Json{{"summary", true}});
+}
+
+void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
+               const InspectReport& report, int frame, const VolumeTest& test,
+               const std::string& reason, const std::string& detail) {
+    const ExplainedPair pair =
+        explained_nodes(query, frame, {test.nodes.a, test.nodes.b}, "the report");
+    const std::string file = file_of(report, frame, test);
+    ExplainPicture picture;
+    picture.name = file.substr(0, file.size() - std::string_view(".png").size());
+    picture.title = reason + " · " + node_names(pair);
+    const std::string asked = asked_words(pair);
+    picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
+                       " · " + query.scene.name + " · " + std::string(volume_title(query.kind));
+    if (reason == loose) picture.but = "the fit is too loose";
+    place_nodes(picture, query, frame, pair);
+    draw_explanation(pictures, options, pair, picture,
+                     Json{{"frame", frame}, {"nodes", {test.nodes.a, test.nodes.b}}});
+}
+
+}  // namespace
+
+std::string inspect_summary_name(const InspectReport& report) {
+    return report.header.scene + "_" + std::string(volume_kind_name(report.header.volume)) +
+           "_inspect";
+}
+
+bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
+                     const InspectReport& report, const std::function<bool()>& step) {
+    draw_summary(pictures, options, report);
+    if (!step()) return false;
+    for (const WronglyRejectedPair& w : report.wrong) {
+        draw_pair(pictures, options, query, report, w.frame, w.test, "REJECTED WRONGLY",
+                  missed_words(w.rejection));
+        if (!step()) return false;
+    }
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst) {
+            const std::uint64_t wasted = p.pair.below.volume_tests;
+            draw_pair(pictures, options, query, report, p.frame, p.test,
+                      worst == &report.loose_fits ? loose : "test too weak",
+                      count_text(wasted) +
+                          (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
+            if (!step()) return false;
+        }
+    return true;
+}
+
+}  // namespace scb

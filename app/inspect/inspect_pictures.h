@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/inspect/inspect_report.h"
+#include "app/pictures/picture_run.h"
+#include "app/query/scene_query.h"
+
+namespace scb {
+
+/// The name of the picture of the whole, without .png.
+std::string inspect_summary_name(const InspectReport& report);
+
+/// Draws the whole, and every pair of the report. Ends early, with false, where `step`, which is
+/// called after each picture, returns false.
+bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
+                     const InspectReport& report, const std::function<bool()>& step);
+
+}  // namespace scb

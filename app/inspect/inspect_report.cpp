@@ -1,0 +1,256 @@
+#include "app/inspect/inspect_report.h"
+
+#include <algorithm>
+
+#include "app/cli/build_text.h"
+#include "app/cli/console.h"
+#include "app/explain/explain_pictures.h"
+#include "app/inspect/inspect_findings.h"
+#include "app/query/trace_report.h"
+#include "core/base/text_format.h"
+#include "render/figures/inspect_figure.h"
+#include "render/figures/volume_titles.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+unsigned long long wide(std::uint64_t value) { return value; }
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return share_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+std::string frame_row(const std::string& name, const Inspection& i) {
+    return format("%5s %8llu %9llu %9llu %8llu %8llu %8llu %9llu %8s %9llu %8s", name.c_str(),
+                  wide(i.pairs), wide(i.counts.all.volume_tests), wide(i.counts.passed()),
+                  wide(i.counts.passed(PassReason::triangles_meet)),
+                  wide(i.counts.passed(PassReason::loose_fit)),
+                  wide(i.counts.passed(PassReason::weak_test)), wide(i.counts.wasted.volume_tests),
+                  share(i.counts.wasted.volume_tests, i.counts.all.volume_tests).c_str(),
+                  wide(i.counts.wasted.triangle_tests),
+                  share(i.counts.wasted.triangle_tests, i.counts.all.triangle_tests).c_str()) +
+           (i.counts.wrongly_rejected > 0
+                ? format("  REJECTED WRONGLY: %llu, %llu pairs missed",
+                         wide(i.counts.wrongly_rejected), wide(i.counts.missed))
+                : "") +
+           "\n";
+}
+
+std::string frames_text(const InspectReport& report) {
+    std::string text =
+        "frame    pairs       N_v    passed     true      fit     test    wasted    share    "
+        "wasted "
+        "   share\n"
+        "                                                                   N_v   of N_v       N_p "
+        "  of N_p\n";
+    const std::size_t rows = std::min(report.frames.size(), most_frame_rows);
+    for (std::size_t i = 0; i < rows; ++i)
+        text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+    if (report.frames.size() > rows)
+        text += format("  ...  %zu more frames, which --json and frames.csv of -o list\n",
+                       report.frames.size() - rows);
+    if (report.frames.size() > 1) text += frame_row("sum", report.sum);
+    return text + "\n";
+}
+
+std::string reasons_text(const PassCounts& sum) {
+    std::string text =
+        "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
+    const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
+        const auto r = static_cast<std::size_t>(reason);
+        text += format("%-14s %10llu %9llu", title, wide(sum.inner[r]), wide(sum.leaves[r]));
+        if (wasted != nullptr)
+            text += format(" %11llu %11llu %18llu", wide(wasted->volume_tests),
+                           wide(wasted->triangle_tests), wide(wasted->operations));
+        text += "\n";
+    };
+    const Work by_fit = sum.wasted_by_fit();
+    row("true contact", PassReason::triangles_meet, nullptr);
+    row("fit too loose", PassReason::loose_fit, &by_fit);
+    row("test too weak", PassReason::weak_test, &sum.wasted_by_tests);
+    return text + "\n";
+}
+
+std::string depths_text(const Inspection& sum) {
+    std::string text = "depth     tests    passed     true      fit     test    wasted    share\n";
+    for (std::size_t d = 0; d < sum.depths.size(); ++d) {
+        const DepthInspection& at = sum.depths[d];
+        const auto of = [&](PassReason r) { return at.passed[static_cast<std::size_t>(r)]; };
+        text += format("%5zu %9llu %9llu %8llu %8llu %8llu %9llu %8s\n", d, wide(at.tests),
+                       wide(of(PassReason::triangles_meet) + of(PassReason::loose_fit) +
+                            of(PassReason::weak_test)),
+                       wide(of(PassReason::triangles_meet)), wide(of(PassReason::loose_fit)),
+                       wide(of(PassReason::weak_test)), wide(at.wasted),
+                       share(at.wasted, at.tests).c_str());
+    }
+    return text + "\n";
+}
+
+std::string worst_text(const InspectReport& report, const std::vector<FalsePair>& worst,
+                       const char* title) {
+    if (worst.empty()) return std::string(title) + ": none\n\n";
+    std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
+                              printable(report.header.bodies[0].name).c_str(),
+                              printable(report.header.bodies[1].name).c_str());
+    text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
+    for (const FalsePair& p : worst) {
+        const Work& below = p.pair.below;
+        text += format("%5d %8u %8u   %3d %3d %11llu %9llu %12llu", p.frame, p.test.nodes.a,
+                       p.test.nodes.b, p.test.depth_a, p.test.depth_b, wide(below.volume_tests),
+                       wide(below.triangle_tests), wide(below.operations));
+        text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
+        text += "\n";
+    }
+    return text + "\n";
+}
+
+std::string wrong_text(const InspectReport& report) {
+    if (report.wrong.empty()) return "";
+    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
+                              report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
+    text += "frame          nodes     depths   missed  rejected at\n";
+    for (const WronglyRejectedPair& w : report.wrong)
+        text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
+                       w.test.depth_a, w.test.depth_b, wide(w.rejection.missed),
+                       std::string(stage_name(w.test.stage)).c_str());
+    return text + "\n";
+}
+
+std::string others_text(const InspectReport& report) {
+    if (report.others.empty()) return "";
+    const std::uint64_t weak = report.sum.counts.passed(PassReason::weak_test);
+    std::string text = format(
+        "what would have caught it: of the %llu pairs that %s passed though their volumes are "
+        "disjoint\n"
+        "test                  caught       N_v                N_p           operations\n",
+        wide(weak), overlap_title(report.header.options.overlap).c_str());
+    const Work& base = report.sum.counts.all;
+    const auto changed = [](int width, std::uint64_t from, std::uint64_t to) {
+        return format(" %*llu ", width, wide(to)) + right_aligned(change_text(from, to), 8);
+    };
+    for (const OtherTest& other : report.others)
+        text += format("%-19s %8llu", overlap_title(other.overlap).c_str(), wide(other.caught)) +
+                changed(9, base.volume_tests, other.all.volume_tests) +
+                changed(9, base.triangle_tests, other.all.triangle_tests) +
+                changed(12, base.operations, other.all.operations) + "\n";
+    return text;
+}
+
+Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
+    Json json;
+    for (std::size_t r = 0; r < pass_reason_count; ++r)
+        json[std::string(pass_reason_name(static_cast<PassReason>(r)))] = counts[r];
+    return json;
+}
+
+Json work_json(const Work& work) {
+    return {
+        {"n_v", work.volume_tests}, {"n_p", work.triangle_tests}, {"operations", work.operations}};
+}
+
+Json inspection_json(const Inspection& i) {
+    return {{"pairs", i.pairs},
+            {"n_v", i.counts.all.volume_tests},
+            {"n_p", i.counts.all.triangle_tests},
+            {"passed", i.counts.passed()},
+            {"inner", reasons_json(i.counts.inner)},
+            {"leaves", reasons_json(i.counts.leaves)},
+            {"touching", i.counts.touching},
+            {"wrongly_rejected", i.counts.wrongly_rejected},
+            {"missed_pairs", i.counts.missed},
+            {"work", work_json(i.counts.all)},
+            {"wasted", work_json(i.counts.wasted)},
+            {"wasted_by",
+             {{"test", work_json(i.counts.wasted_by_tests)},
+              {"fit", work_json(i.counts.wasted_by_fit())}}}};
+}
+
+Json pair_json(const InspectReport& report, const FalsePair& p) {
+    Json json = {{"frame", p.frame},
+                 {"nodes", {p.test.nodes.a, p.test.nodes.b}},
+                 {"depths", {p.test.depth_a, p.test.depth_b}},
+                 {"test", p.pair.test},
+                 {"reason", pass_reason_name(p.pair.reason)},
+                 {"exact", contact_name(p.pair.exact)},
+                 {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
+                 {"leaves", p.pair.leaves},
+                 {"wasted", work_json(p.pair.below)}};
+    if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
+    return json;
+}
+
+}  // namespace
+
+std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
+    if (!report.drawn) return "";
+    const TraceHeader& header = report.header;
+    return explain_name(
+               header.scene, header.volume, frame,
+               {{{header.bodies[0].name, test.nodes.a}, {header.bodies[1].name, test.nodes.b}}}) +
+           ".png";
+}
+
+std::string inspect_text(const InspectReport& report) {
+    const TraceHeader& header = report.header;
+    std::string title =
+        printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
+        ", " + std::string(volume_title(header.volume));
+    if (header.volume == VolumeKind::scb)
+        title += ", test " + overlap_title(header.options.overlap);
+    title += build_text(build_options(header));
+    title += "\n\n";
+    for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
+    return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +
+           depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
+           worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
+           others_text(report);
+}
+
+Json inspect_json(const InspectReport& report) {
+    Json json = trace_header_json(report.header);
+    json["frames"] = Json::array();
+    for (const InspectedFrame& frame : report.frames) {
+        Json entry = {{"frame", frame.frame}};
+        entry.update(inspection_json(frame.found));
+        json["frames"].push_back(std::move(entry));
+    }
+    json["sum"] = inspection_json(report.sum);
+    json["depths"] = Json::array();
+    for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
+        const DepthInspection& at = report.sum.depths[d];
+        json["depths"].push_back(
+            {{"depth", d},
+             {"n_v", at.tests},
+             {"passed", reasons_json(at.passed)},
+             {"wasted", at.wasted},
+             {"wasted_by",
+              {{"test", at.wasted_by_tests}, {"fit", at.wasted - at.wasted_by_tests}}}});
+    }
+    json["worst"] = Json::array();
+    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
+    json["worst_rejections"] = Json::array();
+    for (const WronglyRejectedPair& w : report.wrong) {
+        Json entry = {{"frame", w.frame},
+                      {"nodes", {w.test.nodes.a, w.test.nodes.b}},
+                      {"depths", {w.test.depth_a, w.test.depth_b}},
+                      {"stage", stage_name(w.test.stage)},
+                      {"missed_pairs", w.rejection.missed}};
+        if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
+        json["worst_rejections"].push_back(std::move(entry));
+    }
+    json["other_tests"] = Json::array();
+    for (const OtherTest& other : report.others) {
+        Json entry = {{"test", overlap_test_name(other.overlap.test)}};
+        if (has_threshold(other.overlap.test)) entry["threshold"] = other.overlap.threshold;
+        entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
+        entry.update(work_json(other.all));
+        json["other_tests"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+}  // namespace scb

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/analysis/alternative_test.h"
+#include "core/analysis/inspection.h"
+#include "core/analysis/worst_pairs.h"
+
+namespace scb {
+
+/// Everything that `scb inspect` found.
+struct InspectReport {
+    TraceHeader header;
+    std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
+    Inspection sum;
+    std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
+    std::vector<WronglyRejectedPair> wrong;         ///< those that miss the most
+    std::vector<OtherTest> others;
+    bool drawn = false;  ///< there is a picture of each pair
+};
+
+/// Tables of frames end here: more rows make a table that nobody reads.
+inline constexpr std::size_t most_frame_rows = 20;
+
+/// The picture of a pair of nodes; empty where none was drawn.
+std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
+
+/// As tables for a reader.
+std::string inspect_text(const InspectReport& report);
+
+/// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
+/// `worst`, `worst_rejections`, `other_tests`.
+nlohmann::ordered_json inspect_json(const InspectReport& report);
+
+}  // namespace scb

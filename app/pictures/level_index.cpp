@@ -1,0 +1,62 @@
+#include "app/pictures/level_index.h"
+
+#include "app/query/trace_report.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(level); }
+
+}  // namespace
+
+Json level_entry(VolumeKind kind, int level, int frame, const std::vector<LevelBody>& bodies) {
+    const LevelNumbers numbers = level_numbers(bodies, level);
+    Json list = Json::array();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const VolumeStatistics& s = numbers.bodies[b];
+        list.push_back({{"body", bodies[b].name},
+                        {"first_id", bodies[b].first_id},
+                        {"volumes", s.volumes},
+                        {"leaves", s.leaves},
+                        {"mean_diameter", s.mean_diameter()},
+                        {"mean_thickness", s.mean_thickness()},
+                        {"area", s.area},
+                        {"volume", s.volume}});
+    }
+    return {{"volume", volume_kind_name(kind)},
+            {"level", level_json(level)},
+            {"frame", frame},
+            {"bodies", std::move(list)}};
+}
+
+Json level_head(const LevelOptions& options, const Scene& scene, int frame,
+                const std::vector<int>& levels, const CameraSpec& camera) {
+    Json levels_json = Json::array(), kinds = Json::array();
+    for (const int level : levels) levels_json.push_back(level_json(level));
+    for (const VolumeKind kind : options.hierarchy.kinds()) kinds.push_back(volume_kind_name(kind));
+    Json bodies = Json::array();
+    for (const Body& body : scene.bodies)
+        bodies.push_back(body_json({body.name, fingerprint(scene.meshes[body.mesh].mesh)}));
+    return {{"command", "render levels"},
+            {"scene", scene.name},
+            {"bodies", std::move(bodies)},
+            {"frame", frame},
+            {"options",
+             {{"volume", kinds},
+              {"levels", levels_json},
+              {"growth", options.hierarchy.growth},
+              {"margin", options.hierarchy.margin},
+              {"split", options.hierarchy.split},
+              {"size", {options.picture.width(), options.picture.height()}},
+              {"samples", options.picture.samples},
+              {"background", options.picture.background},
+              {"color_by", color_by_name(options.resolved_color_by(scene.bodies.size()))},
+              {"opacity", options.resolved_opacity()},
+              {"mesh", options.mesh},
+              {"edges", options.edges}}},
+            {"camera", Json::parse(camera_json(camera))}};
+}
+
+}  // namespace scb

@@ -1,0 +1,53 @@
+#include "app/pictures/level_options.h"
+
+#include "scb/error.h"
+
+namespace scb {
+
+void LevelOptions::check() const {
+    picture.check();
+    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
+    camera.check();
+    if (camera.follows_contact())
+        throw InputError(
+            "--camera contact: levels have no contact; give fit, orbit:... or a file.");
+    hierarchy.kinds();
+    hierarchy.build();
+    if (opacity && !(*opacity >= 0 && *opacity <= 1))
+        throw InputError("--opacity " + std::to_string(*opacity) +
+                         ": give 0 (volumes hidden) to 1 (opaque).");
+    if (color_by != "auto" && !color_by_of(color_by))
+        throw InputError("--color-by " + color_by +
+                         ": give body, depth, radius, thickness or auto.");
+}
+
+ColorBy LevelOptions::resolved_color_by(std::size_t bodies) const {
+    return color_by_of(color_by).value_or(bodies > 1 ? ColorBy::body : ColorBy::thickness);
+}
+
+double LevelOptions::resolved_opacity() const { return opacity.value_or(mesh || edges ? 0.25 : 1); }
+
+void add_level_options(CLI::App& command, LevelOptions& options) {
+    add_scene_options(command, options.scene, true);
+    add_hierarchy_options(command, options.hierarchy);
+    command
+        .add_option("--levels", options.levels,
+                    "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves; auto is all of them")
+        ->type_name("LIST")
+        ->capture_default_str();
+    add_picture_options(command, options.picture, options.camera);
+    command
+        .add_option("--color-by", options.color_by,
+                    "body, depth, radius or thickness; auto is body for several, thickness for one")
+        ->type_name("WHAT")
+        ->capture_default_str();
+    command.add_option("--opacity", options.opacity,
+                       "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
+                       "or 0.25 with --mesh");
+    command.add_flag("--mesh", options.mesh, "Show the meshes, through translucent volumes");
+    command.add_flag("--edges", options.edges, "Show the meshes with their edges");
+    command.add_flag("--no-sheet", options.no_sheet,
+                     "No contact sheet (which several pictures get)");
+}
+
+}  // namespace scb

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/pictures/picture_options.h"
+#include "app/query/scene_options.h"
+#include "render/figures/volume_colors.h"
+
+namespace scb {
+
+/// What `scb render levels` understands.
+struct LevelOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    PictureOptions picture;
+    CameraOptions camera;
+    std::string levels = "auto";
+    std::string color_by = "auto";
+    std::optional<double> opacity;
+    bool mesh = false, edges = false, no_sheet = false;
+
+    /// Refuses what makes no sense before any work is done; throws InputError.
+    void check() const;
+
+    /// What colors tell: as asked for, or else the body where there are several and the thickness
+    /// where there is one.
+    ColorBy resolved_color_by(std::size_t bodies) const;
+    /// As asked for, or else such that a mesh that was asked for shows through.
+    double resolved_opacity() const;
+};
+
+void add_level_options(CLI::App& command, LevelOptions& options);
+
+}  // namespace scb

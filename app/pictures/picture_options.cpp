@@ -1,0 +1,143 @@
+#include "app/pictures/picture_options.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/query/scene_options.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+// Smaller ones have no room for a heading and numbers; larger ones no OpenGL library draws.
+constexpr int smallest_width = 320, smallest_height = 240, largest = 16384;
+
+int side_of(const std::string& size, std::size_t side) {
+    const std::vector<std::string> parts = split_list(size, 'x');
+    if (parts.size() != 2)
+        throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
+    return whole_number(parts[side], "--size " + size);
+}
+
+}  // namespace
+
+void PictureOptions::check() const {
+    const int most = samples == 4 ? largest / 2 : largest;
+    if (width() < smallest_width || height() < smallest_height || width() > most || height() > most)
+        throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
+                         std::to_string(smallest_height) + " to " + std::to_string(most) + "x" +
+                         std::to_string(most) + " pixels" +
+                         (samples == 4 && (width() > most || height() > most) &&
+                                  width() <= largest && height() <= largest
+                              ? ", or twice that with --samples 1."
+                              : "."));
+    if (samples != 1 && samples != 4)
+        throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
+    if (job_count < 0 || job_count > 256)
+        throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
+    theme();
+    backend();
+}
+
+int PictureOptions::width() const { return side_of(size, 0); }
+int PictureOptions::height() const { return side_of(size, 1); }
+
+const Theme* PictureOptions::theme() const {
+    if (background == "light") return &light_theme;
+    if (background == "dark") return &dark_theme;
+    throw InputError("--background " + background + ": give light or dark.");
+}
+
+GlBackend PictureOptions::backend() const {
+    if (const std::optional<GlBackend> backend = gl_backend_from_string(gl)) return *backend;
+    throw InputError("--gl " + gl + ": give osmesa or egl.");
+}
+
+std::size_t PictureOptions::jobs() const {
+    if (job_count > 0) return static_cast<std::size_t>(job_count);
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+std::filesystem::path PictureOptions::output_folder() const {
+    std::error_code error;
+    std::filesystem::create_directories(output, error);
+    if (error || !std::filesystem::is_directory(output))
+        throw OutputError(output + ": this folder cannot be made" +
+                          (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
+    return output;
+}
+
+namespace {
+
+void add_output_size(CLI::App& command, PictureOptions& options, const char* files) {
+    CLI::Option* output = command.add_option("-o,--output", options.output, files)
+                              ->check(has_name())
+                              ->type_name("DIR");
+    if (!options.output.empty()) output->capture_default_str();
+    command.add_option("--size", options.size, "Size of a picture in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+}
+
+void add_view(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+    command
+        .add_option("--camera", camera.camera,
+                    "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
+                    "scene's own")
+        ->type_name("CAMERA");
+    command.add_option("--up", camera.up, "The axis that points up: x, y or z")->type_name("AXIS");
+    command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
+    command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
+        ->check(decimal_number())
+        ->capture_default_str();
+}
+
+void add_drawing(CLI::App& command, PictureOptions& options) {
+    command.add_option("--background", options.background, "light or dark")
+        ->type_name("THEME")
+        ->capture_default_str();
+    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
+void add_jobs(CLI::App& command, PictureOptions& options) {
+    command
+        .add_option("--jobs", options.job_count,
+                    "Threads that compress pictures; 0 is one per core")
+        ->check(decimal_number())
+        ->capture_default_str();
+}
+
+void add_json(CLI::App& command, PictureOptions& options) {
+    command.add_flag("--json", options.json, "Print index.json instead of the file names");
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+    add_output_size(command, options, "Folder for the pictures");
+    add_view(command, options, camera);
+    add_drawing(command, options);
+    add_jobs(command, options);
+    command.add_flag("--ids", options.ids,
+                     "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
+    add_json(command, options);
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    // Nothing but the overlay, which is not sampled.
+    options.samples = 1;
+    add_output_size(command, options, "Folder for the pictures");
+    add_drawing(command, options);
+    add_jobs(command, options);
+    add_json(command, options);
+}
+
+void add_figure_options(CLI::App& command, PictureOptions& options, const char* files) {
+    add_output_size(command, options, files);
+    add_drawing(command, options);
+}
+
+}  // namespace scb

@@ -1,0 +1,99 @@
+#include "app/pictures/picture_run.h"
+
+#include "app/cli/mutation.h"
+#include "app/cli/version.h"
+#include "render/files/output_file.h"
+
+namespace scb {
+
+using Json = nlohmann::ordered_json;
+
+PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::string>& tables)
+    : options_(options),
+      context_(options.backend()),
+      renderer_(context_),
+      folder_(options.output_folder()),
+      queue_(8, options.jobs()) {
+    std::vector<std::string> stale = tables;
+    stale.emplace_back("index.json");
+    for (const std::string& name : stale) {
+        std::error_code ignored;
+        const std::filesystem::path path = place(name);
+        if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
+    }
+    if (options.video.wanted())
+        video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
+                       options.theme()->background);
+}
+
+void PictureRun::draw(const std::string& name, const Picture& picture, Json entry,
+                      bool of_sequence) {
+    const bool with_ids = (options_.ids || options_.pick) && of_sequence;
+    Rendering rendering = mutates_pictures() ? renderer_.draw(mutated(picture), &overlay_, with_ids)
+                                             : renderer_.draw(picture, &overlay_, with_ids);
+    Json files = {{"file", name + ".png"}};
+    if (video_ && of_sequence) video_->push(rendering.image);
+    if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
+    queue_.push(place(name + ".png"), std::move(rendering.image));
+    written_.push_back(name + ".png");
+    if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
+    if (rendering.ids && options_.ids) {
+        files["ids"] = name + "_ids.png";
+        queue_.push(place(name + "_ids.png"), std::move(*rendering.ids));
+        written_.push_back(name + "_ids.png");
+    }
+    files.update(entry);
+    files_.push_back(std::move(files));
+}
+
+std::uint32_t PictureRun::id_at(int x, int y) const { return pixel(last_ids_, x, y); }
+
+std::filesystem::path PictureRun::place(const std::string& name) const {
+    const std::filesystem::path path = folder_ / name;
+    if (refuse_) refuse_(path.string());
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+        !std::filesystem::is_directory(status))
+        throw OutputError(path.string() +
+                          ": there is something of that name that is no file; remove it, or name "
+                          "another folder with -o.");
+    return path;
+}
+
+void PictureRun::write(const std::string& name, const std::string& text) {
+    write_file_whole(place(name), text);
+    written_.push_back(name);
+}
+
+void PictureRun::draw_sheet() {
+    const std::string file = sheet_->name + ".png";
+    queue_.push(place(file), scb::draw(sheet_->sheet, renderer_, overlay_));
+    written_.push_back(file);
+    files_.push_back({{"file", file}, {"sheet", true}});
+}
+
+void PictureRun::finish(Json head) {
+    if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
+    queue_.finish();
+    const bool with_video = video_ && video_->frames() > 0;
+    if (with_video) {
+        video_->finish();
+        head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
+    }
+    Json versions_json;
+    const GlInfo info = context_.info();
+    for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
+    head["versions"] = std::move(versions_json);
+    head["files"] = std::move(files_);
+    // File names and names in scene files need not be UTF-8.
+    const std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file_whole(place("index.json"), text);
+    written_.push_back("index.json");
+    std::string list;
+    for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    if (with_video) list += options_.video.file + "\n";
+    print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
+}
+
+}  // namespace scb

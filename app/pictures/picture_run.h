@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/console.h"
+#include "app/pictures/picture_options.h"
+#include "app/pictures/sheet_run.h"
+#include "render/draw/renderer.h"
+#include "render/files/encode_queue.h"
+#include "render/files/video_file.h"
+#include "render/overlay/overlay.h"
+
+namespace scb {
+
+/// The pictures of one run of a command: drawn one after the other, encoded and written beside the
+/// drawing, and listed in index.json at the end. Load meshes first: some of their readers are tried
+/// in a child process, which must not inherit a context or threads.
+class PictureRun {
+  public:
+    /// Makes the folder and removes from it what would describe other pictures should this run not
+    /// finish: index.json and the `tables` that are written at the end. Throws InputError,
+    /// OutputError, GlError.
+    explicit PictureRun(const PictureOptions& options, const std::vector<std::string>& tables = {});
+
+    Renderer& renderer() { return renderer_; }
+    const Context& context() const { return context_; }
+    Overlay& overlay() { return overlay_; }
+
+    /// Makes a contact sheet of the sequence's pictures too.
+    void begin_sheet(SheetRun sheet) { sheet_ = std::move(sheet); }
+    /// What the colors of the picture that comes next mean, for the sheet, if there is one.
+    void explain(const std::string& title, const std::vector<PanelItem>& panel) {
+        if (sheet_) sheet_->explain(title, panel);
+    }
+
+    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; and, where it
+    /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, as a frame of the
+    /// video and as a cell of the sheet, each where that was asked for. `entry` is what the index
+    /// says of it beside the file names.
+    void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
+              bool of_sequence = true);
+
+    /// Asked before each file is written, with its path: refuses one that must not be replaced, by
+    /// throwing.
+    void guard(std::function<void(const std::string&)> refuse) { refuse_ = std::move(refuse); }
+
+    /// Writes a file beside the pictures.
+    void write(const std::string& name, const std::string& text);
+
+    /// Notes a line that is printed before the file names.
+    void say(std::string line) { said_ += std::move(line) + "\n"; }
+    /// Has finish() print this and nothing else.
+    void print_instead(std::string text) { instead_ = std::move(text); }
+    /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
+    std::uint32_t id_at(int x, int y) const;
+
+    /// Draws the sheet, and waits until everything is written, the video too; then writes
+    /// index.json, which is `head` with `files` and the versions at its end, and prints it, or the
+    /// names of all files, as was asked for.
+    void finish(nlohmann::ordered_json head);
+
+  private:
+    void draw_sheet();
+    /// Where a file of that name goes; throws where it must not.
+    std::filesystem::path place(const std::string& name) const;
+
+    std::function<void(const std::string&)> refuse_;
+    const PictureOptions& options_;
+    Context context_;
+    Renderer renderer_;
+    std::filesystem::path folder_;
+    EncodeQueue queue_;
+    std::optional<VideoFile> video_;
+    std::optional<SheetRun> sheet_;
+    Overlay overlay_;
+    std::vector<std::string> written_;
+    std::string said_;
+    std::optional<std::string> instead_;
+    IdImage last_ids_;  ///< kept where a pixel is to be picked
+    nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
+};
+
+}  // namespace scb

@@ -1,0 +1,313 @@
+#include "app/pictures/query_view.h"
+
+#include "app/cli/build_text.h"
+#include "app/query/count_table.h"
+#include "app/query/trace_report.h"
+#include "core/base/text_format.h"
+#include "render/figures/volume_titles.h"
+#include "scb/error.h"
+#include "scb/level_cover.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json range_json(const char* what, const std::string& body, std::uint32_t first, std::size_t count) {
+    return {{"what", what}, {"body", body}, {"first", first}, {"count", count}};
+}
+
+double root_diameter(const AnyHierarchy& hierarchy) {
+    return std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy);
+}
+
+/// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or, since a
+/// volume may stick out of its parent's, all of the upper levels, below which they stick out
+/// little.
+std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown) {
+    constexpr int levels = 6;
+    const Topology& topology = topology_of(hierarchy);
+    if (shown == Shown::meshes) return level_cover(topology, levels);
+    std::vector<std::uint32_t> nodes;
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    for (std::uint32_t node = 0; node < depths.size(); ++node)
+        if (depths[node] <= levels) nodes.push_back(node);
+    return nodes;
+}
+
+}  // namespace
+
+std::string stopped_remark(const TraceFrame& frame) {
+    return "stopped at " + count_text(frame.found.pairs.size()) +
+           (frame.found.pairs.size() == 1 ? " pair" : " pairs");
+}
+
+QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
+                     Renderer& renderer, std::optional<ComparisonLayout> layout)
+    : options_(options), sources_(sources), layout_(layout) {
+    if (compares()) labels_ = query_labels(sources[0].header(), sources[1].header());
+    if (options.shown == Shown::nothing) return;
+    const SceneQuery& query = sources.front().query();
+    for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
+    std::size_t ids = 1;
+    for (const std::size_t body : {query.a, query.b})
+        ids += topology_of(query.hierarchy(body)).nodes.size() + query.mesh(body).triangles.size();
+    if (ids >= 0x80000000u)
+        throw InputError("the scene has more nodes and triangles than ids; use smaller meshes.");
+    first_free_id_ = static_cast<std::uint32_t>(ids);
+    spec_ = camera_spec_for(options.camera, query.scene);
+    std::array<std::vector<std::uint32_t>, 2> nodes;
+    for (std::size_t side = 0; side < 2; ++side)
+        nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
+    held_.reserve(sources.size() * query.frames.size() * (nodes[0].size() + nodes[1].size()));
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        for (const int frame : sources[i].frames()) {
+            const QueryBodies at_frame = bodies(frame, i);
+            for (std::size_t side = 0; side < 2; ++side)
+                for (const std::uint32_t node : nodes[side])
+                    held_.push_back(volume_of(at_frame[side], node));
+        }
+    support_ = support_of(held_);
+    center_ = center_of(support_);
+    whole_ = camera_for(spec_, support_, aspect());
+    if (follows_contact()) return;
+    support_ = nullptr;
+    held_ = {};
+}
+
+QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
+    const SceneQuery& query = sources_[query_index].query();
+    QueryBodies bodies;
+    std::uint32_t next_id = 1;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t index = side == 0 ? query.a : query.b;
+        const Body& body = query.scene.bodies[index];
+        QueryBody& b = bodies[side];
+        b.name = body.name;
+        b.mesh = &query.mesh(index);
+        b.hierarchy = &query.hierarchy(index);
+        b.handle = meshes_[body.mesh];
+        b.pose = pose_at(body.motion, frame);
+        b.first_node_id = next_id;
+        next_id += static_cast<std::uint32_t>(topology_of(*b.hierarchy).nodes.size());
+    }
+    for (QueryBody& b : bodies) {
+        b.first_triangle_id = next_id;
+        next_id += static_cast<std::uint32_t>(b.mesh->triangles.size());
+    }
+    return bodies;
+}
+
+double QueryView::aspect() const {
+    if (layout_) return aspect_of(layout_->sides[0].view);
+    return aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+}
+
+Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
+    if (!follows_contact() || region.empty()) return whole_;
+    // Not so close that a single small triangle fills the view.
+    std::vector<AnyVolume> wide = region;
+    const Support of_region = support_of(region);
+    const Vec3 middle = center_of(of_region);
+    CameraSpec spec = spec_;
+    spec.target.reset();
+    spec.distance.reset();
+    spec.view_height.reset();
+    const SceneQuery& query = sources_.front().query();
+    const double smaller =
+        std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
+    wide.emplace_back(Ball{middle, smaller / 50});
+    Camera camera = camera_for(spec, support_of(wide), aspect());
+    set_depth_range(camera, support_);
+    return camera;
+}
+
+Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
+    return !follows_contact() || region.empty() ? center_ : center_of(support_of(region));
+}
+
+std::string QueryView::title(const std::string& what) const {
+    const SceneQuery& query = sources_.front().query();
+    const bool one_kind = sources_.back().query().kind == query.kind;
+    return query.scene.name + " · " +
+           (one_kind ? std::string(volume_title(query.kind)) + " · " : "") + what;
+}
+
+std::string QueryView::subtitle(std::optional<int> frame) const {
+    const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
+    const Scene& scene = sources_.front().query().scene;
+    std::string text;
+    const auto add = [&text](const std::string& part) {
+        text += (text.empty() ? "" : ", ") + part;
+    };
+    // Of two queries, what they have in common; captions say the rest.
+    const std::vector<TraceField> of_first = fields_of(header), of_other = fields_of(other);
+    const auto common = [&](const char* name) {
+        for (const TraceField& x : of_first)
+            for (const TraceField& y : of_other)
+                if (x.name == name && y.name == name && x.value != y.value) return false;
+        return true;
+    };
+    if (frame && scene.frames > 1)
+        add("frame " + std::to_string(*frame) + " of 0 to " + std::to_string(scene.frames - 1));
+    const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
+    if (of_scb.volume == VolumeKind::scb) {
+        const OverlapOptions& overlap = of_scb.options.overlap;
+        // Of two kinds of volumes the captions say it, since it is that of one of them.
+        if (common("test") && other.volume == header.volume)
+            add("test " + std::string(overlap_test_name(overlap.test)));
+        if (common("threshold") && has_threshold(overlap.test) &&
+            overlap.threshold != OverlapOptions{}.threshold)
+            add(format("threshold %g", overlap.threshold));
+    }
+    if (common("descent") && header.options.descent != CollideOptions{}.descent)
+        add("descent by " + std::string(descent_rule_name(header.options.descent)));
+    BuildOptions build;
+    if (common("growth")) build.fit.growth = header.growth;
+    if (common("margin")) build.fit.margin = header.margin;
+    if (common("split")) build.split = header.split;
+    for (const std::string& part : build_parts(build)) add(part);
+    if (header.options.stop_level >= 0)
+        add("to level " + std::to_string(header.options.stop_level));
+    if (spec_.orthographic.value_or(false)) add("orthographic");
+    return text;
+}
+
+std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
+    const SceneQuery& query = sources_.front().query();
+    std::string queries(volume_kind_name(query.kind));
+    if (compares()) {
+        const std::string both = labels_[0].name + "-vs-" + labels_[1].name;
+        queries = sources_.back().query().kind == query.kind ? queries + "_" + both : both;
+    }
+    return query.scene.name + "_" + queries + "_" + what +
+           (frame ? format("_frame-%04d", *frame) : "");
+}
+
+Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames, std::size_t query) const {
+    const QueryBodies both = bodies(frames[0]->frame, query);
+    for (const QueryBody& b : both) {
+        const Topology& topology = topology_of(*b.hierarchy);
+        if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
+            const std::uint32_t node = id - b.first_node_id;
+            return {{"what", "node"},
+                    {"body", b.name},
+                    {"index", node},
+                    {"depth", node_depths(topology)[node]},
+                    {"triangles", topology.nodes[node].count}};
+        }
+    }
+    for (const QueryBody& b : both)
+        if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
+            return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
+    std::uint32_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        const std::vector<IndexPair>& pairs = frame->found.pairs;
+        if (id >= first && id - first < pairs.size()) {
+            const IndexPair pair = pairs[id - first];
+            return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
+        }
+        first += static_cast<std::uint32_t>(pairs.size());
+    }
+    return nullptr;
+}
+
+Json QueryView::pair_ids(const QueryFrames& frames) const {
+    Json ids = Json::array();
+    std::size_t first = first_free_id_;
+    for (const TraceFrame* frame : frames) {
+        ids.push_back({{"first", first}, {"count", frame->found.pairs.size()}});
+        first += frame->found.pairs.size();
+    }
+    return ids;
+}
+
+void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
+                          const QueryFrames& frames) const {
+    if (!options_.picture.pick) return;
+    const PixelPosition at = *options_.picture.pick;
+    const auto is_in = [&at](const PixelRect& r) {
+        return at.x >= r.x && at.x < r.x + r.width && at.y >= r.y && at.y < r.y + r.height;
+    };
+    const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
+    const Json what = what_is(pictures.id_at(at.x, at.y), frames, query);
+    std::string text = name + format(".png at %d,%d: ", at.x, at.y);
+    if (what.is_null())
+        text += "nothing";
+    else if (what["what"] == "pair")
+        text += "triangles " + what["triangles"][0].dump() + " and " + what["triangles"][1].dump() +
+                " meet";
+    else
+        text += what["what"].get<std::string>() + " " + what["index"].dump() + " of " +
+                printable(what["body"].get<std::string>());
+    if (!what.is_null() && what["what"] == "node")
+        text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
+                (what["triangles"] == 1 ? " triangle" : " triangles");
+    pictures.say(text);
+}
+
+void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
+                            std::optional<SheetRun> planned) const {
+    if (!planned) return;
+    const std::vector<int>& frames = sources_.front().frames();
+    planned->one_frame = frames.size() == 1;
+    planned->name = picture_name(what + "_sheet");
+    planned->sheet.theme = options_.picture.theme();
+    planned->sheet.subtitle =
+        subtitle(planned->one_frame ? std::optional(frames[0]) : std::nullopt);
+    pictures.begin_sheet(std::move(*planned));
+}
+
+Json QueryView::index_head(const std::string& command) const {
+    Json head = {{"command", command}};
+    Json asked = Json::array();
+    for (const QuerySource& source : sources_) {
+        asked.push_back(trace_header_json(source.header()));
+        asked.back().erase("version");
+    }
+    if (compares()) {
+        head["compare"] = {labels_[0].name, labels_[1].name};
+        head["queries"] = std::move(asked);
+    } else {
+        head.update(asked[0]);
+    }
+    head["frames"] = sources_.front().frames();
+    if (options_.shown != Shown::nothing) {
+        const QueryBodies both = bodies(sources_.front().frames().front());
+        head["ids"] = Json::array();
+        for (const QueryBody& b : both)
+            head["ids"].push_back(range_json("node", b.name, b.first_node_id,
+                                             topology_of(*b.hierarchy).nodes.size()));
+        for (const QueryBody& b : both)
+            head["ids"].push_back(
+                range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
+    }
+    Json& options = head["options"];
+    options["size"] = {options_.picture.width(), options_.picture.height()};
+    if (options_.shown != Shown::nothing) options["samples"] = options_.picture.samples;
+    options["background"] = options_.picture.background;
+    if (options_.shown != Shown::nothing && !follows_contact())
+        head["camera"] = Json::parse(camera_json(exact_spec(spec_, camera({}), center_)));
+    return head;
+}
+
+Json QueryView::index_entry(const QueryFrames& frames) const {
+    Json counts = Json::array();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const TraceHeader& header = sources_[i].header();
+        const TraceFrame& frame = *frames[i];
+        counts.push_back(count_json(frame.frame, frame.b_to_a, frame.found,
+                                    counted_stages(header.volume, header.options.overlap)));
+    }
+    if (!compares()) return counts[0];
+    return {{"frame", frames[0]->frame}, {"queries", std::move(counts)}};
+}
+
+Json QueryView::index_entry(const QueryFrames& frames, const Camera& camera) const {
+    Json entry = index_entry(frames);
+    if (follows_contact())
+        entry["camera"] = Json::parse(camera_json(exact_spec(spec_, camera, center_)));
+    return entry;
+}
+
+}  // namespace scb

@@ -1,0 +1,95 @@
+#include "app/pictures/query_view_options.h"
+
+#include "render/overlay/figure_layout.h"
+#include "scb/error.h"
+
+namespace scb {
+
+void QueryViewOptions::check() {
+    picture.check();
+    camera.check();
+    hierarchy.kind();
+    hierarchy.build();
+    query.collide();
+    for (const std::string& name : scene.names)
+        if (names_trace(name)) refuse_for_trace(recording, name);
+    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
+    picture.video.check(scene, picture.output);
+    if (pick.empty()) return;
+    const std::vector<std::string> parts = split_list(pick);
+    const std::string hint = "; give X,Y in pixels from the left and the top.";
+    if (parts.size() != 2) throw InputError("--pick " + pick + ": this is no pixel" + hint);
+    const PixelPosition at = {whole_number(parts[0], "--pick " + pick, hint),
+                              whole_number(parts[1], "--pick " + pick, hint)};
+    if (at.x < 0 || at.x >= picture.width() || at.y < 0 || at.y >= picture.height())
+        throw InputError("--pick " + pick + ": the picture has the pixels 0,0 to " +
+                         std::to_string(picture.width() - 1) + "," +
+                         std::to_string(picture.height() - 1) + "; give one of these.");
+    picture.pick = at;
+}
+
+QuerySources QueryViewOptions::open(const Console& console) const {
+    QuerySources sources =
+        open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+    if (picture.video.wanted())
+        check_output(picture.video.file, "--video", sources.front().query().scene);
+    return sources;
+}
+
+std::optional<SheetRun> QueryViewOptions::planned_sheet(
+    std::size_t count, const std::optional<ComparisonLayout>& layout) const {
+    if (!sheet) return std::nullopt;
+    SheetRun run;
+    run.view = figure_layout(picture.width(), picture.height()).view;
+    if (layout) {
+        // Both views, and what is between them.
+        const PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
+        run.view = {first.x, first.y, second.x + second.width - first.x,
+                    second.y + second.height - first.y};
+    }
+    const std::optional<FrameSheetLayout> cells = frame_sheet_layout(count, run.view);
+    if (!cells)
+        throw InputError("--sheet: a sheet has room for " + count_text(most_frame_cells(run.view)) +
+                         " pictures, and this run has " + count_text(count) +
+                         "; give fewer, or leave out --sheet.");
+    run.sheet.layout = *cells;
+    return run;
+}
+
+void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
+    add_scene_options(command, options.scene, false);
+    command.get_option("SCENE")->description(
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
+        "trace`), or two traces to compare");
+    add_hierarchy_options(command, options.hierarchy, false);
+    add_query_options(command, options.query, false);
+    add_query_limits(command, options.limits);
+    options.shown = shown;
+    if (shown != Shown::nothing) {
+        add_picture_options(command, options.picture, options.camera);
+        command.get_option("--camera")
+            ->description(
+                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
+                "or a JSON file; else the scene's own");
+        command
+            .add_option("--pick", options.pick,
+                        "Print what is under this pixel, from the left and the top")
+            ->check(has_name())
+            ->type_name("X,Y");
+        command
+            .add_option("--compare", options.compare,
+                        "Two overlap tests, such as corrected,printed, or two volumes, such as "
+                        "scb,ball: both side by side, and what differs outlined")
+            ->check(has_name())
+            ->type_name("A,B");
+        command.add_flag("--sheet", options.sheet,
+                         "Also all pictures in one, small, with their counts");
+    } else {
+        add_picture_options(command, options.picture);
+    }
+    add_video_options(command, options.picture.video);
+    command.get_option("--frames")
+        ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
+}
+
+}  // namespace scb

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pictures/picture_options.h"
+#include "app/pictures/sheet_run.h"
+#include "app/query/query_sources.h"
+#include "render/figures/comparison_figure.h"
+#include "scenes/text/number_list.h"
+
+namespace scb {
+
+/// What of the bodies a picture shows, and a camera therefore has to hold.
+enum class Shown { nothing, meshes, volumes };
+
+/// What every command that draws queries understands.
+struct QueryViewOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query{.frames = auto_frames};
+    QueryLimits limits;
+    PictureOptions picture;
+    CameraOptions camera;
+    std::string pick;  ///< "X,Y", see PictureOptions::pick
+    bool sheet = false;
+    /// What was given of what a trace already knows, see given_recording_options.
+    std::vector<std::string> recording;
+    std::string compare;  ///< see CompareOptions::names
+    Shown shown = Shown::meshes;
+
+    /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
+    void check();
+    /// Opens what was asked for.
+    QuerySources open(const Console& console) const;
+    /// A sheet for this many pictures, where one is asked for; with `layout` where two queries are
+    /// compared. Throws InputError where they are too many: ask before anything is written.
+    std::optional<SheetRun> planned_sheet(std::size_t count,
+                                          const std::optional<ComparisonLayout>& layout) const;
+};
+/// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
+void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
+
+}  // namespace scb

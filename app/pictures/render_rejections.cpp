@@ -1,0 +1,330 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/pictures/frame_pictures.h"
+#include "app/pictures/query_comparison.h"
+#include "app/query/level_list.h"
+#include "core/analysis/trace_diff.h"
+#include "core/analysis/trace_prefix.h"
+#include "core/base/text_format.h"
+#include "render/figures/pairs_figure.h"
+#include "render/figures/rejections_figure.h"
+#include "render/figures/stages_figure.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+struct Options : QueryViewOptions {
+    std::string by = "dominant";
+    std::string stages, depths, body;
+    double opacity = 1;
+    bool nested = false;
+    std::optional<std::int64_t> steps;
+};
+
+std::string names_of(const std::vector<Ending>& endings) {
+    std::string names;
+    for (const Ending ending : endings)
+        names += (names.empty() ? "" : ", ") + std::string(ending_name(ending));
+    return names;
+}
+
+/// "7" or "0:9".
+std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
+    const std::string option = "--depth " + text;
+    const std::string hint = "; give a level such as 7, or the first and the last such as 0:9.";
+    const std::vector<std::string> parts = split_list(text, ':');
+    if (parts.size() > 2) throw InputError(option + ": these are not two levels" + hint);
+    const int first = whole_number(parts.front(), option, hint),
+              last = whole_number(parts.back(), option, hint);
+    if (first < 0 || last < first || last > deepest_level)
+        throw InputError(option + ": this scene's hierarchies have the levels 0 to " +
+                         std::to_string(deepest_level) + hint);
+    return {first, last};
+}
+
+RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
+    const QuerySource& source = sources.front();
+    RejectionsStyle style;
+    const std::optional<FrontColor> by = front_color_of(options.by);
+    if (!by) throw InputError("--by " + options.by + ": give first, last, dominant or share.");
+    style.by = *by;
+    std::vector<Ending> known;
+    for (const QuerySource& each : sources)
+        for (const Ending ending : endings_of(each.header().volume, each.header().options))
+            if (std::find(known.begin(), known.end(), ending) == known.end())
+                known.push_back(ending);
+    if (!options.stages.empty())
+        for (const std::string& name : split_list(options.stages)) {
+            const std::optional<Ending> ending = ending_of(name);
+            if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())
+                throw InputError("--stage " + options.stages + ": '" + name +
+                                 "' is none here; give some of " + names_of(known) + ".");
+            style.filter.endings.push_back(*ending);
+        }
+    if (!options.depths.empty())
+        std::tie(style.filter.least_depth, style.filter.most_depth) =
+            depth_range(options.depths, deepest(source.query().topologies));
+    const TraceHeader& header = source.header();
+    if (!options.body.empty()) {
+        for (std::size_t side = 0; side < 2; ++side)
+            style.sides[side] = header.bodies[side].name == options.body;
+        if (!style.sides[0] && !style.sides[1])
+            throw InputError("--body " + options.body + ": the bodies are " +
+                             header.bodies[0].name + " and " + header.bodies[1].name +
+                             "; give one of them.");
+    }
+    if (!(options.opacity > 0 && options.opacity <= 1))
+        throw InputError("--opacity: give a number above 0 (clear) up to 1 (opaque).");
+    style.opacity = options.opacity;
+    style.nested = options.nested;
+    style.theme = options.picture.theme();
+    return style;
+}
+
+/// Which nodes are shown, where not all are.
+std::string filter_text(const Options& options) {
+    std::string text;
+    if (!options.body.empty()) text += ", only body " + options.body;
+    if (!options.depths.empty()) text += ", only levels " + options.depths;
+    if (!options.stages.empty()) text += ", only " + options.stages;
+    return text;
+}
+
+/// One picture: a query, or its first tests.
+struct Shot {
+    const QuerySources& sources;
+    const QueryView& view;
+    const RejectionsStyle& style;
+    const Options& options;
+    PictureRun& pictures;
+
+    /// `step`: how many tests of `whole` the frame has, where it is an animation's.
+    void draw(const TraceFrame& frame, const TestTree& tree, std::optional<std::size_t> step,
+              const TraceFrame& whole) const {
+        const QuerySource& source = sources.front();
+        const QueryBodies bodies = view.bodies(frame.frame);
+        const Fronts fronts = fronts_of(bodies, frame, tree, style);
+        SceneFigure figure;
+        figure.title = view.title("rejections");
+        figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
+        figure.pane = rejections_pane(bodies, fronts, style);
+        const std::vector<AnyVolume> region = contact_region(bodies, source.header(), whole);
+        figure.pane.camera = view.camera(region);
+        figure.center = view.center(region);
+        figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
+        figure.chart = endings_chart(source.header(), frame, tree, *style.theme);
+        figure.theme = style.theme;
+        if (step) {
+            show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
+        } else if (fronts[0].empty() && fronts[1].empty()) {
+            figure.remark = "no such node";
+        } else if (!frame.found.complete) {
+            figure.remark = stopped_remark(frame);
+        } else if (frame.found.n_v == 1) {
+            figure.remark = "no overlap: the roots were rejected";
+        }
+        nlohmann::ordered_json entry = view.index_entry({&frame}, figure.pane.camera);
+        entry["volumes"] = {fronts[0].size(), fronts[1].size()};
+        std::string name = view.picture_name("rejections", frame.frame);
+        if (step) {
+            entry["tests"] = *step;
+            name += format("_test-%07zu", *step);
+        }
+        pictures.explain(figure.title, figure.panel);
+        const Picture picture =
+            compose(std::move(figure), options.picture.width(), options.picture.height(),
+                    options.picture.samples, pictures.overlay());
+        pictures.draw(name, picture, std::move(entry));
+        view.tell_pick(pictures, name, {&frame});
+    }
+
+    void draw_compared(const QueryFrames& frames) const {
+        const ComparedQueries queries = compared_queries(view, sources, frames);
+        const PairsOfOne only_here = pairs_of_one(queries);
+        std::array<ComparedView, 2> views = compared_rejections(queries, only_here, style);
+        for (std::size_t i = 0; i < 2; ++i)
+            if (views[i].pane.volumes.empty())
+                views[i].remark = "no such node";
+            else if (!frames[i]->found.complete)
+                views[i].remark = stopped_remark(*frames[i]);
+            else if (frames[i]->found.n_v == 1)
+                views[i].remark = "no overlap: the roots were rejected";
+        draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
+                        options, pictures);
+    }
+
+    /// The pair that was tested last, and what its test gave.
+    void show_current_pair(SceneFigure& figure, const QueryBodies& bodies, const TraceFrame& frame,
+                           const TestTree& tree, std::uint64_t all) const {
+        const std::size_t last = frame.events.volume_tests.size() - 1;
+        const TracedTest test = traced_test(frame, tree, last);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::uint32_t node = side == 0 ? test.test.nodes.a : test.test.nodes.b;
+            const AnyVolume volume = volume_of(bodies[side], node);
+            const double radius = std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
+            figure.markers.push_back({center(volume), radius});
+        }
+        const std::string result = test.test.stage == Stage::overlapping
+                                       ? std::string("overlap")
+                                       : "rejected at " + std::string(stage_name(test.test.stage));
+        figure.remark = "test " + count_text(last + 1) + " of " + count_text(all) + ": " + result;
+    }
+};
+
+/// How the paths of each frame ended: a picture for each query.
+void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
+                 const QueryView& view, const Options& options, PictureRun& pictures) {
+    double most = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const TraceHeader& header = sources[i].header();
+        stages[i].groups =
+            ending_groups(endings_of(header.volume, header.options), *options.picture.theme());
+        most = std::max(most, most_paths(stages[i]));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        StagesFigure& figure = stages[i];
+        figure.title = view.title("rejections by frame");
+        figure.subtitle = view.subtitle();
+        std::string name = "rejections_stages";
+        if (view.compares()) {
+            figure.title += " · " + view.labels()[i].caption;
+            name += "_" + view.labels()[i].name;
+        }
+        figure.theme = options.picture.theme();
+        figure.least_top = most;
+        const Picture picture =
+            compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
+        pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);
+    }
+}
+
+/// How many pictures there will be. An animation's queries are made for it: a sheet is laid out
+/// before the first picture is drawn.
+std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t> steps) {
+    if (!steps) return source.frames().size();
+    const auto each = static_cast<std::uint64_t>(*steps);
+    std::uint64_t count = 0;
+    for (const int frame : source.frames())
+        count += (source.query().collide(frame).n_v + each - 1) / each;
+    return count;
+}
+
+int run(Options& options, const Console& console) {
+    options.check();
+    QuerySources sources = options.open(console);
+    const RejectionsStyle style = style_of(options, sources);
+    if (options.steps && *options.steps < 1)
+        throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
+    if (options.steps && sources.size() == 2)
+        throw InputError("--steps: an animation is of one query; leave it out to compare two.");
+    std::optional<ComparisonLayout> layout;
+    if (sources.size() == 2)
+        layout = comparison_layout(
+            options.picture.width(), options.picture.height(),
+            compared_rejections_rows(sources[0].header(), sources[1].header(), style));
+    std::optional<SheetRun> sheet;
+    if (options.sheet)
+        sheet = options.planned_sheet(picture_count(sources.front(), options.steps), layout);
+    PictureRun pictures(options.picture);
+    const QueryView view(options, sources, pictures.renderer(), layout);
+    const Shot shot{sources, view, style, options, pictures};
+    view.begin_sheet(pictures, "rejections", std::move(sheet));
+    std::vector<StagesFigure> stages(sources.size());
+    return draw_frames(
+        sources, pictures, console,
+        [&](const QueryFrames& frames, const InterruptWatch& watch) {
+            for (std::size_t i = 0; i < sources.size(); ++i) {
+                stages[i].frames.push_back(frames[i]->frame);
+                stages[i].counts.push_back(
+                    ending_counts(*frames[i], test_tree(sources[i].header(), *frames[i])));
+            }
+            if (view.compares()) {
+                shot.draw_compared(frames);
+                return true;
+            }
+            const QuerySource& source = sources.front();
+            const TraceFrame& frame = *frames.front();
+            const TestTree tree = test_tree(source.header(), frame);
+            if (!options.steps) {
+                shot.draw(frame, tree, std::nullopt, frame);
+                return true;
+            }
+            const std::size_t all = frame.events.volume_tests.size(),
+                              each = static_cast<std::size_t>(*options.steps);
+            for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
+                const TraceFrame part = first_tests(source.header(), frame, tree, count);
+                shot.draw(part, test_tree(source.header(), part), count, frame);
+                if (count == all) return true;
+                if (watch.signal() != 0) return false;
+            }
+        },
+        [&] {
+            if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
+            nlohmann::ordered_json head = view.index_head("render rejections");
+            head["options"]["by"] = options.by;
+            if (!options.stages.empty()) head["options"]["stages"] = split_list(options.stages);
+            if (!options.depths.empty())
+                head["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
+            if (!options.body.empty()) head["options"]["body"] = options.body;
+            head["options"]["opacity"] = options.opacity;
+            head["options"]["nested"] = options.nested;
+            if (options.steps) head["options"]["steps"] = *options.steps;
+            return head;
+        });
+}
+
+}  // namespace
+
+void add_render_rejections(CLI::App& render_command, const Console& console, Action& action) {
+    CLI::App* command = render_command.add_subcommand(
+        "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
+    const auto options = std::make_shared<Options>();
+    add_query_view_options(*command, *options, Shown::volumes);
+    command
+        ->add_option("--by", options->by,
+                     "Which ending colors a node that has several: first, last, dominant; or the "
+                     "share of its tests that were rejected: share")
+        ->type_name("WHICH")
+        ->capture_default_str();
+    command
+        ->add_option("--stage", options->stages,
+                     "Only paths that ended so: some of the stages, 'triangles apart', "
+                     "'triangles meet'")
+        ->check(has_name())
+        ->type_name("LIST");
+    command->add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
+        ->check(has_name())
+        ->type_name("A:B");
+    command->add_option("--body", options->body, "Only the nodes of this body")
+        ->check(has_name())
+        ->type_name("NAME");
+    command->add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
+        ->check(real_number())
+        ->capture_default_str();
+    command->add_flag("--nested", options->nested,
+                      "Also nodes that hold others of the front (give an --opacity to see both)");
+    command
+        ->add_option("--steps", options->steps,
+                     "An animation: a picture of the first N tests, of the first 2N, and so on, "
+                     "with the pair that was tested last")
+        ->check(decimal_number())
+        ->type_name("N");
+    command->footer(
+        "Each node at which paths of the traversal ended is drawn as its exact volume. The numbers "
+        "are of all paths,\n"
+        "whatever --stage, --depth and --body leave out of the view.\n\n"
+        "Examples:\n"
+        "  scb render rejections spheres-l1 --frames 100 -o out/\n"
+        "  scb render rejections spheres-l1 --frames 100 --body A --stage "
+        "slab-cylinder,cylinder-slab "
+        "-o out/");
+    command->callback([&action, &console, command, options] {
+        options->recording = given_recording_options(*command);
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,88 @@
+#include "app/pictures/scene_camera.h"
+
+#include <cmath>
+
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+// The default angle, taken from the side on which the first mesh is longer: a horse is seen from
+// its flank.
+double azimuth_for(const Scene& scene, const Vec3& up) {
+    const double azimuth = CameraSpec{}.azimuth;
+    const Box box = bounding_box(scene.meshes[0].mesh);
+    const Vec3 sides = box.upper - box.lower;
+    // What orbit_axes turns x and y to.
+    const Mat3 front = orbit_axes(0, 0, up);
+    const double along_x = std::abs(dot(Vec3(front.col(0)), sides)),
+                 along_y = std::abs(dot(Vec3(front.col(2)), sides));
+    return along_x >= along_y ? azimuth : 90 - azimuth;
+}
+
+}  // namespace
+
+void CameraOptions::check() const {
+    if (!camera.empty() && !follows_contact()) parse_camera(camera);
+    up_vector();
+}
+
+Vec3 CameraOptions::up_vector() const {
+    if (up.empty() || up == "z") return Vec3::UnitZ();
+    if (up == "x") return Vec3::UnitX();
+    if (up == "y") return Vec3::UnitY();
+    throw InputError("--up " + up + ": give x, y or z.");
+}
+
+CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene) {
+    CameraSpec spec;
+    if (!options.camera.empty() && !options.follows_contact())
+        spec = parse_camera(options.camera);
+    else if (scene.camera)
+        spec = *scene.camera;
+    else
+        spec.azimuth = azimuth_for(scene, options.up_vector());
+    if (!options.up.empty()) spec.up = options.up_vector();
+    if (!spec.inset && scene.camera) spec.inset = scene.camera->inset;
+    if (options.orthographic) spec.orthographic = true;
+    return spec;
+}
+
+Camera camera_for(const CameraSpec& spec, const Support& support, double aspect) {
+    CameraFit fit;
+    fit.aspect = aspect;
+    fit.orthographic = spec.orthographic.value_or(false);
+    fit.vertical_fov = spec.field_of_view;
+    const Vec3 up = spec.up.value_or(Vec3::UnitZ());
+    Camera camera = fit_camera(orbit_axes(spec.azimuth, spec.elevation, up), support, fit);
+    if (spec.view_height) camera.view_height = *spec.view_height;
+    if (!spec.target && !spec.distance) return camera;
+    const Vec3 back = camera.axes.col(2);
+    const Vec3 target = spec.target.value_or(center_of(support));
+    const double distance = spec.distance.value_or(dot(back, Vec3(camera.position - target)));
+    camera.position = target + distance * back;
+    set_depth_range(camera, support);
+    return camera;
+}
+
+Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support,
+                     double aspect) {
+    CameraSpec detail = spec;
+    detail.orthographic = true;
+    detail.target = inset.center;
+    detail.distance.reset();
+    detail.view_height = 2 * inset.radius;
+    return camera_for(detail, support, aspect);
+}
+
+CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center) {
+    CameraSpec exact = spec;
+    exact.orthographic = camera.orthographic;
+    if (camera.orthographic) exact.view_height = camera.view_height;
+    if (spec.target && spec.distance) return exact;
+    exact.distance = dot(Vec3(camera.axes.col(2)), Vec3(camera.position - center));
+    exact.target = camera.position - *exact.distance * camera.axes.col(2);
+    return exact;
+}
+
+}  // namespace scb

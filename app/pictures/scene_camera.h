@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/view/fit_camera.h"
+#include "scenes/scene/camera_view.h"
+#include "scenes/scene/scene.h"
+
+namespace scb {
+
+/// How the user wants to look at the scene.
+struct CameraOptions {
+    std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
+    bool orthographic = false;
+    std::string up;  ///< x, y or z; empty: the camera's own, or z
+
+    /// Whether the camera is to follow the contact: `--camera contact`.
+    bool follows_contact() const { return camera == "contact"; }
+
+    void check() const;      ///< throws InputError where one of them makes no sense
+    Vec3 up_vector() const;  ///< throws InputError
+};
+
+/// The wish that holds: the command line's, or else the scene's, or else the default angles.
+CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene);
+
+/// The camera of a wish for a view of this aspect (width / height); what the wish leaves open is
+/// fitted to `support`.
+Camera camera_for(const CameraSpec& spec, const Support& support, double aspect);
+
+/// A camera with the same axes that looks at a detail: a ball of `radius` about `center` fills the
+/// view. Orthographic, so that lengths in it can be compared.
+Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support,
+                     double aspect);
+
+/// The camera as a wish that leaves nothing open: what `--camera` reads back to the same view.
+/// `center` is that of the scene; the distance counts from it.
+CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center);
+
+}  // namespace scb

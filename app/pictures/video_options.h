@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "app/query/scene_options.h"
+
+namespace scb {
+
+/// A video of the pictures of a run, beside them.
+struct VideoOptions {
+    std::string file;  ///< none where empty
+    std::optional<int> frames_per_second;
+
+    bool wanted() const { return !file.empty(); }
+    int rate() const { return frames_per_second.value_or(25); }
+
+    /// Refuses what makes no sense, and a video that could not be made, before any work is done;
+    /// throws InputError and OutputError. `folder` is going to be made where it is missing.
+    void check(const SceneOptions& scene, const std::string& folder) const;
+};
+
+void add_video_options(CLI::App& command, VideoOptions& options);
+
+}  // namespace scb

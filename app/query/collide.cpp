@@ -1,0 +1,211 @@
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/build_text.h"
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/query/count_table.h"
+#include "app/query/scene_query.h"
+#include "app/query/trace_report.h"
+#include "core/base/text_format.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    QueryLimits limits;
+    bool first = false, json = false, csv = false;
+    std::string pairs_out;
+};
+
+// A Collision holds its pairs; the counts alone are kept for the summary.
+struct Sums {
+    std::size_t frames = 0, pairs = 0;
+    std::uint64_t n_v = 0, n_p = 0, n_u = 0;
+    StageCounts stages{};
+    bool complete = true;
+
+    void add(const Collision& found) {
+        ++frames;
+        pairs += found.pairs.size();
+        n_v += found.n_v;
+        n_p += found.n_p;
+        n_u += found.n_u;
+        complete &= found.complete;
+        for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
+    }
+    double mean(std::uint64_t sum) const {
+        return frames == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(frames);
+    }
+};
+
+std::string csv_header(const std::vector<Stage>& stages) {
+    std::string line = "frame,pairs,n_v,n_p,n_u,depth,complete";
+    for (const Stage stage : stages) line += "," + std::string(stage_name(stage));
+    return line + "\n";
+}
+
+std::string csv_row(int frame, const Collision& c, const std::vector<Stage>& stages) {
+    const auto wide = [](std::uint64_t value) -> unsigned long long { return value; };
+    std::string line = format("%d,%zu,%llu,%llu,%llu,%d,%d", frame, c.pairs.size(), wide(c.n_v),
+                              wide(c.n_p), wide(c.n_u), c.depth, c.complete ? 1 : 0);
+    for (const Stage stage : stages)
+        line += format(",%llu", wide(c.stages[static_cast<std::size_t>(stage)]));
+    return line + "\n";
+}
+
+std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
+    std::string line = format(" mean %8.1f %9.1f %9.1f %9.1f       ", sums.mean(sums.pairs),
+                              sums.mean(sums.n_v), sums.mean(sums.n_p), sums.mean(sums.n_u));
+    for (const Stage stage : stages)
+        line += format("%*.1f", stage_column_width(stage),
+                       sums.mean(sums.stages[static_cast<std::size_t>(stage)]));
+    return line + "\n";
+}
+
+Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, Json frames) {
+    const auto body = [&](std::size_t i) -> Json {
+        return body_json({query.scene.bodies[i].name, fingerprint(query.mesh(i))});
+    };
+    Json result = {{"version", SCB_VERSION},
+                   {"scene", query.scene.name},
+                   {"source", utf8_names(options.scene.names)},
+                   {"bodies", {body(query.a), body(query.b)}},
+                   {"volume", volume_kind_name(query.kind)}};
+    if (query.kind == VolumeKind::scb) {
+        result["test"] = options.query.test;
+        if (has_threshold(query.options.overlap.test))
+            result["threshold"] = options.query.threshold;
+    }
+    result["descent"] = options.query.descent;
+    result["growth"] = options.hierarchy.growth;
+    result["margin"] = options.hierarchy.margin;
+    result["split"] = options.hierarchy.split;
+    result["max_pairs"] = query.options.max_pairs;
+    result["level"] = options.limits.level ? Json(*options.limits.level) : Json();
+    result["frames"] = std::move(frames);
+    result["mean"] = {{"pairs", sums.mean(sums.pairs)},
+                      {"n_v", sums.mean(sums.n_v)},
+                      {"n_p", sums.mean(sums.n_p)},
+                      {"n_u", sums.mean(sums.n_u)}};
+    return result;
+}
+
+std::string title_of(const Options& options, const SceneQuery& query) {
+    std::string text = query.scene.name + ": " + query.scene.bodies[query.a].name +
+                       format(" (%zu triangles) and ", query.mesh(query.a).triangles.size()) +
+                       query.scene.bodies[query.b].name +
+                       format(" (%zu triangles), ", query.mesh(query.b).triangles.size()) +
+                       std::string(volume_kind_name(query.kind)) + " hierarchies";
+    if (query.kind == VolumeKind::scb) {
+        text += ", test " + options.query.test;
+        if (has_threshold(query.options.overlap.test) &&
+            query.options.overlap.threshold != OverlapOptions{}.threshold)
+            text += format(", threshold %g", query.options.overlap.threshold);
+    }
+    text += ", descent by " + options.query.descent;
+    text += build_text(query.build);
+    if (options.limits.level) text += format("; pairs of nodes of level %d", *options.limits.level);
+    return text + "\n\n";
+}
+
+int run(const Options& options, const Console& console) {
+    if (options.json && options.csv)
+        throw InputError("--json and --csv exclude each other; give one of them.");
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", query.scene);
+    if (options.first) query.options.max_pairs = 1;
+    note_doubts(options.scene, options.query, {query.kind}, console);
+
+    std::vector<Stage> stages = counted_stages(query.kind, query.options.overlap);
+    // The sixteen of boxes make no table.
+    if (!options.json && !options.csv && stages.size() > 8) stages.clear();
+    Sums sums;
+    std::string text,
+        pairs = options.limits.level ? "frame,node_a,node_b\n" : "frame,triangle_a,triangle_b\n";
+    Json json_frames = Json::array();
+    if (options.csv)
+        text = csv_header(stages);
+    else if (!options.json)
+        text = title_of(options, query) + count_table_header(stages);
+    const InterruptWatch watch;
+    Progress progress(console, query.frames.size());
+    for (const int frame : query.frames) {
+        if (watch.signal() != 0) break;
+        const Collision found = query.collide(frame);
+        sums.add(found);
+        if (options.json)
+            json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
+        else
+            text +=
+                options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
+        if (!options.pairs_out.empty())
+            for (const IndexPair& pair : found.pairs)
+                pairs += format("%d,%u,%u\n", frame, pair.a, pair.b);
+        progress.step("frames");
+    }
+    if (options.json)
+        text = json_of(options, query, sums, std::move(json_frames))
+                   .dump(2, ' ', false, Json::error_handler_t::replace) +
+               "\n";
+    else if (!options.csv && sums.frames > 1)
+        text += mean_row(sums, stages);
+    if (!options.pairs_out.empty() && sums.frames > 0) write_file_whole(options.pairs_out, pairs);
+    print_result(text);
+    if (!sums.complete && !options.first)
+        console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
+                     " pairs (--max-pairs); there may be more.");
+    if (sums.frames == query.frames.size()) return exit_done;
+    console.note("scb: interrupted; " + std::to_string(sums.frames) + " of " +
+                 std::to_string(query.frames.size()) + " frames are finished.");
+    return exit_interrupted(watch.signal());
+}
+
+}  // namespace
+
+void add_collide(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command =
+        program.add_subcommand("collide", "Find the triangle pairs that intersect, with counts");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    add_hierarchy_options(*command, options->hierarchy, false);
+    add_query_options(*command, options->query, false);
+    add_query_limits(*command, options->limits);
+    command->add_flag("--first", options->first, "End a query at the first pair");
+    command
+        ->add_option(
+            "--pairs-out", options->pairs_out,
+            "Write the pairs to this CSV file: numbers of triangles from 0, in the order of the "
+            "mesh files")
+        ->check(has_name())
+        ->type_name("FILE.csv");
+    command->add_flag("--csv", options->csv, "Print CSV instead of a table");
+    command->add_flag("--json", options->json, "Print JSON instead of a table");
+    command->footer(
+        "pairs: triangles that intersect (touching counts); N_v: tests of two volumes; N_p: of two "
+        "triangles; N_u:\n"
+        "points and directions transformed; depth: of the deepest pair of nodes, both depths "
+        "added; then the volume\n"
+        "tests by how they ended: overlapping, or rejected, by a part of A and a part of B: "
+        "slab-ball is A's slab, B's ball\n"
+        "(boxes: with --csv or --json). The same counts on every machine. Ctrl-C leaves the frames "
+        "that "
+        "were finished, and exits with 130.\n\n"
+        "Example:\n  scb collide spheres-l1 --frames 0:499:50");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

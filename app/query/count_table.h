@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scb/any_collide.h"
+
+namespace scb {
+
+/// The stages that queries on this kind of volume count: overlapping first, then those at which the
+/// test rejects, in its order.
+std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options);
+
+/// As wide as the name of the stage, and at least as a count is.
+int stage_column_width(Stage stage);
+
+/// A table of queries: its header, and one query. Lines with their ends.
+std::string count_table_header(const std::vector<Stage>& stages);
+std::string count_table_row(int frame, const Collision& found, const std::vector<Stage>& stages);
+
+/// The same as JSON, in the paper's language, with the pose of B as A sees it, [R|t] row by row,
+/// and the hash of the pairs.
+nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
+                                  const std::vector<Stage>& stages);
+
+}  // namespace scb

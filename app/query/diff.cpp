@@ -1,0 +1,105 @@
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/query/trace_report.h"
+#include "scenes/traces/trace_diff_text.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string a, b;
+    bool json = false;
+};
+
+Json counts_json(const TraceCounts& a, const TraceCounts& b) {
+    Json result;
+    for (const CountRow& row : count_rows(a, b)) {
+        const std::string name = row.name == "N_v"   ? "n_v"
+                                 : row.name == "N_p" ? "n_p"
+                                 : row.name == "N_u" ? "n_u"
+                                                     : row.name;
+        result[name] = {{"a", row.a}, {"b", row.b}};
+    }
+    return result;
+}
+
+Json json_of(const Options& options, const TraceDiff& d) {
+    Json asked = Json::array(), frames = Json::array(), first;
+    for (const FieldDifference& field : d.asked)
+        asked.push_back({{"field", field.name}, {"a", field.a}, {"b", field.b}});
+    for (const FrameDifference& frame : d.frames)
+        frames.push_back({{"frame", frame.frame},
+                          {"poses_differ", frame.poses_differ},
+                          {"counts", counts_json(frame.a, frame.b)}});
+    Json lost = Json::array();
+    for (const LostPair& pair : d.lost)
+        lost.push_back(
+            {{"frame", pair.frame},
+             {"pair", {pair.pair.a, pair.pair.b}},
+             {"found_by", pair.found_by_a ? "a" : "b"},
+             {"test", pair.lost_at ? Json(pair.test) : Json()},
+             {"lost_at", pair.lost_at ? traced_test_json(*pair.lost_at, d.bodies) : Json()}});
+    if (d.first)
+        first = {{"frame", d.first->frame},
+                 {"test", d.first->test},
+                 {"a", d.first->a ? traced_test_json(*d.first->a, d.bodies) : Json()},
+                 {"b", d.first->b ? traced_test_json(*d.first->b, d.bodies) : Json()}};
+    return {{"a", options.a},
+            {"b", options.b},
+            {"equal", d.equal()},
+            {"asked", asked},
+            {"only_in_a", d.only_in_a},
+            {"only_in_b", d.only_in_b},
+            {"common_frames", d.common},
+            {"nodes_comparable", d.nodes_comparable},
+            {"sum", counts_json(d.sum_a, d.sum_b)},
+            {"frames", frames},
+            {"pairs_comparable", d.pairs_comparable},
+            {"pairs_only_in_a", d.pairs_comparable ? Json(d.pairs_only_in_a) : Json()},
+            {"pairs_only_in_b", d.pairs_comparable ? Json(d.pairs_only_in_b) : Json()},
+            {"lost", lost},
+            {"first", first}};
+}
+
+int run(const Options& options) {
+    TraceInput a(options.a), b(options.b);
+    const TraceDiff d = diff(
+        a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
+        [&] { return b.reader.next(); });
+    print_result(options.json
+                     ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
+                           "\n"
+                     : "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) +
+                           "\n\n" + trace_diff_text(d, {}));
+    return d.equal() ? exit_done : exit_different;
+}
+
+}  // namespace
+
+void add_diff(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "diff", "Compare two traces: equal, or the first test at which they part");
+    const auto options = std::make_shared<Options>();
+    command->add_option("A", options->a, "A trace, see `scb trace`")->required()->type_name("");
+    command->add_option("B", options->b, "Another trace")->required()->type_name("");
+    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->footer(
+        "Compares what was asked, then the frames that are in both, in the order of the tests. "
+        "Exit "
+        "status: 0 equal,\n"
+        "1 different, 2 a file is no trace. The versions of scb are not compared.\n\n"
+        "Example:\n"
+        "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbtrace\n"
+        "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbtrace\n"
+        "  scb diff corrected.scbtrace printed.scbtrace");
+    command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace scb

@@ -1,0 +1,154 @@
+#include "app/query/query_options.h"
+
+#include <algorithm>
+
+#include "app/cli/mutation.h"
+#include "core/base/text_format.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+std::string test_names() {
+    std::string names;
+    for (const OverlapTest test : all_overlap_tests())
+        names += (names.empty() ? "" : ", ") + std::string(overlap_test_name(test));
+    return names;
+}
+
+std::string rule_names() {
+    std::string names;
+    for (const DescentRule rule : all_descent_rules())
+        names += (names.empty() ? "" : ", ") + std::string(descent_rule_name(rule));
+    return names;
+}
+
+}  // namespace
+
+std::vector<OverlapTest> QueryOptions::tests() const {
+    std::vector<OverlapTest> tests;
+    for (const std::string& name : split_list(test)) {
+        const std::optional<OverlapTest> found = overlap_test_of(name);
+        if (!found)
+            throw InputError("--test " + test + ": '" + name +
+                             "' is no overlap test; give one of " + test_names() + ".");
+        if (std::find(tests.begin(), tests.end(), *found) == tests.end()) tests.push_back(*found);
+    }
+    return tests;
+}
+
+OverlapOptions QueryOptions::overlap() const {
+    const std::vector<OverlapTest> all = tests();
+    if (all.size() != 1)
+        throw InputError("--test " + test + ": this command takes one overlap test at a time.");
+    if (!(threshold >= 0 && threshold <= 1))
+        throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
+    OverlapOptions options{all[0], threshold + 0.0};  // -0 is 0
+    mutate(options);
+    return options;
+}
+
+CollideOptions QueryOptions::collide() const {
+    CollideOptions options;
+    options.overlap = overlap();
+    const std::optional<DescentRule> rule = descent_rule_of(descent);
+    if (!rule)
+        throw InputError("--descent " + descent + ": unknown rule; give one of " + rule_names() +
+                         ".");
+    options.descent = *rule;
+    return options;
+}
+
+void QueryLimits::apply(CollideOptions& options, int deepest_level) const {
+    if (max_pairs < 1)
+        throw InputError("--max-pairs " + std::to_string(max_pairs) + ": give at least 1.");
+    if (level && (*level < 0 || *level > deepest_level))
+        throw InputError("--level " + std::to_string(*level) +
+                         ": this scene's hierarchies have the levels 0 to " +
+                         std::to_string(deepest_level) + "; give one of these.");
+    options.max_pairs = static_cast<std::size_t>(max_pairs);
+    options.stop_level = level.value_or(-1);
+}
+
+void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console) {
+    const QueryOptions defaults;
+    const std::vector<OverlapTest> tests = options.tests();
+    const bool has_scb = std::find(kinds.begin(), kinds.end(), VolumeKind::scb) != kinds.end();
+    if (!has_scb && (options.test != defaults.test || options.threshold != defaults.threshold))
+        console.note("scb: --test and --threshold have no effect: they are for slab cut balls.");
+    else if (options.threshold != defaults.threshold &&
+             std::none_of(tests.begin(), tests.end(), has_threshold))
+        console.note("scb: --threshold has no effect on --test " + options.test + ".");
+    if (has_scb && std::find(tests.begin(), tests.end(), OverlapTest::printed) != tests.end())
+        console.note(
+            "scb: the test 'printed' rejects some volumes that meet, so pairs may be missing.");
+}
+
+void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+    command
+        .add_option("--test", options.test,
+                    std::string(several_tests ? "Overlap tests for slab cut balls: some of "
+                                              : "Overlap test for slab cut balls: ") +
+                        test_names() + " (printed misses collisions)")
+        ->check(has_name())
+        ->type_name(several_tests ? "LIST" : "TEST")
+        ->capture_default_str();
+    command
+        .add_option("--threshold", options.threshold,
+                    "The paper's a, of corrected, line8 and printed: cylinders are tested where "
+                    "|n0.n1| is above it")
+        ->check(real_number())
+        ->type_name("A")
+        ->capture_default_str();
+}
+
+void add_bodies_option(CLI::App& command, QueryOptions& options) {
+    command
+        .add_option("--bodies", options.bodies,
+                    "Names of the two bodies, where the scene has more than two")
+        ->type_name("A,B");
+}
+
+void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+    add_overlap_options(command, options, several_tests);
+    command
+        .add_option("--descent", options.descent,
+                    "Which of two nodes is divided, the larger or by turns: " + rule_names())
+        ->check(has_name())
+        ->type_name("RULE")
+        ->capture_default_str();
+    command.add_option("--frames", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
+        ->type_name("LIST")
+        ->capture_default_str();
+    add_bodies_option(command, options);
+}
+
+void add_query_limits(CLI::App& command, QueryLimits& limits) {
+    command.add_option("--max-pairs", limits.max_pairs, "End a query at this many pairs")
+        ->check(decimal_number())
+        ->type_name("K")
+        ->capture_default_str();
+    command
+        .add_option("--level", limits.level,
+                    "Stop at this level: pairs of nodes, and no triangle tests")
+        ->check(decimal_number())
+        ->type_name("K");
+}
+
+std::vector<std::string> given_recording_options(const CLI::App& command) {
+    std::vector<std::string> given;
+    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
+                               "--threshold", "--descent", "--bodies", "--max-pairs", "--level"})
+        if (command.count(option) > 0) given.emplace_back(option);
+    return given;
+}
+
+void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace) {
+    if (given.empty()) return;
+    throw InputError(given[0] + ": " + trace +
+                     " is a trace and has what it was recorded with; give a scene, or leave out " +
+                     given[0] + ".");
+}
+
+}  // namespace scb

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/query/scene_options.h"
+#include "scb/collide.h"
+
+namespace scb {
+
+/// What every command that makes collision queries understands, beside the scene and hierarchies.
+struct QueryOptions {
+    std::string test{overlap_test_name(OverlapOptions{}.test)};
+    double threshold = OverlapOptions{}.threshold;
+    std::string descent{descent_rule_name(CollideOptions{}.descent)};
+    std::string frames = "all";
+    std::string bodies{};
+
+    /// The overlap tests named, each once; throws InputError for an unknown name.
+    std::vector<OverlapTest> tests() const;
+    /// The one test named, and its threshold; throws InputError.
+    OverlapOptions overlap() const;
+    /// What a query is to do, with that test; throws InputError.
+    CollideOptions collide() const;
+};
+
+/// Where a query ends before it has found everything.
+struct QueryLimits {
+    std::int64_t max_pairs = 100'000'000;
+    std::optional<int> level;
+
+    /// Sets CollideOptions::max_pairs and stop_level; throws InputError where the number of pairs
+    /// or the level is none. `deepest_level` is the scene's.
+    void apply(CollideOptions& options, int deepest_level) const;
+};
+
+/// Notes what of the options may surprise: that `printed` is among the tests, and which of them
+/// have no effect on hierarchies of these kinds.
+void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console);
+
+/// --test and --threshold; `several_tests`: whether --test takes a list.
+void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests);
+void add_bodies_option(CLI::App& command, QueryOptions& options);
+/// These and the rest.
+void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests);
+void add_query_limits(CLI::App& command, QueryLimits& limits);
+
+/// The options that were given and say what a query is to be: a trace already knows.
+std::vector<std::string> given_recording_options(const CLI::App& command);
+/// Throws InputError where there are any.
+void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace);
+
+}  // namespace scb

@@ -1,0 +1,134 @@
+#include "app/query/query_source.h"
+
+#include <algorithm>
+
+#include "golden/suite/baseline.h"
+#include "golden/suite/files_equal.h"
+#include "scb/error.h"
+#include "scenes/text/number_list.h"
+
+namespace scb {
+namespace {
+
+/// The options with which the trace was recorded, as the command line would say them.
+struct RecordedOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    QueryLimits limits;
+};
+
+RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& given) {
+    RecordedOptions recorded;
+    recorded.scene.names = header.source;
+    recorded.scene.models_dir = given.models_dir;
+    recorded.hierarchy.volumes = volume_kind_name(header.volume);
+    recorded.hierarchy.growth = ball_growth_name(header.growth);
+    recorded.hierarchy.margin = header.margin;
+    recorded.hierarchy.split = split_method_name(header.split);
+    recorded.query.test = overlap_test_name(header.options.overlap.test);
+    recorded.query.frames = auto_frames;
+    recorded.query.threshold = header.options.overlap.threshold;
+    recorded.query.descent = descent_rule_name(header.options.descent);
+    recorded.limits.max_pairs = static_cast<std::int64_t>(header.options.max_pairs);
+    if (header.options.stop_level >= 0) recorded.limits.level = header.options.stop_level;
+    return recorded;
+}
+
+std::string text_of(const MeshFingerprint& mesh) {
+    return std::to_string(mesh.triangles) + " triangles and " + std::to_string(mesh.vertices) +
+           " vertices";
+}
+
+/// "when the mesh of A had ..., and cone has another of ..."
+std::string mesh_words(const TraceBody& then, const MeshFingerprint& now,
+                       const std::string& scene) {
+    if (text_of(then.mesh) == text_of(now))
+        return "with another mesh of " + then.name + ": it had " + text_of(now) + " as that of " +
+               scene + " has, but other coordinates or indices";
+    return "when the mesh of " + then.name + " had " + text_of(then.mesh) + ", and " + scene +
+           " has another of " + text_of(now);
+}
+
+/// A baseline is what was right once, which its suite must be asked about.
+std::string advice(const std::string& path) {
+    const std::filesystem::path trace(path);
+    const bool is_baseline =
+        is_there(case_files(trace.parent_path(), trace.stem().string()).counts);
+    return is_baseline ? "it is a baseline, and `scb golden check` says what differs from it"
+                       : "record it again";
+}
+
+}  // namespace
+
+QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                         const QueryOptions& query, const QueryLimits& limits) {
+    if (scene.names.size() == 1 && names_trace(scene.names[0])) {
+        open_trace(scene, query.frames);
+        return;
+    }
+    query_ = open_query(scene, hierarchy, query, limits);
+    header_ = trace_header(scene, query_);
+}
+
+void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
+    const std::string& path = scene.names[0];
+    std::vector<int> wanted = frames_in_trace(path, frames == auto_frames ? "all" : frames);
+    trace_ = std::make_unique<TraceInput>(path);
+    header_ = trace_->reader.header();
+    if (header_.scb_version != SCB_VERSION)
+        throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
+                         SCB_VERSION + ", whose nodes may be others; " + advice(path) + ".");
+    RecordedOptions recorded = recorded_options(header_, scene);
+    if (header_.source.size() == 2) {
+        // Two meshes: the first is at the identity pose, and the second was where the frame says.
+        TraceInput first(path);
+        const Pose pose = first.reader.next()->b_to_a;
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                recorded.scene.pose.push_back(pose.rotation(row, column));
+            recorded.scene.pose.push_back(pose.translation[row]);
+        }
+    } else {
+        recorded.query.bodies = header_.bodies[0].name + "," + header_.bodies[1].name;
+    }
+    query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));
+        const TraceBody& then = header_.bodies[side];
+        if (now != then.mesh)
+            throw InputError(path + " was recorded " + mesh_words(then, now, query_.scene.name) +
+                             "; " + advice(path) + ".");
+    }
+    if (frames == auto_frames) {
+        const int own = query_.scene.default_frame;
+        const bool has_own = std::binary_search(wanted.begin(), wanted.end(), own);
+        wanted = {has_own ? own : wanted.front()};
+    }
+    query_.frames = std::move(wanted);
+}
+
+const TraceFrame& QuerySource::frame(int number) {
+    if (!trace_) {
+        recorder_.events = std::move(made_.events);
+        recorder_.events.volume_tests.clear();
+        recorder_.events.triangle_tests.clear();
+        made_.frame = number;
+        made_.b_to_a = query_.b_to_a(number);
+        made_.found = query_.collide(number, recorder_);
+        made_.events = std::move(recorder_.events);
+        return made_;
+    }
+    const TraceFrame* frame = trace_->reader.next();
+    while (frame != nullptr && frame->frame < number) frame = trace_->reader.next();
+    if (frame == nullptr || frame->frame != number)
+        throw InputError("the trace has no frame " + std::to_string(number) + " any more.");
+    const Pose now = query_.b_to_a(number);
+    if (now.rotation != frame->b_to_a.rotation || now.translation != frame->b_to_a.translation)
+        throw InputError("at frame " + std::to_string(number) + " of " + query_.scene.name +
+                         " the bodies are elsewhere than when the trace was recorded; record it "
+                         "again.");
+    return *frame;
+}
+
+}  // namespace scb

@@ -1,0 +1,143 @@
+#include "app/query/query_sources.h"
+
+#include <algorithm>
+
+#include "render/figures/volume_titles.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+/// The options of one of two queries that are compared.
+struct Side {
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+};
+
+std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptions& hierarchy,
+                             const QueryOptions& query) {
+    const std::string option = "--compare " + compare.names;
+    const std::vector<std::string> names = split_list(compare.names);
+    const auto all = [&names](auto known) {
+        return std::all_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return known(name).has_value(); });
+    };
+    const bool of_tests = all([](const std::string&n) { return overlap_test_of(n); }),
+               of_volumes = all([](const std::string&n) { return volume_kind_of(n); });
+    if (names.size() != 2 || names[0] == names[1] || (!of_tests && !of_volumes))
+        throw InputError(option +
+                         ": give two overlap tests, such as corrected,printed, or two volumes, "
+                         "such as scb,ball.");
+    const std::string taken = of_tests ? "--test" : "--volume";
+    if (std::find(compare.given.begin(), compare.given.end(), taken) != compare.given.end())
+        throw InputError(option + ": it says the " + taken.substr(2) + "s; leave out " + taken +
+                         ".");
+    if (of_tests && hierarchy.kind() != VolumeKind::scb)
+        throw InputError(option + ": these are tests for slab cut balls, and --volume is " +
+                         hierarchy.volumes + "; leave it out, or compare two volumes.");
+    std::array<Side, 2> sides;
+    for (std::size_t i = 0; i < 2; ++i) {
+        sides[i] = {hierarchy, query};
+        (of_tests ? sides[i].query.test : sides[i].hierarchy.volumes) = names[i];
+    }
+    return sides;
+}
+
+std::string text_of(const TraceHeader& header) {
+    return header.scene + ", " + header.bodies[0].name + " and " + header.bodies[1].name;
+}
+
+void check_comparable(const QuerySources& sources) {
+    const TraceHeader &a = sources[0].header(), &b = sources[1].header();
+    for (std::size_t side = 0; side < 2; ++side)
+        if (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name ||
+            a.bodies[side].mesh != b.bodies[side].mesh)
+            throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
+                             "; " + text_of(b) + "); give two of one scene.");
+    if (a.options.stop_level != b.options.stop_level)
+        throw InputError(
+            "the traces stop at other levels, so that one has pairs of other things; record them "
+            "with the same --level.");
+    if (sources[0].frames() != sources[1].frames())
+        throw InputError(
+            "the traces have other frames; name frames that are in both with --frames.");
+}
+
+/// Letters, digits, points and hyphens of a text.
+std::string file_name_part(const std::string& text) {
+    std::string part;
+    for (const char c : text) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '.' || c == '-';
+        part += plain ? c : '-';
+    }
+    return part;
+}
+
+/// With the overlap test, where there is a choice.
+std::string volume_caption(const TraceHeader& header) {
+    const std::string title(volume_title(header.volume));
+    return header.volume == VolumeKind::scb
+               ? title + ", test " + std::string(overlap_test_name(header.options.overlap.test))
+               : title;
+}
+
+}  // namespace
+
+QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                          const QueryOptions& query, const QueryLimits& limits,
+                          const CompareOptions& compare, const Console& console) {
+    const auto traces = static_cast<std::size_t>(
+        std::count_if(scene.names.begin(), scene.names.end(), names_trace));
+    if (traces > 0 && !compare.names.empty())
+        throw InputError("--compare " + compare.names +
+                         ": a trace is of one query; give two traces, or a scene.");
+    QuerySources sources;
+    if (traces == 2 && scene.names.size() == 2) {
+        for (const std::string& name : scene.names) {
+            SceneOptions one = scene;
+            one.names = {name};
+            sources.emplace_back(one, hierarchy, query, limits);
+        }
+        check_comparable(sources);
+        for (const QuerySource& source : sources) {
+            QueryOptions recorded = query;
+            recorded.test = overlap_test_name(source.header().options.overlap.test);
+            note_doubts(recorded, {source.query().kind}, console);
+        }
+    } else if (compare.names.empty()) {
+        sources.emplace_back(scene, hierarchy, query, limits);
+        note_doubts(scene, query, {sources[0].query().kind}, console);
+    } else {
+        for (const Side& side : sides_of(compare, hierarchy, query)) {
+            sources.emplace_back(scene, side.hierarchy, side.query, limits);
+            note_doubts(scene, side.query, {sources.back().query().kind}, console);
+        }
+    }
+    return sources;
+}
+
+std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& b) {
+    std::array<QueryLabel, 2> labels;
+    const auto add = [](QueryLabel& label, const std::string& caption, const std::string& name) {
+        label.caption += (label.caption.empty() ? "" : ", ") + caption;
+        label.name += (label.name.empty() ? "" : "-") + file_name_part(name);
+    };
+    const std::vector<TraceField> of_a = fields_of(a), of_b = fields_of(b);
+    for (const TraceField& x : of_a)
+        for (const TraceField& y : of_b) {
+            if (x.name != y.name || x.value == y.value) continue;
+            if (x.name == "volume") {
+                add(labels[0], volume_caption(a), x.value);
+                add(labels[1], volume_caption(b), y.value);
+            } else {
+                const std::string what = x.name == "test" ? "" : x.name + " ";
+                add(labels[0], what + x.value, x.value);
+                add(labels[1], what + y.value, y.value);
+            }
+        }
+    if (labels[0].caption.empty()) labels = {QueryLabel{"first", "first"}, {"second", "second"}};
+    return labels;
+}
+
+}  // namespace scb

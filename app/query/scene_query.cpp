@@ -1,0 +1,104 @@
+#include "app/query/scene_query.h"
+
+#include "scb/error.h"
+#include "scenes/text/number_list.h"
+
+namespace scb {
+
+const Mesh& SceneQuery::mesh(std::size_t body) const {
+    return scene.meshes[scene.bodies[body].mesh].mesh;
+}
+
+const AnyHierarchy& SceneQuery::hierarchy(std::size_t body) const {
+    return hierarchies[scene.bodies[body].mesh];
+}
+
+Pose SceneQuery::b_to_a(int frame) const {
+    return relative_pose(pose_at(scene.bodies[a].motion, frame),
+                         pose_at(scene.bodies[b].motion, frame));
+}
+
+Collision SceneQuery::collide(int frame) const {
+    return scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options);
+}
+
+Collision SceneQuery::collide(int frame, EventRecorder& recorder) const {
+    return scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options,
+                        recorder);
+}
+
+std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::string& names) {
+    std::string known;
+    for (const Body& body : scene.bodies) known += (known.empty() ? "" : ", ") + body.name;
+    if (names.empty()) {
+        if (scene.bodies.size() == 2) return {0, 1};
+        if (scene.bodies.size() < 2)
+            throw InputError("the scene '" + scene.name +
+                             "' has one body, and a collision needs two; give a scene with two, or "
+                             "two mesh files.");
+        throw InputError("the scene '" + scene.name + "' has the bodies " + known +
+                         "; name two of them with --bodies A,B.");
+    }
+    std::vector<std::size_t> chosen;
+    for (const std::string& name : split_list(names)) {
+        std::size_t i = 0;
+        while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
+        if (i == scene.bodies.size())
+            throw InputError("--bodies " + names + ": '" + name + "' is no body of the scene '" +
+                             scene.name + "'; it has " + known + ".");
+        chosen.push_back(i);
+    }
+    if (chosen.size() != 2 || chosen[0] == chosen[1])
+        throw InputError("--bodies " + names + ": give two bodies, such as " +
+                         scene.bodies[0].name + "," + scene.bodies.back().name + ".");
+    return {chosen[0], chosen[1]};
+}
+
+SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                      const QueryOptions& query, const QueryLimits& limits) {
+    const VolumeKind kind = hierarchy.kind();
+    SceneQuery result;
+    result.options = query.collide();
+    result.build = hierarchy.build();
+    result.scene = scene.load();
+    std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
+    result.topologies = build_topologies(result.scene, result.build.topology());
+    result.kind = kind;
+    limits.apply(result.options, deepest(result.topologies));
+    if (query.frames == auto_frames)
+        result.frames = {result.scene.default_frame};
+    else
+        result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
+    result.hierarchies = fit_meshes(result.topologies, kind, result.build);
+    return result;
+}
+
+TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
+    TraceHeader header;
+    header.scb_version = SCB_VERSION;
+    header.source = utf8_names(scene.names);
+    header.scene = query.scene.name;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t body = side == 0 ? query.a : query.b;
+        header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};
+    }
+    header.volume = query.kind;
+    header.growth = query.build.fit.growth;
+    header.margin = query.build.fit.margin;
+    header.split = query.build.split;
+    header.options = query.options;
+    return header;
+}
+
+void note_same_pose(const SceneOptions& scene, const Console& console) {
+    if (scene.names.size() == 2 && scene.pose.empty())
+        console.note("scb: both bodies are at the same pose; --pose moves the second.");
+}
+
+void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+                 const std::vector<VolumeKind>& kinds, const Console& console) {
+    note_same_pose(scene, console);
+    note_doubts(query, kinds, console);
+}
+
+}  // namespace scb

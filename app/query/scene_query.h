@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/query/query_options.h"
+#include "core/analysis/trace.h"
+#include "scb/any_collide.h"
+#include "scenes/scene/scene_hierarchies.h"
+
+namespace scb {
+
+/// Two bodies of a scene, ready for queries frame by frame.
+struct SceneQuery {
+    Scene scene;
+    VolumeKind kind = VolumeKind::scb;
+    std::vector<int> frames;                ///< those asked for, ascending
+    std::size_t a = 0, b = 0;               ///< indices of Scene::bodies
+    std::vector<MeshTopology> topologies;   ///< per mesh
+    std::vector<AnyHierarchy> hierarchies;  ///< per mesh
+    BuildOptions build;                     ///< of the hierarchies
+    CollideOptions options;
+
+    const Mesh& mesh(std::size_t body) const;
+    const AnyHierarchy& hierarchy(std::size_t body) const;
+    /// The pose of B as A sees it.
+    Pose b_to_a(int frame) const;
+    Collision collide(int frame) const;
+    Collision collide(int frame, EventRecorder& recorder) const;
+};
+
+/// The bodies that `names` ("A,B") names, or the only two. Throws InputError where that leaves a
+/// choice, or names no body.
+std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::string& names);
+
+/// Checks everything that was asked, loads the scene and builds its hierarchies. Throws InputError.
+SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                      const QueryOptions& query, const QueryLimits& limits);
+
+/// What such queries are asked, as a trace says it.
+TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query);
+
+/// Notes where two meshes are left at the same pose.
+void note_same_pose(const SceneOptions& scene, const Console& console);
+
+/// The same, and what note_doubts says.
+void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+                 const std::vector<VolumeKind>& kinds, const Console& console);
+
+}  // namespace scb

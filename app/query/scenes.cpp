@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "scb/error.h"
+#include "scenes/scene/builtin.h"
+
+namespace scb {
+namespace {
+
+int list() {
+    std::string text = "Built-in scenes:\n\n";
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        char line[64];
+        std::snprintf(line, sizeof line, "  %-20s %4d frame%s  ", scene.name.c_str(), scene.frames,
+                      scene.frames == 1 ? " " : "s");
+        text += line + scene.description;
+        for (const std::string& file : scene.mesh_files) text += " Needs " + file + ".";
+        text += "\n";
+    }
+    text +=
+        "\nA scene that needs a mesh file takes it from the folder that --models DIR or SCB_MODELS "
+        "names; without it,\n"
+        "the message says where such a mesh is published.\n"
+        "\nA SCENE can also be a scene file (scene.json; `scb scenes NAME` prints one to start "
+        "from), one mesh\n"
+        "file (OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX and more), or two mesh files with "
+        "--pose.\n";
+    print_result(text);
+    return exit_done;
+}
+
+int show(const std::string& name) {
+    const BuiltinScene* scene = find_builtin(name);
+    if (scene == nullptr)
+        throw InputError("'" + name + "' is no built-in scene; `scb scenes` lists them.");
+    print_result(scene->json);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_scenes(CLI::App& program, Action& action) {
+    CLI::App* command =
+        program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
+    const auto name = std::make_shared<std::string>();
+    command->add_option("NAME", *name, "Print this built-in scene's file");
+    command->footer("Example:\n  scb scenes spheres-l1 > my-scene.json");
+    command->callback(
+        [&action, name] { action = [name] { return name->empty() ? list() : show(*name); }; });
+}
+
+}  // namespace scb

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/query/count_table.h"
+#include "app/query/scene_query.h"
+#include "app/query/trace_report.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/text/number_list.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb {
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    QueryLimits limits;
+    bool json = false, events = false;
+    std::string output;
+};
+
+int record(const Options& options, const Console& console) {
+    if (options.output.empty()) {
+        options.scene.load();  // may say that there is no such scene
+        throw InputError("there is nowhere to write the trace; give -o FILE.scbtrace.");
+    }
+    if (options.json || options.events)
+        throw InputError(std::string(options.json ? "--json" : "--events") +
+                         " prints a trace that exists; record it first, then give its file.");
+    check_output(options.output, "-o", options.scene);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    check_output(options.output, "-o", query.scene);
+    note_doubts(options.scene, options.query, {query.kind}, console);
+
+    const InterruptWatch watch;
+    TraceWriter writer(trace_header(options.scene, query));
+    Progress progress(console, query.frames.size());
+    std::size_t done = 0;
+    std::uint64_t tests = 0;
+    EventRecorder recorder;
+    for (; done < query.frames.size() && watch.signal() == 0; ++done) {
+        recorder.events.volume_tests.clear();
+        recorder.events.triangle_tests.clear();
+        TraceFrame frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
+        frame.found = query.collide(frame.frame, recorder);
+        std::swap(frame.events, recorder.events);
+        writer.add(frame);
+        tests += frame.found.n_v;
+        std::swap(frame.events, recorder.events);
+        progress.step("frames");
+    }
+    if (done > 0) {
+        const std::vector<std::uint8_t> bytes = writer.finish();
+        write_file_whole(options.output, bytes);
+        console.note("scb: " + options.output + ": " + std::to_string(done) +
+                     (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +
+                     " volume tests, " + std::to_string(bytes.size()) + " bytes.");
+    }
+    if (done == query.frames.size()) return exit_done;
+    console.note(done == 0 ? "scb: interrupted before the first frame; no trace was written."
+                           : "scb: interrupted; " + std::to_string(done) + " of " +
+                                 std::to_string(query.frames.size()) + " frames are in the trace.");
+    return exit_interrupted(watch.signal());
+}
+
+/// `given`: options on the command line that only recording has a use for.
+int print(const Options& options, const std::vector<std::string>& given) {
+    const std::string& path = options.scene.names[0];
+    refuse_for_trace(given, path);
+    if (!options.output.empty())
+        throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
+    // Reads all frames once before anything is printed, so that a bad file gives no half answer.
+    const std::vector<int> wanted = frames_in_trace(path, options.query.frames);
+    TraceInput input(path);
+    const TraceHeader& header = input.reader.header();
+    std::vector<Stage> stages = counted_stages(header.volume, header.options.overlap);
+    // The sixteen of boxes make no table.
+    if (!options.json && stages.size() > 8) stages.clear();
+    const std::string table_header = count_table_header(stages);
+    if (options.json) {
+        std::string start = trace_header_json(header).dump(
+            2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+        start.erase(start.size() - 2);  // the brace that closes it
+        print_result(start + ",\n  \"frames\": [");
+    } else {
+        print_result(trace_header_text(header) + "\n" + (options.events ? "" : table_header));
+    }
+    std::size_t printed = 0;
+    while (const TraceFrame* frame = input.reader.next()) {
+        if (!std::binary_search(wanted.begin(), wanted.end(), frame->frame)) continue;
+        if (options.json) {
+            std::string row = count_json(frame->frame, frame->b_to_a, frame->found, stages).dump();
+            if (options.events) row.back() = ',';  // the brace that closes it
+            print_result((printed == 0 ? "\n    " : ",\n    ") + row);
+            if (options.events) {
+                print_result("\"tests\": [");
+                print_events_json(header, *frame, "      ");
+                print_result("\n    ]}");
+            }
+        } else {
+            const std::string row = count_table_row(frame->frame, frame->found, stages);
+            print_result(options.events ? (printed == 0 ? "" : "\n") + table_header + row + "\n"
+                                        : row);
+            if (options.events) print_events(header, *frame);
+        }
+        ++printed;
+    }
+    if (options.json) print_result("\n  ]\n}\n");
+    return exit_done;
+}
+
+}  // namespace
+
+void add_trace(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "trace", "Record every test of collision queries to a file, or print such a file");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    add_hierarchy_options(*command, options->hierarchy, false);
+    add_query_options(*command, options->query, false);
+    add_query_limits(*command, options->limits);
+    command->add_option("-o,--output", options->output, "Write the trace to this file")
+        ->check(has_name())
+        ->type_name("FILE.scbtrace");
+    command->add_flag("--events", options->events, "Print every test of the trace");
+    command->add_flag("--json", options->json, "Print the trace as JSON");
+    command->footer(
+        "A scene is recorded to -o FILE; in place of SCENE, such a file is printed: what was "
+        "asked, "
+        "then the counts\n"
+        "of every frame. Parents are numbers of tests. Ctrl-C leaves the frames that were "
+        "finished, and exits with 130.\n\n"
+        "Examples:\n"
+        "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
+        "  scb trace spheres.scbtrace --frames 250 --events");
+    command->callback([&action, &console, command, options] {
+        const std::vector<std::string> given = given_recording_options(*command);
+        action = [&console, options, given] {
+            const std::vector<std::string>& names = options->scene.names;
+            return names.size() == 1 && names_trace(names[0]) ? print(*options, given)
+                                                              : record(*options, console);
+        };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,113 @@
+#include "app/query/trace_report.h"
+
+#include "app/cli/console.h"
+#include "core/analysis/trace_words.h"
+#include "core/base/text_format.h"
+#include "core/collide/pairs_hash.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Prints the text once it is long enough to be worth it, and clears it.
+void print_block(std::string& text) {
+    constexpr std::size_t block = std::size_t{1} << 16;
+    if (text.size() < block) return;
+    print_result(text);
+    text.clear();
+}
+
+}  // namespace
+
+std::string trace_header_text(const TraceHeader& header) {
+    std::string text;
+    for (const TraceField& field : fields_of(header))
+        text += format("%-10s ", field.name.c_str()) + printable(field.value) + "\n";
+    std::string files;
+    for (const std::string& name : header.source) files += (files.empty() ? "" : " ") + name;
+    text += format("%-10s ", "named") + printable(files) + "\n";
+    return text + "recorded by scb " + printable(header.scb_version) + "\n";
+}
+
+Json body_json(const TraceBody& body) {
+    return {{"name", body.name},
+            {"triangles", body.mesh.triangles},
+            {"vertices", body.mesh.vertices},
+            {"hash", hash_text(body.mesh.hash)}};
+}
+
+Json trace_header_json(const TraceHeader& header) {
+    Json bodies = Json::array();
+    for (const TraceBody& body : header.bodies) bodies.push_back(body_json(body));
+    Json result = {{"version", header.scb_version},
+                   {"source", header.source},
+                   {"scene", header.scene},
+                   {"bodies", bodies},
+                   {"volume", volume_kind_name(header.volume)},
+                   {"growth", ball_growth_name(header.growth)},
+                   {"margin", header.margin},
+                   {"split", split_method_name(header.split)}};
+    if (header.volume == VolumeKind::scb) {
+        result["test"] = overlap_test_name(header.options.overlap.test);
+        if (has_threshold(header.options.overlap.test))
+            result["threshold"] = header.options.overlap.threshold;
+    }
+    result["descent"] = descent_rule_name(header.options.descent);
+    result["max_pairs"] = header.options.max_pairs;
+    result["level"] = header.options.stop_level >= 0 ? Json(header.options.stop_level) : Json();
+    return result;
+}
+
+Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
+    const auto nodes = [](const VolumeTest& t) -> Json {
+        return {{"nodes", {t.nodes.a, t.nodes.b}}, {"depths", {t.depth_a, t.depth_b}}};
+    };
+    Json result = nodes(test.test);
+    result["stage"] = stage_name(test.test.stage);
+    result["outcome"] = words_of(test, bodies);
+    if (test.triangles) {
+        result["triangles"] = {test.triangles->triangles.a, test.triangles->triangles.b};
+        result["intersect"] = test.triangles->intersect;
+    }
+    if (test.parent) {
+        result["parent"] = nodes(*test.parent);
+        result["parent"]["divided"] = bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
+    }
+    return result;
+}
+
+void print_events(const TraceHeader& header, const TraceFrame& frame) {
+    const TestTree tree = test_tree(header, frame);
+    const BodyNames names = body_names(header), bodies = {printable(names[0]), printable(names[1])};
+    std::string text = "   test  parent   node A   node B  depths  outcome\n";
+    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+        const TracedTest test = traced_test(frame, tree, i);
+        const std::string parent =
+            tree.parents[i] == TestTree::no_parent ? "-" : std::to_string(tree.parents[i]);
+        text += format("%7zu %7s %8u %8u %3d %3d  ", i, parent.c_str(), test.test.nodes.a,
+                       test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
+                words_of(test, bodies) + "\n";
+        print_block(text);
+    }
+    print_result(text);
+}
+
+void print_events_json(const TraceHeader& header, const TraceFrame& frame,
+                       const std::string& indent) {
+    const TestTree tree = test_tree(header, frame);
+    const BodyNames bodies = body_names(header);
+    std::string text;
+    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+        Json row = {{"test", i}};
+        const std::uint32_t parent = tree.parents[i];
+        row["parent_test"] = parent == TestTree::no_parent ? Json() : Json(parent);
+        row.update(traced_test_json(traced_test(frame, tree, i), bodies));
+        text += (i == 0 ? "\n" : ",\n") + indent +
+                row.dump(-1, ' ', false, Json::error_handler_t::replace);
+        print_block(text);
+    }
+    print_result(text);
+}
+
+}  // namespace scb

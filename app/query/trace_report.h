@@ -1,0 +1,25 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/analysis/trace_diff.h"
+
+namespace scb {
+
+/// What was asked, as lines, and as JSON.
+std::string trace_header_text(const TraceHeader& header);
+/// A body and what tells its mesh from others.
+nlohmann::ordered_json body_json(const TraceBody& body);
+nlohmann::ordered_json trace_header_json(const TraceHeader& header);
+
+/// One test: nodes, depths, stage, and what follows from it.
+nlohmann::ordered_json traced_test_json(const TracedTest& test, const BodyNames& bodies);
+
+/// Prints every test of a frame, one after the other, since together they may not fit into memory:
+/// a line each, under a line of headings; or elements of a JSON list, without its brackets.
+void print_events(const TraceHeader& header, const TraceFrame& frame);
+void print_events_json(const TraceHeader& header, const TraceFrame& frame,
+                       const std::string& indent);
+
+}  // namespace scb

@@ -1,0 +1,252 @@
+#include "app/timing/bench_report.h"
+
+#include <algorithm>
+
+#include "app/timing/table_3.h"
+#include "core/base/text_format.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The first subject with slab cut balls: what speed-ups are of.
+const SubjectBench* first_scb(const SceneBench& bench) {
+    for (const SubjectBench& subject : bench.subjects)
+        if (subject.subject.kind == VolumeKind::scb) return &subject;
+    return nullptr;
+}
+
+double ratio(double value, double by) { return by > 0 ? value / by : 0; }
+
+std::vector<double> doubles(const std::vector<std::uint64_t>& values) {
+    return {values.begin(), values.end()};
+}
+
+/// What Table 3 has for it; nothing for other scenes of that name, and where not all frames were
+/// run.
+std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
+    if (!bench.builtin || !bench.all_frames) return std::nullopt;
+    return table_3(bench.scene, kind);
+}
+
+// Of Table 3: figures, and how many times as long as the paper's SCBTree.
+std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
+    const std::optional<Table3Entry> entry = paper_entry(bench, kind);
+    if (!entry) return "";
+    const double scb_ms = paper_entry(bench, VolumeKind::scb)->ms;
+    return format("  | %8.1f %8.2f %10.0f %9.0f", entry->ms, ratio(entry->ms, scb_ms), entry->n_v,
+                  entry->n_p);
+}
+
+/// The share of queries that began at the front of an earlier one.
+std::string front_cell(const SubjectBench& subject) {
+    return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
+}
+
+/// Whether all found the same pairs: "  All found the same pairs.", or which did not.
+std::string pairs_text(const SceneBench& bench) {
+    if (bench.subjects.size() < 2) return "";
+    const SubjectBench& first = bench.subjects.front();
+    std::string others;
+    for (const SubjectBench& subject : bench.subjects)
+        if (subject.pairs_hash != first.pairs_hash)
+            others += (others.empty() ? "" : ", ") + subject.subject.title();
+    return others.empty() ? "  All found the same pairs.\n"
+                          : "  Other pairs than " + first.subject.title() + ": " + others + "\n";
+}
+
+}  // namespace
+
+std::string bench_table(const SceneBench& bench) {
+    const SubjectBench* scb = first_scb(bench);
+    const bool in_paper = paper_entry(bench, VolumeKind::scb).has_value();
+    std::string text =
+        bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
+        format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
+               bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
+    std::size_t width = 16;
+    for (const SubjectBench& subject : bench.subjects)
+        width = std::max(width, subject.subject.title().size());
+    const int column = static_cast<int>(width);
+    const bool coherent =
+        std::any_of(bench.subjects.begin(), bench.subjects.end(),
+                    [](const SubjectBench& subject) { return subject.subject.coherent; });
+    text += format("  %-*s", column, "hierarchy");
+    text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
+    if (coherent) text += "   front";
+    text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
+    for (const SubjectBench& subject : bench.subjects) {
+        const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
+        text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
+                (scb == nullptr ? std::string("        -")
+                                : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
+                format(" %10.1f %9.1f %9.1f", n_v, mean(subject.n_p), mean(subject.pairs)) +
+                (n_v > 0 ? format(" %8.1f", 1e6 * ms / n_v) : "        -") +
+                format(" %6.1f", subject.bytes_per_triangle) +
+                (coherent ? front_cell(subject) : "") +
+                (subject.subject.layout ? "" : paper_cells(bench, subject.subject.kind)) + "\n";
+    }
+    text += pairs_text(bench);
+    if (in_paper && bench.scene == "hands")
+        text += "  (Table 3's hand is another mesh, of 654,666 triangles)\n";
+    return text;
+}
+
+void BenchCosts::add(const SceneBench& bench) {
+    ++scenes;
+    titles.resize(bench.subjects.size());
+    samples.resize(bench.subjects.size());
+    for (std::size_t s = 0; s < bench.subjects.size(); ++s) {
+        const SubjectBench& subject = bench.subjects[s];
+        titles[s] = subject.subject.title();
+        for (std::size_t i = 0; i < bench.frames.size(); ++i)
+            samples[s].push_back({1e6 * subject.ms[i], static_cast<double>(subject.n_v[i]),
+                                  static_cast<double>(subject.n_p[i]),
+                                  static_cast<double>(subject.n_u[i])});
+    }
+}
+
+std::string BenchCosts::table() const {
+    const std::size_t queries = samples.empty() ? 0 : samples[0].size();
+    std::size_t width = 16;
+    for (const std::string& title : titles) width = std::max(width, title.size());
+    const int column = static_cast<int>(width);
+    std::string text =
+        format("Equation 1, T = N_v C_v + N_p C_p + N_u C_u, over %zu quer%s of %zu scene%s:\n",
+               queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s") +
+        format("  %-*s", column, "hierarchy") +
+        "  C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
+    bool doubtful = false, without_moves = false, none = false;
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        const CostEquation costs = fit_cost_equation(samples[s]);
+        text += format("  %-*s", column, titles[s].c_str());
+        if (!costs.determined) {
+            text += "       -       -       -         -         -        -        -\n";
+            doubtful = true;
+            continue;
+        }
+        without_moves |= !costs.moves_apart;
+        none |= costs.c_v == 0 || costs.c_p == 0;
+        const auto cost = [](double c) { return c > 0 ? format(" %7.2f", c) : "       -"; };
+        const auto share = [](double c, double of_all) {
+            return c > 0 ? format(" %7.0f %%", 100 * of_all) : "         -";
+        };
+        text += cost(costs.c_v) + cost(costs.c_p) + cost(costs.c_u) +
+                share(costs.c_v, costs.share_v) + share(costs.c_p, costs.share_p) +
+                share(costs.c_u, costs.share_u).substr(1) +
+                format(" %6.0f %%\n", 100 * costs.error);
+    }
+    if (without_moves)
+        text +=
+            "  - of C_u: volumes are moved as their tests need it, so C_v holds that; packed "
+            "layouts do not count it.\n";
+    if (none)
+        text +=
+            "  - of C_v or C_p: there were no such tests, or what they cost is in the other; time "
+            "more and other scenes.\n";
+    if (doubtful)
+        text +=
+            "  - of all: the counts go together in these queries, or they are too few, so that "
+            "costs cannot be told apart; time more and other scenes.\n";
+    return text;
+}
+
+Json BenchCosts::json() const {
+    Json list = Json::array();
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        const CostEquation costs = fit_cost_equation(samples[s]);
+        const auto known = [&](double value) {
+            return costs.determined && value > 0 ? Json(value) : Json();
+        };
+        list.push_back({{"hierarchy", titles[s]},
+                        {"queries", samples[s].size()},
+                        {"c_v_ns", known(costs.c_v)},
+                        {"c_p_ns", known(costs.c_p)},
+                        {"c_u_ns", costs.moves_apart ? Json(costs.c_u) : Json()},
+                        {"share_v", known(costs.share_v)},
+                        {"share_p", known(costs.share_p)},
+                        {"share_u", costs.moves_apart ? Json(costs.share_u) : Json()},
+                        {"error", costs.determined ? Json(costs.error) : Json()}});
+    }
+    return list;
+}
+
+Json bench_json(const SceneBench& bench) {
+    const SubjectBench* scb = first_scb(bench);
+    Json hierarchies = Json::array();
+    for (const SubjectBench& subject : bench.subjects) {
+        const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
+        Json row = {{"hierarchy", subject.subject.title()},
+                    {"volume", volume_kind_name(subject.subject.kind)}};
+        if (subject.subject.layout)
+            row["layout"] = packed_layout_name(*subject.subject.layout);
+        else if (subject.subject.kind == VolumeKind::scb)
+            row["test"] = overlap_test_name(subject.subject.test);
+        if (subject.subject.coherent) row["from_front"] = subject.from_front;
+        row["ms"] = ms;
+        row["n_v"] = n_v;
+        row["n_p"] = mean(subject.n_p);
+        row["n_u"] = mean(subject.n_u);
+        row["pairs"] = mean(subject.pairs);
+        row["pairs_hash"] = hash_text(subject.pairs_hash);
+        row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
+        row["bytes_per_triangle"] = subject.bytes_per_triangle;
+        if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
+        if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))
+            row["table_3"] = {
+                {"ms", entry->ms},
+                {"n_v", entry->n_v},
+                {"n_p", entry->n_p},
+                {"time_over_scb", ratio(entry->ms, paper_entry(bench, VolumeKind::scb)->ms)}};
+        hierarchies.push_back(std::move(row));
+    }
+    return {{"scene", bench.scene},
+            {"bodies", bench.bodies},
+            {"triangles", bench.triangles},
+            {"frames", bench.frames.size()},
+            {"hierarchies", hierarchies}};
+}
+
+std::string bench_csv(const SceneBench& bench) {
+    std::string text;
+    for (const SubjectBench& s : bench.subjects) {
+        const bool is_scb = s.subject.kind == VolumeKind::scb;
+        const std::string start =
+            bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
+            (s.subject.layout
+                 ? packed_layout_name(*s.subject.layout) + (s.subject.coherent ? " front" : "")
+             : is_scb ? std::string(overlap_test_name(s.subject.test))
+                      : std::string());
+        for (std::size_t i = 0; i < bench.frames.size(); ++i)
+            text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
+                                   static_cast<unsigned long long>(s.n_v[i]),
+                                   static_cast<unsigned long long>(s.n_p[i]),
+                                   static_cast<unsigned long long>(s.n_u[i]),
+                                   static_cast<unsigned long long>(s.pairs[i]));
+    }
+    return text;
+}
+
+BenchFigure bench_figure(const SceneBench& bench) {
+    BenchFigure figure;
+    figure.scene = bench.scene;
+    figure.triangles = {bench.triangles.begin(), bench.triangles.end()};
+    for (const SubjectBench& subject : bench.subjects) {
+        BenchSeries series;
+        series.name = subject.subject.title();
+        series.kind = subject.subject.kind;
+        series.frames = bench.frames;
+        series.n_v = doubles(subject.n_v);
+        series.n_p = doubles(subject.n_p);
+        series.ms = subject.ms;
+        series.pairs = doubles(subject.pairs);
+        figure.series.push_back(std::move(series));
+    }
+    // Where the two spheres' surfaces pass each other (Section 5).
+    if (bench.builtin && bench.scene.starts_with("spheres-"))
+        figure.ranges.push_back({244, 256, "parallel close proximity"});
+    return figure;
+}
+
+}  // namespace scb

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/timing/bench_run.h"
+#include "core/analysis/cost_equation.h"
+#include "render/figures/bench_figure.h"
+
+namespace scb {
+
+/// One row per hierarchy: mean time, N_v, N_p and pairs per frame, how many times as long it took
+/// as the first slab cut ball hierarchy, and Table 3's figures beside them.
+std::string bench_table(const SceneBench& bench);
+
+/// Equation 1 of the paper, fitted for each hierarchy over the queries of several scenes.
+struct BenchCosts {
+    std::vector<std::string> titles;
+    std::vector<std::vector<CostSample>> samples;  ///< per title; times in ns
+    std::size_t scenes = 0;
+
+    void add(const SceneBench& bench);
+    std::string table() const;
+    nlohmann::ordered_json json() const;
+};
+
+/// The same as JSON, without the frames.
+nlohmann::ordered_json bench_json(const SceneBench& bench);
+
+/// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs"; without the header.
+std::string bench_csv(const SceneBench& bench);
+inline constexpr const char* bench_csv_header = "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs\n";
+
+/// Figure 11 for the scene.
+BenchFigure bench_figure(const SceneBench& bench);
+
+}  // namespace scb

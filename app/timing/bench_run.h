@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/query/scene_query.h"
+#include "app/timing/query_timing.h"
+#include "core/base/statistics.h"
+#include "core/collide/pairs_hash.h"
+#include "scb/any_packed.h"
+
+namespace scb {
+
+/// One hierarchy with one overlap test, or one that is packed, which has a test of its own.
+struct BenchSubject {
+    VolumeKind kind = VolumeKind::scb;
+    OverlapTest test = OverlapTest::corrected;
+    std::optional<PackedLayout> layout{};
+    bool coherent = false;  ///< with a PackedFront from frame to frame; of packed ones
+
+    /// "SCB corrected", "SCB float8", "SCB float8 front", "ball", "ball (Ritter)", "OBB".
+    std::string title() const;
+};
+
+/// What one subject did in each frame of a scene, in the order of SceneBench::frames.
+struct SubjectBench {
+    BenchSubject subject{};
+    std::vector<double> ms{};  ///< processor time of a query: the median of the repeats
+    std::vector<std::uint64_t> n_v{}, n_p{}, n_u{}, pairs{};
+    std::uint64_t pairs_hash = fnv_offset_basis;  ///< of the pairs of all frames, one after another
+    double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
+    /// Where it is coherent, the share of queries that began at a front of an earlier one: others
+    /// began at the roots, and some of these made a front.
+    double from_front = 0;
+
+    double mean_ms() const;
+};
+
+struct SceneBench {
+    std::string scene;
+    std::vector<std::string> bodies;     ///< names of A and B
+    std::vector<std::size_t> triangles;  ///< of A and B
+    std::vector<int> frames;
+    bool all_frames = false;  ///< whether these are all of the scene
+    bool builtin = false;     ///< whether the name is that of a built-in scene, and so Table 3's
+    std::vector<SubjectBench> subjects;
+};
+
+struct BenchOptions {
+    std::vector<BenchSubject> subjects;
+    CollideOptions collide;
+    BuildOptions build;
+    PackedOptions packed;
+    std::size_t max_pairs = 100'000'000;  ///< of a query
+    int repeats = 1;
+    BenchOrder order = BenchOrder::cold;
+};
+
+/// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
+/// `step` is called after each query and ends the measurement by returning false; then there is no
+/// result. Throws InputError where a mesh is none for a layout, or a query finds more than
+/// max_pairs.
+std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
+                                      const std::vector<int>& frames, const BenchOptions& options,
+                                      const std::function<bool()>& step);
+
+}  // namespace scb

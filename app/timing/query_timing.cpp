@@ -1,0 +1,43 @@
+#include "app/timing/query_timing.h"
+
+#include <time.h>
+
+#include "core/base/statistics.h"
+
+namespace scb {
+namespace {
+
+/// Processor time of this thread, as other programs' turns on a shared machine do not count; or the
+/// time of day, as it does not count the work of other threads.
+double milliseconds(bool wall) {
+    timespec now{};
+    clock_gettime(wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing) {
+    const std::size_t subjects = timing.subjects, frames = timing.frames;
+    // Per subject, per frame, per repeat.
+    std::vector<std::vector<std::vector<double>>> ms(subjects);
+    for (auto& of_subject : ms) of_subject.resize(frames);
+    const bool cold = timing.order == BenchOrder::cold;
+    for (int repeat = 0; repeat < timing.repeats; ++repeat)
+        for (std::size_t k = 0; k < subjects * frames; ++k) {
+            const std::size_t s = cold ? k % subjects : k / frames;
+            const std::size_t i = cold ? k / subjects : k % frames;
+            if (timing.before) timing.before(s, i);
+            const double start = milliseconds(timing.wall);
+            const Collision found = timing.query(s, i);
+            ms[s][i].push_back(milliseconds(timing.wall) - start);
+            if (repeat == 0 && timing.keep) timing.keep(s, i, found);
+            if (!timing.step()) return std::nullopt;
+        }
+    std::vector<std::vector<double>> medians(subjects);
+    for (std::size_t s = 0; s < subjects; ++s)
+        for (const std::vector<double>& repeats : ms[s]) medians[s].push_back(median(repeats));
+    return medians;
+}
+
+}  // namespace scb

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+/// What Table 3 of the paper says of a scene and a hierarchy: means per frame.
+struct Table3Entry {
+    double ms, n_v, n_p;  ///< on an Intel T2600 at 2.16 GHz
+};
+
+/// The entry for a benchmark scene, or nothing where Table 3 has none: for other scenes, and for
+/// Ritter's balls. Its OBB figures are RAPID's.
+std::optional<Table3Entry> table_3(std::string_view scene, VolumeKind kind);
+
+/// The seven scenes of Table 3, in its order.
+inline constexpr std::string_view table_3_scenes[] = {
+    "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses", "hands"};
+
+}  // namespace scb

@@ -1,0 +1,188 @@
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/build_text.h"
+#include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/version.h"
+#include "app/pictures/picture_options.h"
+#include "app/timing/tune_report.h"
+#include "render/draw/renderer.h"
+#include "render/files/image_file.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/text/number_list.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query{.frames = auto_frames};
+    PictureOptions picture{.output = ""};
+    int repeats = 3;
+    bool no_time = false, json = false;
+};
+
+/// Some fifty frames from the whole scene.
+std::vector<int> chosen_frames(const std::string& text, const Scene& scene) {
+    if (text != auto_frames) return parse_frames(text, scene.frames, scene.name);
+    const int step = std::max(1, (scene.frames + 49) / 50);
+    std::vector<int> frames;
+    for (int frame = 0; frame < scene.frames; frame += step) frames.push_back(frame);
+    return frames;
+}
+
+TuneOptions tune_options(const Options& options) {
+    if (options.hierarchy.kind() != VolumeKind::scb)
+        throw InputError("--volume " + options.hierarchy.volumes +
+                         ": only slab cut balls have overlap tests and a threshold to tune; leave "
+                         "this out, or time other volumes with `scb bench`.");
+    if (options.repeats < 1 || options.repeats > 1000)
+        throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
+    const CollideOptions collide = options.query.collide();
+    const BuildOptions build = options.hierarchy.build();
+    TuneOptions result;
+    result.base = {collide.overlap, collide.descent, build.fit.growth};
+    result.build = build;
+    result.repeats = options.no_time ? 0 : options.repeats;
+    return result;
+}
+
+std::string conditions(const Options& options) {
+    BuildOptions build = options.hierarchy.build();
+    build.fit.growth = FitOptions{}.growth;  // each setting has its own
+    const std::string built = build_sentence(build);
+    if (options.no_time) return built;
+    return (built.empty() ? "" : built + " ") +
+           "Time: at each frame the settings take turns, each after an untimed query of the same "
+           "nodes; one thread, processor time, median of " +
+           std::to_string(options.repeats) + (options.repeats == 1 ? " run" : " runs") +
+           " per frame, sorting the pairs included. Compiled by " + compiler_text() +
+           ". Best in time is the base unless another saves 2 % or more. Times differ from machine "
+           "to machine and from run to run; counts do not.";
+}
+
+std::string json_text(const Options& options, const SceneTuning& tuning) {
+    Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
+    document.update(tune_json(tuning));
+    document["margin"] = options.hierarchy.margin;
+    document["split"] = options.hierarchy.split;
+    if (!options.no_time) {
+        document["repeats"] = options.repeats;
+        document["compiler"] = compiler_text();
+    }
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string picture_name(const Scene& scene) { return scene.name + "_tune.png"; }
+
+void write_files(const Options& options, const Scene& scene, const SceneTuning& tuning,
+                 Renderer& renderer, const std::filesystem::path& folder) {
+    TuneFigure figure = tune_figure(tuning);
+    figure.footnote = conditions(options);
+    figure.theme = options.picture.theme();
+    Overlay overlay;
+    const Picture picture =
+        compose(figure, options.picture.width(), options.picture.height(), overlay);
+    const std::vector<std::uint8_t> png = encode_png(renderer.draw(picture, &overlay).image);
+    write_file_whole(folder / picture_name(scene), png);
+    write_file_whole(folder / "tune.csv", tune_csv(tuning));
+    write_file_whole(folder / "tune.json", json_text(options, tuning));
+}
+
+int run(const Options& options, const Console& console) {
+    const TuneOptions asked = tune_options(options);
+    options.picture.check();
+    const Scene scene = options.scene.load();
+    if (!options.picture.output.empty())
+        for (const std::string& file :
+             {std::string("tune.csv"), std::string("tune.json"), picture_name(scene)})
+            refuse_inputs((std::filesystem::path(options.picture.output) / file).string(), "-o",
+                          options.scene, scene);
+    const auto [a, b] = two_bodies(scene, options.query.bodies);
+    const std::vector<int> frames = chosen_frames(options.query.frames, scene);
+    // The threshold counts whatever the base's test is.
+    QueryOptions doubtful = options.query;
+    doubtful.threshold = QueryOptions{}.threshold;
+    note_doubts(options.scene, doubtful, {VolumeKind::scb}, console);
+
+    const bool writes = !options.picture.output.empty();
+    std::filesystem::path folder;
+    std::optional<Context> context;
+    std::optional<Renderer> renderer;
+    if (writes) {
+        folder = options.picture.output_folder();
+        context.emplace(options.picture.backend());
+        renderer.emplace(*context);
+    }
+
+    const InterruptWatch watch;
+    std::optional<Progress> progress;
+    std::string what;
+    const TuneProgress report = {[&](std::string_view part, std::size_t steps) {
+                                     what = part;
+                                     progress.emplace(console, steps);
+                                 },
+                                 [&] {
+                                     progress->step(what);
+                                     return watch.signal() == 0;
+                                 }};
+    const std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, report);
+    if (!tuning) {
+        console.note("scb: interrupted before the settings were compared; nothing was written.");
+        return exit_interrupted(watch.signal());
+    }
+    if (writes) write_files(options, scene, *tuning, *renderer, folder);
+    std::string text = options.json ? json_text(options, *tuning) : tune_table(*tuning);
+    if (!options.json && !options.no_time) text += "\n" + conditions(options) + "\n";
+    print_result(text);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_tune(CLI::App& program, const Console& console, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "tune", "Compare overlap tests, thresholds, descent and growth rules in a scene");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*command, options->scene, false);
+    command->get_option("SCENE")->description(
+        "A built-in scene (see `scb scenes`), a scene file, or two mesh files");
+    add_hierarchy_options(*command, options->hierarchy, false);
+    command->get_option("--volume")->description("scb: only slab cut balls can be tuned");
+    add_query_options(*command, options->query, false);
+    command->get_option("--frames")
+        ->description(
+            "Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is fifty from the whole scene");
+    command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+        ->check(decimal_number())
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_flag("--no-time", options->no_time,
+                      "Counts only, which are the same on every machine");
+    add_figure_options(*command, options->picture, "Folder for tune.csv, tune.json and a picture");
+    command->add_flag("--json", options->json, "Print JSON instead of a table");
+    command->footer(
+        "The base is what --test, --threshold, --descent and --growth say. One of them is changed "
+        "at a time, then the best of\n"
+        "each are taken together. operations: arithmetic operations of the volume tests (Table 1 "
+        "of the paper); ms: mean\n"
+        "processor time of a query. The base is best in time unless another saves 2 % or more. The "
+        "printed test, which\n"
+        "misses pairs, is never best. Ctrl-C ends it, with 130.\n\n"
+        "Examples:\n"
+        "  scb tune spheres-l1 -o out/\n"
+        "  scb tune knots-l1 --frames 0:499:50 --no-time\n"
+        "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected");
+    command->callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb

@@ -1,0 +1,56 @@
+#include "core/analysis/alternative_test.h"
+
+#include "core/analysis/operation_cost.h"
+
+namespace scb {
+namespace {
+
+bool same(const OverlapOptions& x, const OverlapOptions& y) {
+    return x.test == y.test && (!has_threshold(x.test) || x.threshold == y.threshold);
+}
+
+}  // namespace
+
+void OtherTest::add(const OtherTest& other) {
+    caught += other.caught;
+    pairs += other.pairs;
+    all += other.all;
+}
+
+std::vector<OverlapOptions> other_tests(const TraceHeader& header) {
+    std::vector<OverlapOptions> tests;
+    if (header.volume != VolumeKind::scb) return tests;
+    for (const double threshold : {0.5, 0.7, 0.9})
+        tests.push_back({OverlapTest::corrected, threshold});
+    tests.push_back({OverlapTest::symmetric, OverlapOptions{}.threshold});
+    tests.push_back({OverlapTest::extents, OverlapOptions{}.threshold});
+    std::erase_if(tests, [&](const OverlapOptions& o) { return same(o, header.options.overlap); });
+    return tests;
+}
+
+OtherTest try_other_test(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                         const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
+                         const Attribution& attribution, const OverlapOptions& other) {
+    OtherTest result;
+    result.overlap = other;
+    CollideOptions options = header.options;
+    options.overlap = other;
+    const Collision found = collide(a, mesh_a, b, mesh_b, frame.b_to_a, options);
+    result.pairs = found.pairs.size();
+    result.all = {found.n_v, found.n_p, operation_count(header.volume, other, found.stages)};
+    const auto* scbs_a = std::get_if<Hierarchy<Scb>>(&a);
+    const auto* scbs_b = std::get_if<Hierarchy<Scb>>(&b);
+    if (scbs_a == nullptr || scbs_b == nullptr) return result;
+    const Placement placed = query_placement(*scbs_a, *scbs_b, frame.b_to_a);
+    with_overlap_test<Scb>(other, [&](auto test) {
+        for (const PassedPair& pair : attribution.passed) {
+            if (pair.reason != PassReason::weak_test) continue;
+            const IndexPair nodes = frame.events.volume_tests[pair.test].nodes;
+            result.caught += test(scbs_a->volumes[nodes.a], scbs_b->volumes[nodes.b], placed) !=
+                             Stage::overlapping;
+        }
+    });
+    return result;
+}
+
+}  // namespace scb

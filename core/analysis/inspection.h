@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/analysis/attribution.h"
+
+namespace scb {
+
+/// The volume tests of pairs at one depth: the depths of both nodes added.
+struct DepthInspection {
+    std::uint64_t tests = 0;
+    std::uint64_t wasted = 0;           ///< of these, those that a false pair led to
+    std::uint64_t wasted_by_tests = 0;  ///< of these, those that an exact test would save
+    std::array<std::uint64_t, pass_reason_count> passed{};  ///< by reason
+};
+
+/// What the tests of a query, or of several together, passed on and wasted.
+struct Inspection {
+    std::uint64_t pairs = 0;  ///< that were found
+    PassCounts counts;
+    std::vector<DepthInspection> depths;  ///< from 0
+
+    Inspection& operator+=(const Inspection& other);
+};
+
+/// That of one query. `tree` is test_tree's.
+Inspection inspection(const TraceFrame& frame, const TestTree& tree,
+                      const Attribution& attribution);
+
+/// One frame of several.
+struct InspectedFrame {
+    int frame = 0;
+    Inspection found;
+};
+
+/// Puts the frame with the most wasted volume tests first; equal ones by their numbers.
+void sort_by_waste(std::vector<InspectedFrame>& frames);
+
+}  // namespace scb

@@ -1,0 +1,81 @@
+#include "core/analysis/operation_cost.h"
+
+namespace scb {
+namespace {
+
+/// After ball-ball, slab-ball, ball-slab, and the two cylinders (also where nothing rejected).
+std::uint32_t of_cylinder_tests(Stage stage, std::uint32_t first_cylinder,
+                                std::uint32_t second_cylinder) {
+    switch (stage) {
+        case Stage::ball_ball:
+            return 29;
+        case Stage::slab_ball:
+            return 36;
+        case Stage::ball_slab:
+            return 60;
+        case Stage::slab_cylinder:
+            return first_cylinder;
+        default:
+            return second_cylinder;
+    }
+}
+
+std::uint32_t of_extents(Stage stage) {
+    switch (stage) {
+        case Stage::ball_ball:
+            return 29;
+        case Stage::slab_a:
+            return 69;
+        case Stage::slab_b:
+            return 90;
+        default:
+            return 115;
+    }
+}
+
+/// 66 for B's center and axes; 27 for each axis of A, with the products of axes that later ones
+/// use; 12 for each of B; 11 for each cross product.
+std::uint32_t of_boxes(Stage stage) {
+    constexpr std::uint32_t transformation = 66, axis_a = 27, axis_b = 12, crossed = 11;
+    if (stage == Stage::overlapping) return transformation + 3 * axis_a + 3 * axis_b + 9 * crossed;
+    const std::uint32_t made =
+        static_cast<std::uint32_t>(stage) - static_cast<std::uint32_t>(Stage::axis_a0) + 1;
+    if (made <= 3) return transformation + made * axis_a;
+    if (made <= 6) return transformation + 3 * axis_a + (made - 3) * axis_b;
+    return transformation + 3 * axis_a + 3 * axis_b + (made - 6) * crossed;
+}
+
+}  // namespace
+
+std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Stage stage) {
+    switch (kind) {
+        case VolumeKind::scb:
+            break;
+        case VolumeKind::ball:
+        case VolumeKind::ritter:
+            return 29;
+        case VolumeKind::obb:
+            return of_boxes(stage);
+    }
+    switch (options.test) {
+        case OverlapTest::extents:
+            return of_extents(stage);
+        case OverlapTest::symmetric:
+            return of_cylinder_tests(stage, 87, 98);
+        case OverlapTest::printed:
+        case OverlapTest::line8:
+        case OverlapTest::corrected:
+            break;
+    }
+    return of_cylinder_tests(stage, 76, 84);
+}
+
+std::uint64_t operation_count(VolumeKind kind, const OverlapOptions& options,
+                              const StageCounts& stages) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        sum += stages[i] * operation_cost(kind, options, static_cast<Stage>(i));
+    return sum;
+}
+
+}  // namespace scb

@@ -1,0 +1,93 @@
+#include "core/analysis/trace.h"
+
+#include <bit>
+#include <charconv>
+
+namespace scb {
+namespace {
+
+// One word at a time, as FNV-1a does bytes; the shift carries high bits down, which a product does
+// not.
+struct Hash {
+    std::uint64_t value = 0xcbf29ce484222325;
+
+    void add(std::uint64_t word) {
+        value = (value ^ word) * 0x100000001b3;
+        value ^= value >> 29;
+    }
+};
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+std::string hexadecimal(std::uint64_t value) {
+    std::array<char, 16> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, 16).ptr;
+    const std::string digits(text.data(), end);
+    return std::string(16 - digits.size(), '0') + digits;
+}
+
+std::string text_of(const MeshFingerprint& mesh) {
+    return std::to_string(mesh.triangles) + " triangles, " + std::to_string(mesh.vertices) +
+           " vertices, hash " + hexadecimal(mesh.hash);
+}
+
+}  // namespace
+
+MeshFingerprint fingerprint(const Mesh& mesh) {
+    Hash hash;
+    for (const Vec3& v : mesh.vertices)
+        for (int i = 0; i < 3; ++i) hash.add(std::bit_cast<std::uint64_t>(v[i]));
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t corner : t) hash.add(corner);
+    return {static_cast<std::uint32_t>(mesh.triangles.size()),
+            static_cast<std::uint32_t>(mesh.vertices.size()), hash.value};
+}
+
+BodyNames body_names(const TraceHeader& header) {
+    return {header.bodies[0].name, header.bodies[1].name};
+}
+
+BuildOptions build_options(const TraceHeader& header) {
+    BuildOptions options;
+    options.fit.growth = header.growth;
+    options.fit.margin = header.margin;
+    options.split = header.split;
+    return options;
+}
+
+TestTree test_tree(const TraceHeader& header, const TraceFrame& frame) {
+    const bool stops = header.options.stop_level >= 0;
+    return test_tree(frame.events,
+                     stops ? std::span(frame.found.pairs) : std::span<const IndexPair>());
+}
+
+std::vector<TraceField> fields_of(const TraceHeader& header) {
+    const CollideOptions& options = header.options;
+    std::vector<TraceField> fields = {{"scene", header.scene},
+                                      {"body A", header.bodies[0].name},
+                                      {"body B", header.bodies[1].name},
+                                      {"mesh of A", text_of(header.bodies[0].mesh)},
+                                      {"mesh of B", text_of(header.bodies[1].mesh)},
+                                      {"split", std::string(split_method_name(header.split))},
+                                      {"volume", std::string(volume_kind_name(header.volume))}};
+    // Only what has an effect on these volumes.
+    if (header.volume == VolumeKind::scb || header.volume == VolumeKind::ball)
+        fields.push_back({"growth", std::string(ball_growth_name(header.growth))});
+    if (header.volume == VolumeKind::scb) {
+        fields.push_back({"margin", number(header.margin)});
+        fields.push_back({"test", std::string(overlap_test_name(options.overlap.test))});
+        if (has_threshold(options.overlap.test))
+            fields.push_back({"threshold", number(options.overlap.threshold)});
+    }
+    fields.push_back({"descent", std::string(descent_rule_name(options.descent))});
+    fields.push_back({"max pairs", std::to_string(options.max_pairs)});
+    fields.push_back(
+        {"level", options.stop_level < 0 ? "leaves" : std::to_string(options.stop_level)});
+    return fields;
+}
+
+}  // namespace scb

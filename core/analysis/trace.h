@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/analysis/traversal_tree.h"
+#include "scb/any_collide.h"
+
+namespace scb {
+
+/// Tells one mesh from another: the same numbers for the same vertices and triangles in the same
+/// order, on every machine.
+struct MeshFingerprint {
+    std::uint32_t triangles = 0, vertices = 0;
+    std::uint64_t hash = 0;  ///< of the bits of all coordinates and of all indices
+
+    friend bool operator==(const MeshFingerprint&, const MeshFingerprint&) = default;
+};
+MeshFingerprint fingerprint(const Mesh& mesh);
+
+/// A body of a trace.
+struct TraceBody {
+    std::string name;
+    MeshFingerprint mesh;
+};
+
+/// The names of A and B.
+using BodyNames = std::array<std::string, 2>;
+
+/// What the queries of a trace were asked.
+struct TraceHeader {
+    std::string scb_version;  ///< of the program that recorded it
+    /// How the user named the scene, so that it can be opened again. Says where it was, not what
+    /// it is: it takes no part in comparisons.
+    std::vector<std::string> source;
+    std::string scene;
+    std::array<TraceBody, 2> bodies;  ///< A and B
+    VolumeKind volume = VolumeKind::scb;
+    BallGrowth growth = BallGrowth::ritter;
+    double margin = 0;
+    SplitMethod split = SplitMethod::section_3;
+    CollideOptions options;
+};
+
+BodyNames body_names(const TraceHeader& header);
+/// How the hierarchies were built.
+BuildOptions build_options(const TraceHeader& header);
+
+/// One query.
+struct TraceFrame {
+    int frame = 0;
+    Pose b_to_a;
+    Collision found;
+    Events events;
+};
+
+/// Queries of one scene, frame by frame, with all that they did.
+struct Trace {
+    TraceHeader header;
+    std::vector<TraceFrame> frames;  ///< ascending by number, each once
+};
+
+/// The tree of a frame's tests.
+TestTree test_tree(const TraceHeader& header, const TraceFrame& frame);
+
+/// One line of what was asked, as text.
+struct TraceField {
+    std::string name, value;
+
+    friend bool operator==(const TraceField&, const TraceField&) = default;
+};
+
+/// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, and for
+/// slab cut balls test and threshold; descent, pairs at most, level. Neither version nor source.
+std::vector<TraceField> fields_of(const TraceHeader& header);
+
+}  // namespace scb

@@ -1,0 +1,215 @@
+#include "core/analysis/trace_diff.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <set>
+
+namespace scb {
+namespace {
+
+const std::string* value_of(const std::vector<TraceField>& fields, const std::string& name) {
+    for (const TraceField& field : fields)
+        if (field.name == name) return &field.value;
+    return nullptr;
+}
+
+std::vector<FieldDifference> asked_differently(const TraceHeader& a, const TraceHeader& b) {
+    std::vector<FieldDifference> result;
+    const std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
+    for (const TraceField& field : fields_a) {
+        const std::string* other = value_of(fields_b, field.name);
+        if (other == nullptr || *other != field.value)
+            result.push_back({field.name, field.value, other ? *other : "-"});
+    }
+    for (const TraceField& field : fields_b)
+        if (value_of(fields_a, field.name) == nullptr)
+            result.push_back({field.name, "-", field.value});
+    return result;
+}
+
+/// Index of the volume test at which the queries part: in what they test, in what that gives, or
+/// in what they do next. Nothing where they do not.
+std::optional<std::size_t> parting_test(const TraceFrame& a, const TestTree& tree_a,
+                                        const TraceFrame& b, const TestTree& tree_b) {
+    const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
+        const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+        return static_cast<std::size_t>(first.first - of_a.begin());
+    };
+    std::size_t test = std::min(differ(a.events.volume_tests, b.events.volume_tests),
+                                differ(tree_a.outcomes, tree_b.outcomes));
+    const auto& triangles_a = a.events.triangle_tests;
+    const auto& triangles_b = b.events.triangle_tests;
+    const std::size_t triangles = differ(triangles_a, triangles_b);
+    if (triangles < triangles_a.size())
+        test = std::min<std::size_t>(test, triangles_a[triangles].after);
+    if (triangles < triangles_b.size())
+        test = std::min<std::size_t>(test, triangles_b[triangles].after);
+    const bool same = test == tree_a.outcomes.size() && test == tree_b.outcomes.size();
+    return same ? std::nullopt : std::optional(test);
+}
+
+std::optional<TracedTest> traced(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
+    if (index >= frame.events.volume_tests.size()) return std::nullopt;
+    return traced_test(frame, tree, index);
+}
+
+bool same_pose(const Pose& a, const Pose& b) {
+    return a.rotation == b.rotation && a.translation == b.translation;
+}
+
+/// The volume test from which the pair came.
+std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes, IndexPair pair) {
+    if (of_nodes)
+        for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
+            if (tree.outcomes[i] == Outcome::found && frame.events.volume_tests[i].nodes == pair)
+                return i;
+    for (const TriangleTest& t : frame.events.triangle_tests)
+        if (t.intersect && t.triangles == pair) return t.after;
+    assert(false && "a pair was found by a test");
+    return 0;
+}
+
+/// Looks for the test of `other` that left out the pair which `finder` found.
+LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const TraceFrame& other,
+                   const TestTree& other_tree, const TraceDiff& d, IndexPair pair) {
+    LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
+    if (!d.nodes_comparable) return lost;
+    // The finder came down from the roots step by step, so these are all ancestors of the pair.
+    std::set<std::uint32_t> ancestors_a, ancestors_b;
+    for (std::size_t i = test_of(finder, finder_tree, d.of_nodes, pair);;
+         i = finder_tree.parents[i]) {
+        ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
+        ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
+        if (finder_tree.parents[i] == TestTree::no_parent) break;
+    }
+    for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
+        const Outcome outcome = other_tree.outcomes[i];
+        const IndexPair nodes = other.events.volume_tests[i].nodes;
+        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b ||
+            !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
+            continue;
+        lost.lost_at = traced_test(other, other_tree, i);
+        lost.test = i;
+        break;
+    }
+    return lost;
+}
+
+/// The pairs that only one of the two found.
+void compare_pairs(const TraceFrame& frame_a, const TestTree& tree_a, const TraceFrame& frame_b,
+                   const TestTree& tree_b, TraceDiff& result) {
+    const auto& pairs_a = frame_a.found.pairs;
+    const auto& pairs_b = frame_b.found.pairs;
+    std::vector<IndexPair> only_a, only_b;
+    std::set_difference(pairs_a.begin(), pairs_a.end(), pairs_b.begin(), pairs_b.end(),
+                        std::back_inserter(only_a));
+    std::set_difference(pairs_b.begin(), pairs_b.end(), pairs_a.begin(), pairs_a.end(),
+                        std::back_inserter(only_b));
+    result.pairs_only_in_a += only_a.size();
+    result.pairs_only_in_b += only_b.size();
+    if (only_a.empty() && only_b.empty()) return;
+    for (const IndexPair& pair : only_a) {
+        if (result.lost.size() == TraceDiff::most_lost) return;
+        result.lost.push_back(lost_pair(frame_a, tree_a, frame_b, tree_b, result, pair));
+        result.lost.back().found_by_a = true;
+    }
+    for (const IndexPair& pair : only_b) {
+        if (result.lost.size() == TraceDiff::most_lost) return;
+        result.lost.push_back(lost_pair(frame_b, tree_b, frame_a, tree_a, result, pair));
+    }
+}
+
+TraceFrames frames_of(const Trace& trace) {
+    return [&trace, next = std::size_t{0}]() mutable {
+        return next < trace.frames.size() ? &trace.frames[next++] : nullptr;
+    };
+}
+
+}  // namespace
+
+void TraceCounts::add(const Collision& found) {
+    pairs += found.pairs.size();
+    n_v += found.n_v;
+    n_p += found.n_p;
+    n_u += found.n_u;
+    for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
+}
+
+TracedTest traced_test(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
+    const Events& events = frame.events;
+    TracedTest result;
+    result.test = events.volume_tests[index];
+    result.outcome = tree.outcomes[index];
+    const auto triangles =
+        std::lower_bound(events.triangle_tests.begin(), events.triangle_tests.end(), index,
+                         [](const TriangleTest& t, std::size_t i) { return t.after < i; });
+    if (triangles != events.triangle_tests.end() && triangles->after == index)
+        result.triangles = *triangles;
+    if (const std::uint32_t parent = tree.parents[index]; parent != TestTree::no_parent) {
+        result.parent = events.volume_tests[parent];
+        result.parent_outcome = tree.outcomes[parent];
+    }
+    return result;
+}
+
+TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
+               const TraceFrames& frames_b) {
+    TraceDiff result;
+    result.asked = asked_differently(a, b);
+    result.nodes_comparable =
+        a.bodies[0].mesh == b.bodies[0].mesh && a.bodies[1].mesh == b.bodies[1].mesh;
+    result.meshes_differ = !result.nodes_comparable;
+    // Other trees: the number of a node is another node's there.
+    result.nodes_comparable &= a.split == b.split;
+    result.bodies = body_names(a);
+    result.of_nodes = a.options.stop_level >= 0;
+    result.pairs_comparable = !result.meshes_differ &&
+                              a.options.stop_level == b.options.stop_level &&
+                              (result.nodes_comparable || !result.of_nodes);
+    const TraceFrame* frame_a = frames_a();
+    const TraceFrame* frame_b = frames_b();
+    while (frame_a || frame_b) {
+        if (!frame_b || (frame_a && frame_a->frame < frame_b->frame)) {
+            result.only_in_a.push_back(frame_a->frame);
+            frame_a = frames_a();
+            continue;
+        }
+        if (!frame_a || frame_b->frame < frame_a->frame) {
+            result.only_in_b.push_back(frame_b->frame);
+            frame_b = frames_b();
+            continue;
+        }
+        ++result.common;
+        result.sum_a.add(frame_a->found);
+        result.sum_b.add(frame_b->found);
+        FrameDifference difference{frame_a->frame, false, {}, {}};
+        difference.poses_differ = !same_pose(frame_a->b_to_a, frame_b->b_to_a);
+        difference.a.add(frame_a->found);
+        difference.b.add(frame_b->found);
+        std::optional<std::size_t> test;
+        TestTree tree_a, tree_b;
+        if (result.nodes_comparable || result.pairs_comparable) {
+            tree_a = test_tree(a, *frame_a);
+            tree_b = test_tree(b, *frame_b);
+        }
+        if (result.nodes_comparable) {
+            test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
+            if (test && !result.first)
+                result.first = Parting{frame_a->frame, *test, traced(*frame_a, tree_a, *test),
+                                       traced(*frame_b, tree_b, *test)};
+        }
+        if (result.pairs_comparable) compare_pairs(*frame_a, tree_a, *frame_b, tree_b, result);
+        if (test || difference.poses_differ || difference.a != difference.b)
+            result.frames.push_back(difference);
+        frame_a = frames_a();
+        frame_b = frames_b();
+    }
+    return result;
+}
+
+TraceDiff diff(const Trace& a, const Trace& b) {
+    return diff(a.header, frames_of(a), b.header, frames_of(b));
+}
+
+}  // namespace scb

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/analysis/trace.h"
+
+namespace scb {
+
+/// Counts of one query, or of several together.
+struct TraceCounts {
+    std::uint64_t pairs = 0, n_v = 0, n_p = 0, n_u = 0;
+    StageCounts stages{};
+
+    void add(const Collision& found);
+    friend bool operator==(const TraceCounts&, const TraceCounts&) = default;
+};
+
+/// Something asked of one trace but not of the other. A value is "-" where it was not asked.
+struct FieldDifference {
+    std::string name, a, b;
+};
+
+/// A frame in both traces that is not the same in them.
+struct FrameDifference {
+    int frame = 0;
+    bool poses_differ = false;
+    TraceCounts a, b;
+};
+
+/// A volume test and what it belongs to.
+struct TracedTest {
+    VolumeTest test;
+    Outcome outcome = Outcome::rejected;
+    std::optional<TriangleTest> triangles;  ///< of two leaves that overlap
+    std::optional<VolumeTest> parent;       ///< of the pair whose division led here; the roots
+                                            ///< have none
+    Outcome parent_outcome = Outcome::rejected;
+};
+
+/// Where two traces part: the same frame and the same test, counted from 0, before which all tests
+/// of the frame, and all frames before it, were the same.
+struct Parting {
+    int frame = 0;
+    std::size_t test = 0;
+    std::optional<TracedTest> a, b;  ///< nothing where that query had already ended
+};
+
+/// A pair that one of two queries found and the other did not.
+struct LostPair {
+    int frame = 0;
+    IndexPair pair;
+    bool found_by_a = false;   ///< else by B
+    bool other_ended = false;  ///< the other query had its pairs before it was through
+    /// The test by which the other query left it out, and its number: what that test was about
+    /// contains the pair. Nothing where it had ended before, or has other nodes.
+    std::optional<TracedTest> lost_at;
+    std::size_t test = 0;
+};
+
+/// How two traces differ. A and B are the traces here, not the bodies.
+struct TraceDiff {
+    /// So many of the pairs that only one of them found are looked into.
+    static constexpr std::size_t most_lost = 5;
+
+    BodyNames bodies;  ///< as A names them
+
+    std::vector<FieldDifference> asked;
+    std::vector<int> only_in_a, only_in_b;  ///< frames
+    std::size_t common = 0;                 ///< frames that are in both
+    std::vector<FrameDifference> frames;    ///< of these, those that differ
+    TraceCounts sum_a, sum_b;               ///< over the common frames
+    bool nodes_comparable = true;           ///< false where the meshes or the splits differ
+    bool meshes_differ = false;
+    std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
+    bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
+    bool pairs_comparable = true;  ///< false where meshes, or levels to stop at, or the nodes that
+                                   ///< pairs are of, differ
+    std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;
+    std::vector<LostPair> lost;  ///< of these, the first ones
+
+    bool equal() const {
+        return asked.empty() && only_in_a.empty() && only_in_b.empty() && frames.empty() &&
+               pairs_only_in_a == 0 && pairs_only_in_b == 0;
+    }
+};
+
+/// Gives a trace's frames one after the other, ascending by number; nullptr at the end. A frame
+/// need not live longer than until the next call.
+using TraceFrames = std::function<const TraceFrame*()>;
+
+/// Compares what was asked, and then the frames that are in both, also where something else was
+/// asked: two overlap tests on one scene part somewhere, and where is the question. Frames differ
+/// where poses, counts or tests do. Indices of nodes depend on the mesh alone, so tests are
+/// compared for different volumes too, but not for different splits, where pairs and counts are
+/// compared, nor for different meshes, where counts are. The versions of scb are not compared.
+TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
+               const TraceFrames& frames_b);
+TraceDiff diff(const Trace& a, const Trace& b);
+
+/// The volume test `index` of a frame. `tree` is test_tree's.
+TracedTest traced_test(const TraceFrame& frame, const TestTree& tree, std::size_t index);
+
+}  // namespace scb

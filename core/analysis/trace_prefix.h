@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/analysis/trace.h"
+
+namespace scb {
+
+/// The query as it was after its first `count` volume tests, and the triangle tests that these led
+/// to: counts and pairs of these alone. Pairs of nodes that overlap but were not divided by then
+/// are left over, see Outcome. `tree` is that of the whole query.
+TraceFrame first_tests(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
+                       std::size_t count);
+
+}  // namespace scb

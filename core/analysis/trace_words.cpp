@@ -1,0 +1,73 @@
+#include "core/analysis/trace_words.h"
+
+namespace scb {
+namespace {
+
+std::string pair_text(std::uint32_t a, std::uint32_t b) {
+    return "(" + std::to_string(a) + ", " + std::to_string(b) + ")";
+}
+
+std::string side_of(const std::optional<TracedTest>& test, const BodyNames& bodies) {
+    if (!test) return "had ended";
+    return "tested " + words_of(test->test) + ": " + words_of(*test, bodies);
+}
+
+}  // namespace
+
+std::string words_of(const VolumeTest& test) {
+    return "the nodes " + pair_text(test.nodes.a, test.nodes.b) + " at depths " +
+           pair_text(test.depth_a, test.depth_b);
+}
+
+std::string words_of(const TracedTest& test, const BodyNames& bodies) {
+    const std::string triangles =
+        test.triangles ? pair_text(test.triangles->triangles.a, test.triangles->triangles.b) : "";
+    switch (test.outcome) {
+        case Outcome::rejected:
+            return "rejected at " + std::string(stage_name(test.test.stage));
+        case Outcome::divided_a:
+            return "overlap, passed on to the children of " + bodies[0] + "'s node";
+        case Outcome::divided_b:
+            return "overlap, passed on to the children of " + bodies[1] + "'s node";
+        case Outcome::triangles_apart:
+            return "overlap; their triangles " + triangles + " do not intersect";
+        case Outcome::triangles_meet:
+            return "overlap; their triangles " + triangles + " intersect";
+        case Outcome::found:
+            return "overlap, found at the level to stop at";
+        case Outcome::left_over:
+            return "overlap, left over when the query had its pairs";
+    }
+    return {};
+}
+
+std::string words_of_parent(const TracedTest& test, const BodyNames& bodies) {
+    if (!test.parent) return "these are the roots";
+    return "reached from " + words_of(*test.parent) + ", where " +
+           bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was divided";
+}
+
+std::string words_of(const Parting& parting, const BodyNames& bodies, const TraceNames& names) {
+    std::string text = "frame " + std::to_string(parting.frame) + ", test " +
+                       std::to_string(parting.test) + ", where\n  the " + names.a + " " +
+                       side_of(parting.a, bodies) + ",\n  the " + names.b + " " +
+                       side_of(parting.b, bodies) + ",\n  ";
+    const std::string from_a = parting.a ? words_of_parent(*parting.a, bodies) : "";
+    const std::string from_b = parting.b ? words_of_parent(*parting.b, bodies) : "";
+    if (from_a.empty() || from_b.empty() || from_a == from_b)
+        return text + (from_a.empty() ? from_b : from_a) + ".\n";
+    return text + "the " + names.a + " " + from_a + ",\n  the " + names.b + " " + from_b + ".\n";
+}
+
+std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies,
+                     const TraceNames& names) {
+    const std::string what =
+        "frame " + std::to_string(lost.frame) + ", the " + (of_nodes ? "nodes " : "triangles ") +
+        pair_text(lost.pair.a, lost.pair.b) + ": the " + (lost.found_by_a ? names.b : names.a);
+    if (!lost.lost_at)
+        return what + (lost.other_ended ? " had ended" : " has no test that contains them");
+    return what + " left them out at test " + std::to_string(lost.test) + ", " +
+           words_of(lost.lost_at->test) + ": " + words_of(*lost.lost_at, bodies);
+}
+
+}  // namespace scb

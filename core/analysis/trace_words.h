@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "core/analysis/trace_diff.h"
+
+namespace scb {
+
+/// What the two traces are called, behind "the".
+struct TraceNames {
+    std::string a = "first", b = "second";
+};
+
+/// "rejected at slab-cylinder", "overlap, passed on to the children of arm's node", "overlap; their
+/// triangles (17, 4) intersect", ... What a test gave and what it led to.
+std::string words_of(const TracedTest& test, const BodyNames& bodies);
+
+/// "the nodes (12, 33) at depths (4, 5)".
+std::string words_of(const VolumeTest& test);
+
+/// "reached from the nodes (5, 33) at depths (3, 5), where arm's node was divided", or "these are
+/// the roots".
+std::string words_of_parent(const TracedTest& test, const BodyNames& bodies);
+
+/// The same as three or four lines that end with line ends: the place, what the first trace did,
+/// what the second did, and where they came from.
+std::string words_of(const Parting& parting, const BodyNames& bodies, const TraceNames& names = {});
+
+/// "frame 8, the triangles (17, 4): the second left them out at test 2287, the nodes (20475, 3792)
+/// at depths (12, 11): rejected at ball-slab". `of_nodes` where the pair is one of nodes.
+std::string words_of(const LostPair& lost, bool of_nodes, const BodyNames& bodies,
+                     const TraceNames& names = {});
+
+}  // namespace scb

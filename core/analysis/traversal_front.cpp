@@ -1,0 +1,85 @@
+#include "core/analysis/traversal_front.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace scb {
+namespace {
+
+struct End {
+    std::uint32_t node;
+    std::uint16_t depth;
+    Ending ending;
+};
+
+FrontNode summary(std::span<const End> ends) {
+    FrontNode result;
+    result.node = ends.front().node;
+    result.depth = ends.front().depth;
+    result.tests = static_cast<std::uint32_t>(ends.size());
+    result.first = ends.front().ending;
+    result.last = ends.back().ending;
+    std::array<std::uint32_t, ending_count> counts{};
+    for (const End& end : ends) {
+        ++counts[static_cast<std::size_t>(end.ending)];
+        result.rejected += is_rejection(end.ending);
+    }
+    const auto most = std::max_element(counts.begin(), counts.end());
+    result.dominant = static_cast<Ending>(most - counts.begin());
+    result.of_dominant = *most;
+    return result;
+}
+
+}  // namespace
+
+std::vector<FrontNode> traversal_front(const TraceFrame& frame, const TestTree& tree,
+                                       std::size_t side, const FrontFilter& filter) {
+    std::vector<End> ends;
+    std::map<std::uint32_t, std::uint32_t> passed_on;
+    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+        const VolumeTest& test = frame.events.volume_tests[i];
+        const std::optional<Ending> ending = ending_of(test, tree.outcomes[i]);
+        if (!ending) {
+            ++passed_on[side == 0 ? test.nodes.a : test.nodes.b];
+            continue;
+        }
+        const std::uint16_t depth = side == 0 ? test.depth_a : test.depth_b;
+        if (depth < filter.least_depth || depth > filter.most_depth) continue;
+        if (!filter.endings.empty() && std::find(filter.endings.begin(), filter.endings.end(),
+                                                 *ending) == filter.endings.end())
+            continue;
+        ends.push_back({side == 0 ? test.nodes.a : test.nodes.b, depth, *ending});
+    }
+    // Stable, so that first and last are those of the traversal.
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const End& x, const End& y) { return x.node < y.node; });
+    std::vector<FrontNode> front;
+    for (std::size_t begin = 0; begin < ends.size();) {
+        std::size_t end = begin + 1;
+        while (end < ends.size() && ends[end].node == ends[begin].node) ++end;
+        front.push_back(summary(std::span(ends).subspan(begin, end - begin)));
+        const auto passed = passed_on.find(ends[begin].node);
+        front.back().tested = front.back().tests + (passed == passed_on.end() ? 0 : passed->second);
+        begin = end;
+    }
+    return front;
+}
+
+std::vector<FrontNode> innermost(const std::vector<FrontNode>& front, const Topology& topology) {
+    std::vector<char> in_front(topology.nodes.size()), below(topology.nodes.size());
+    for (const FrontNode& node : front) in_front[node.node] = 1;
+    // Children come after their parents.
+    for (std::size_t i = topology.nodes.size(); i-- > 0;) {
+        const TopologyNode& node = topology.nodes[i];
+        if (node.is_leaf()) continue;
+        for (const std::size_t child : {std::size_t{node.left}, std::size_t{node.left} + 1})
+            if (in_front[child] || below[child]) below[i] = 1;
+    }
+    std::vector<FrontNode> result;
+    for (const FrontNode& node : front)
+        if (!below[node.node]) result.push_back(node);
+    return result;
+}
+
+}  // namespace scb

@@ -1,0 +1,49 @@
+#include "core/analysis/traversal_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace scb {
+
+TestTree test_tree(const Events& events, std::span<const IndexPair> found_nodes) {
+    const std::vector<VolumeTest>& tests = events.volume_tests;
+    TestTree tree;
+    tree.parents.reserve(tests.size());
+    tree.outcomes.reserve(tests.size());
+    std::vector<std::uint32_t> pending;
+    std::size_t next_triangles = 0;
+    const auto visit = [&](std::uint32_t parent) {
+        const auto index = static_cast<std::uint32_t>(tree.parents.size());
+        const VolumeTest& test = tests[index];
+        Outcome outcome = Outcome::rejected;
+        if (test.stage == Stage::overlapping) {
+            if (next_triangles < events.triangle_tests.size() &&
+                events.triangle_tests[next_triangles].after == index) {
+                outcome = events.triangle_tests[next_triangles].intersect
+                              ? Outcome::triangles_meet
+                              : Outcome::triangles_apart;
+                ++next_triangles;
+            } else if (std::binary_search(found_nodes.begin(), found_nodes.end(), test.nodes)) {
+                outcome = Outcome::found;
+            } else {
+                outcome = Outcome::left_over;
+                pending.push_back(index);
+            }
+        }
+        tree.parents.push_back(parent);
+        tree.outcomes.push_back(outcome);
+    };
+    if (!tests.empty()) visit(TestTree::no_parent);
+    while (tree.parents.size() < tests.size()) {
+        assert(!pending.empty() && "the events are those of one query");
+        const std::uint32_t parent = pending.back();
+        pending.pop_back();
+        const bool divides_a = tests[tree.parents.size()].depth_a != tests[parent].depth_a;
+        tree.outcomes[parent] = divides_a ? Outcome::divided_a : Outcome::divided_b;
+        visit(parent);
+        if (tree.parents.size() < tests.size()) visit(parent);
+    }
+    return tree;
+}
+
+}  // namespace scb

@@ -1,0 +1,92 @@
+#include "core/analysis/worst_pairs.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/explain/pair_explanation.h"
+#include "scb/collide.h"
+
+namespace scb {
+namespace {
+
+std::uint64_t tests_below(const FalsePair& p) {
+    return p.pair.below.volume_tests + p.pair.below.triangle_tests;
+}
+
+bool is_worse(const FalsePair& x, const FalsePair& y) {
+    const std::uint64_t of_x = tests_below(x), of_y = tests_below(y);
+    if (of_x != of_y) return of_x > of_y;
+    return std::pair(x.frame, x.pair.test) < std::pair(y.frame, y.pair.test);
+}
+
+bool misses_more(const WronglyRejectedPair& x, const WronglyRejectedPair& y) {
+    if (x.rejection.missed != y.rejection.missed) return x.rejection.missed > y.rejection.missed;
+    return std::pair(x.frame, x.rejection.test) < std::pair(y.frame, y.rejection.test);
+}
+
+/// Keeps the first of those with the same nodes, and at most that many.
+template <class P>
+void keep_worst(std::vector<P>& sorted, std::size_t most) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+    std::vector<P> kept;
+    for (const P& pair : sorted) {
+        if (kept.size() == most) break;
+        const IndexPair nodes = pair.test.nodes;
+        if (seen.insert({nodes.a, nodes.b}).second) kept.push_back(pair);
+    }
+    sorted = std::move(kept);
+}
+
+}  // namespace
+
+void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
+                    const Pose& b_to_a) {
+    pair.margin = std::visit(
+        [&]<class V>(const Hierarchy<V>& of_a) {
+            const auto& of_b = std::get<Hierarchy<V>>(b);
+            return explain(of_a.volumes[pair.test.nodes.a], of_b.volumes[pair.test.nodes.b],
+                           query_placement(of_a, of_b, b_to_a), {})
+                .proof.margin;
+        },
+        a);
+}
+
+void WorstPairs::add(const TraceFrame& frame, const TestTree& tree,
+                     const Attribution& attribution) {
+    const bool weak = reason_ == PassReason::weak_test;
+    // Per test, the cost of the listed pair that it is a part of; parents come first.
+    std::vector<std::uint64_t> listed(frame.events.volume_tests.size());
+    for (const PassedPair& pair : attribution.passed) {
+        const std::uint32_t parent = tree.parents[pair.test];
+        const std::uint64_t around = parent == TestTree::no_parent ? 0 : listed[parent];
+        listed[pair.test] = around;
+        if (pair.reason != reason_) continue;
+        const FalsePair found{frame.frame, pair, frame.events.volume_tests[pair.test]};
+        const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
+        if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;
+        (outermost ? outermost_ : parts_).push_back(found);
+        listed[pair.test] = tests_below(found);
+    }
+    for (std::vector<FalsePair>* pairs : {&outermost_, &parts_}) {
+        std::sort(pairs->begin(), pairs->end(), is_worse);
+        keep_worst(*pairs, most_);
+    }
+}
+
+std::vector<FalsePair> WorstPairs::pairs() const {
+    std::vector<FalsePair> all = outermost_;
+    all.insert(all.end(), parts_.begin(), parts_.end());
+    keep_worst(all, most_);
+    std::sort(all.begin(), all.end(), is_worse);
+    return all;
+}
+
+void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
+    for (const WrongRejection& rejection : attribution.wrongly_rejected)
+        pairs_.push_back({frame.frame, rejection, frame.events.volume_tests[rejection.test]});
+    std::sort(pairs_.begin(), pairs_.end(), misses_more);
+    keep_worst(pairs_, most_);
+}
+
+}  // namespace scb

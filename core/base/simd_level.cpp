@@ -1,0 +1,72 @@
+#include "core/base/simd_targets.h"
+
+// After the line above.
+#include <hwy/highway.h>
+
+namespace scb {
+namespace {
+
+[[maybe_unused]] std::int64_t targets_of(SimdLevel level) {
+    switch (level) {
+        case SimdLevel::base:
+            return 0;
+        case SimdLevel::sse4:
+            return HWY_SSE4;
+        case SimdLevel::avx2:
+            return HWY_AVX2;
+        case SimdLevel::avx512:
+            return HWY_AVX3;
+        case SimdLevel::best:
+            break;
+    }
+    return ~std::int64_t{0};
+}
+
+}  // namespace
+
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
+
+// One target was compiled: nothing is to be chosen, nor is Highway's library needed.
+std::size_t simd_target_index(SimdLevel) { return 0; }
+std::vector<SimdLevel> available_simd_levels() { return {SimdLevel::best, SimdLevel::base}; }
+
+#else
+
+// Asking the CPU takes a microsecond, and many where it is a virtual one.
+std::int64_t supported() {
+    static const std::int64_t targets = hwy::SupportedTargets();
+    return targets;
+}
+
+std::size_t simd_target_index(SimdLevel level) {
+    hwy::ChosenTarget chosen;
+    chosen.Update(supported() & targets_of(level));
+    return chosen.GetIndex();
+}
+
+std::vector<SimdLevel> available_simd_levels() {
+    std::vector<SimdLevel> levels = {SimdLevel::best, SimdLevel::base};
+    for (const SimdLevel level : {SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512})
+        if ((supported() & HWY_TARGETS & targets_of(level)) != 0) levels.push_back(level);
+    return levels;
+}
+
+#endif
+
+std::string_view simd_level_name(SimdLevel level) {
+    switch (level) {
+        case SimdLevel::base:
+            return "base";
+        case SimdLevel::sse4:
+            return "sse4";
+        case SimdLevel::avx2:
+            return "avx2";
+        case SimdLevel::avx512:
+            return "avx512";
+        case SimdLevel::best:
+            break;
+    }
+    return "best";
+}
+
+}  // namespace scb

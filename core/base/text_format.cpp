@@ -1,0 +1,31 @@
+#include "core/base/text_format.h"
+
+#include <algorithm>
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace scb {
+
+std::string format(const char* pattern, ...) {
+    va_list arguments, again;
+    va_start(arguments, pattern);
+    va_copy(again, arguments);
+    const int size = std::vsnprintf(nullptr, 0, pattern, arguments);
+    va_end(arguments);
+    std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+    // The terminating null goes where std::string has its own.
+    std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+    va_end(again);
+    return text;
+}
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+    const auto characters =
+        static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+            return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+        }));
+    return characters < width ? std::string(width - characters, ' ') + text : text;
+}
+
+}  // namespace scb

@@ -1,0 +1,80 @@
+#include "core/explain/certificate_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace scb {
+namespace {
+
+// A farthest point in a unit direction, from the center.
+Vec3 farthest(const Scb& s, const Vec3& d) {
+    const double top = s.r * dot(s.n, d);
+    // Not of a disc: one that is a pole has no other point, though rounding gives others its
+    // height.
+    if (s.f < s.e && s.f <= top && top <= s.e) return s.r * d;
+    const double height = std::clamp(top, s.f, s.e),
+                 rim = std::sqrt(std::max(0.0, (s.r - height) * (s.r + height)));
+    Vec3 level = d - dot(s.n, d) * s.n;
+    level -= dot(s.n, level) * s.n;
+    const double length = level.norm();
+    return length > 0 ? Vec3(height * s.n + rim / length * level) : Vec3(height * s.n);
+}
+
+Vec3 farthest(const Ball& ball, const Vec3& d) { return ball.radius * d; }
+
+Vec3 farthest(const Obb& box, const Vec3& d) {
+    Vec3 corner = Vec3::Zero();
+    for (int i = 0; i < 3; ++i)
+        corner += std::copysign(box.half[i], dot(Vec3(box.axes.col(i)), d)) * Vec3(box.axes.col(i));
+    return corner;
+}
+
+void add_directions(std::vector<Vec3>& to, const Scb& s) { to.push_back(s.n); }
+void add_directions(std::vector<Vec3>&, const Ball&) {}
+void add_directions(std::vector<Vec3>& to, const Obb& box) {
+    for (int i = 0; i < 3; ++i) to.push_back(box.axes.col(i));
+}
+
+template <class V>
+bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactProof& proof) {
+    const double rounding = 1e-13 * std::max({diameter(a), diameter(b), to_b.norm()});
+    const auto reach_of_a = [&](const Vec3& d) { return dot(d, farthest(a, d)); };
+    const auto end_of_b = [&](const Vec3& d) { return dot(d, Vec3(to_b + farthest(b, -d))); };
+    if (proof.contact == Contact::touching) return false;
+    if (proof.contact == Contact::disjoint) {
+        const Vec3& d = proof.direction;
+        return end_of_b(d) - reach_of_a(d) >= proof.margin - rounding;
+    }
+    std::vector<Vec3> directions;
+    add_directions(directions, a);
+    add_directions(directions, b);
+    if (to_b.norm() > 0) directions.push_back(to_b.normalized());
+    for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+            for (int k = -1; k <= 1; ++k)
+                if (9 * i + 3 * j + k > 0) directions.push_back(Vec3(i, j, k).normalized());
+    const auto holds_along = [&](const Vec3& d) {
+        const double at = dot(d, proof.point);
+        return at <= reach_of_a(d) + rounding && at >= end_of_b(d) - rounding &&
+               reach_of_a(d) - end_of_b(d) >= proof.margin - rounding;
+    };
+    return std::all_of(directions.begin(), directions.end(),
+                       [&](const Vec3& d) { return holds_along(d) && holds_along(-d); });
+}
+
+}  // namespace
+
+bool supports_bear_out(const Scb& a, const Scb& b, const ContactProof& proof) {
+    return bear_out(a, b, b.c - a.c, proof);
+}
+
+bool supports_bear_out(const Ball& a, const Ball& b, const ContactProof& proof) {
+    return bear_out(a, b, b.center - a.center, proof);
+}
+
+bool supports_bear_out(const Obb& a, const Obb& b, const ContactProof& proof) {
+    return bear_out(a, b, b.center - a.center, proof);
+}
+
+}  // namespace scb

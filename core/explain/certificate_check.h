@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/explain/contact_certificate.h"
+
+namespace scb {
+
+/// Whether the farthest points of the two volumes bear the proof out, by at least its margin: in
+/// the direction of a gap, nothing of A is as far as all of B. Of a depth, the point reaches no
+/// farther than either volume, and B no less than the margin into A, in some thirty directions;
+/// that can refute a depth, and proves none. What touches claims nothing and is not borne out.
+///
+/// It shares nothing with proven_gap, proven_depth and verify, by which a sharpened proof is made.
+bool supports_bear_out(const Scb& a, const Scb& b, const ContactProof& proof);
+bool supports_bear_out(const Ball& a, const Ball& b, const ContactProof& proof);
+bool supports_bear_out(const Obb& a, const Obb& b, const ContactProof& proof);
+
+}  // namespace scb

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string_view>
+
+#include "scb/ball.h"
+#include "scb/obb.h"
+#include "scb/scb.h"
+
+namespace scb {
+
+/// Touching: neither farther apart nor deeper in each other than a tolerance.
+enum class Contact { disjoint, overlapping, touching };
+
+/// "disjoint", "overlapping", "touching".
+std::string_view contact_name(Contact contact);
+
+/// What was found about two volumes of one frame, with what proves it.
+struct ContactProof {
+    Contact contact = Contact::touching;
+    /// Disjoint: the unit direction from A to B along which the two are `margin` apart.
+    Vec3 direction = Vec3::Zero();
+    /// Overlapping: a point of both, from the center of A. B must be moved by `margin` or more, in
+    /// whatever direction, to be rid of A.
+    Vec3 point = Vec3::Zero();
+    /// A proven lower bound of the gap or depth. Zero where the two touch.
+    double margin = 0;
+};
+
+/// How far A and B are apart along a direction from A to B. Positive only for disjoint ones.
+double proven_gap(const Scb& a, const Scb& b, const Vec3& direction);
+double proven_gap(const Ball& a, const Ball& b, const Vec3& direction);
+double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
+
+/// How far B must be moved, at least, to be rid of A, as far as the surroundings of a common point
+/// show (`point` is from the center of A). Positive only for overlapping ones.
+///
+/// Of SCBs: A holds the ball about the point with the point's distance to the sphere as its radius,
+/// cut by a slab about the point with its distance to the nearer plane as half the thickness; B
+/// likewise. The reach of such a body, as a function of the angle to its normal, is concave and
+/// grows up to a right angle. So the sum of both reaches in a direction, which is how far B has to
+/// go in that direction, is least along one of the two normals. That counts an SCB without
+/// thickness as what it is: two crossed discs overlap although no ball fits into either.
+///
+/// A point that is outside of a slab by rounding, as for a slab without thickness it will be,
+/// proves the same of a copy moved by so much, which is deducted. Of boxes the same with the boxes
+/// about the point within them, whose sum is least along a face's normal: of A, of B, or across an
+/// edge of each.
+double proven_depth(const Scb& a, const Scb& b, const Vec3& point);
+double proven_depth(const Ball& a, const Ball& b, const Vec3& point);
+double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
+
+/// Whether the certificate shows the verdict, by at least the stated margin: proven_gap or
+/// proven_depth, with nothing of exact_overlap. Of a margin that `sharpened` found by climbing on
+/// these two it says no more than that; see supports_bear_out. `touching` claims nothing and is
+/// never verified, nor are lengths whose squares are no normal numbers, or a direction that is no
+/// unit vector.
+bool verify(const Scb& a, const Scb& b, const ContactProof& proof);
+bool verify(const Ball& a, const Ball& b, const ContactProof& proof);
+bool verify(const Obb& a, const Obb& b, const ContactProof& proof);
+
+}  // namespace scb

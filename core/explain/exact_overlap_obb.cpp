@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/explain/exact_overlap.h"
+
+namespace scb {
+namespace {
+
+/// Calls visit(d) with the unit directions across the faces of either box and across an edge of
+/// each; not where two edges are parallel, which adds none.
+template <class Visit>
+void visit_directions(const Obb& a, const Obb& b, const Visit& visit) {
+    for (int i = 0; i < 3; ++i) {
+        visit(Vec3(a.axes.col(i)));
+        visit(Vec3(b.axes.col(i)));
+        for (int j = 0; j < 3; ++j) {
+            const Vec3 across = cross(Vec3(a.axes.col(i)), Vec3(b.axes.col(j)));
+            const double length = std::sqrt(squared_norm(across));
+            if (length > 1e-9) visit(Vec3(across / length));
+        }
+    }
+}
+
+/// Adds up the ends of the parts that a box leaves of the edges of another: corners of what the two
+/// have in common.
+struct CornerSum {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+
+    /// The edges of `of`, cut by `by`. `center` is that of `of`, from the center of `by`; the
+    /// corners are added with `shift`. Grown by `slop`, so that rounding loses none.
+    void add_edges(const Obb& of, const Obb& by, const Vec3& center, const Vec3& shift,
+                   double slop) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double u : {-1.0, 1.0})
+                for (const double v : {-1.0, 1.0}) {
+                    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+                    const Vec3 middle = center + u * of.half[second] * Vec3(of.axes.col(second)) +
+                                        v * of.half[third] * Vec3(of.axes.col(third));
+                    add_part(middle, of.axes.col(axis), of.half[axis], by, shift, slop);
+                }
+    }
+
+  private:
+    void add_part(const Vec3& middle, const Vec3& along, double half, const Obb& by,
+                  const Vec3& shift, double slop) {
+        double from = -half, to = half;
+        for (int i = 0; i < 3; ++i) {
+            const double at = dot(Vec3(by.axes.col(i)), middle),
+                         slope = dot(Vec3(by.axes.col(i)), along), reach = by.half[i] + slop;
+            if (std::abs(slope) < 1e-15) {
+                if (std::abs(at) > reach) return;
+                continue;
+            }
+            const double first = (-reach - at) / slope, second = (reach - at) / slope;
+            from = std::max(from, std::min(first, second));
+            to = std::min(to, std::max(first, second));
+        }
+        if (from > to) return;
+        sum += (middle + from * along + shift) + (middle + to * along + shift);
+        count += 2;
+    }
+};
+
+/// How far B must go, at least, to leave the boxes about `point` that the two hold.
+double depth_at(const Obb& a, const Obb& b, const Vec3& point) {
+    const Vec3 in_b = point - (b.center - a.center);
+    Vec3 room_a, room_b;
+    double outside_a = 0, outside_b = 0;
+    for (int i = 0; i < 3; ++i) {
+        room_a[i] = a.half[i] - std::abs(dot(Vec3(a.axes.col(i)), point));
+        room_b[i] = b.half[i] - std::abs(dot(Vec3(b.axes.col(i)), in_b));
+        outside_a = std::max(outside_a, -room_a[i]);
+        outside_b = std::max(outside_b, -room_b[i]);
+        room_a[i] = std::max(0.0, room_a[i]);
+        room_b[i] = std::max(0.0, room_b[i]);
+    }
+    const Obb about_a{point, a.axes, room_a}, about_b{point, b.axes, room_b};
+    double least = HUGE_VAL;
+    visit_directions(a, b, [&](const Vec3& d) {
+        least = std::min(least, extent(about_a, d) + extent(about_b, d));
+    });
+    return least - outside_a - outside_b;
+}
+
+}  // namespace
+
+ContactProof exact_overlap(const Obb& a, const Obb& b, double tolerance) {
+    const double larger = std::max(diameter(a), diameter(b)) / 2, least = tolerance * larger;
+    const Vec3 to_b = b.center - a.center;
+    ContactProof proof;
+    double gap = -HUGE_VAL;
+    visit_directions(a, b, [&](const Vec3& d) {
+        const double distance = dot(d, to_b), g = std::abs(distance) - extent(a, d) - extent(b, d);
+        if (g > gap) {
+            gap = g;
+            proof.direction = distance < 0 ? Vec3(-d) : d;
+        }
+    });
+    if (gap > least) {
+        proof.contact = Contact::disjoint;
+        proof.margin = gap;
+        return proof;
+    }
+    proof.direction = Vec3::Zero();
+    CornerSum corners;
+    const double slop = 1e-14 * larger;
+    corners.add_edges(a, b, -to_b, to_b, slop);
+    corners.add_edges(b, a, to_b, Vec3::Zero(), slop);
+    if (corners.count == 0) return proof;
+    proof.point = corners.sum / corners.count;
+    const double depth = depth_at(a, b, proof.point);
+    if (depth > least) {
+        proof.contact = Contact::overlapping;
+        proof.margin = depth;
+    } else {
+        proof.point = Vec3::Zero();
+    }
+    return proof;
+}
+
+}  // namespace scb

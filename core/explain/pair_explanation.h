@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/explain/exact_verdict.h"
+#include "core/explain/overlap_steps.h"
+
+namespace scb {
+
+/// What an overlap test's answer about two volumes is worth.
+enum class Answer {
+    correct,         ///< also of volumes that touch, whichever it is
+    false_positive,  ///< the test let volumes pass that are disjoint: it is conservative
+    false_negative,  ///< the test rejected volumes that overlap: it misses collisions
+};
+
+/// "correct", "false positive", "false negative".
+std::string_view answer_name(Answer answer);
+
+/// How a test ended, in words: "rejected at slab-cylinder", "passed".
+std::string ending_words(Stage stage);
+
+/// Judges the stage at which a test ended by what is so.
+Answer judged(Stage stage, Contact contact);
+
+/// How one of the tests for slab cut balls ends.
+struct TestAnswer {
+    OverlapTest test{};
+    Stage stage = Stage::overlapping;
+    Answer answer = Answer::correct;
+};
+
+/// One overlap test, and whether it is right.
+struct PairExplanation {
+    OverlapSteps steps;             ///< of the test that was asked for
+    Answer answer{};                ///< that test's
+    std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
+    /// That of exact_verdict, sharpened; in A's frame.
+    ContactProof proof;
+    /// What `verify` says of the verdict before it was sharpened, and supports_bear_out of the
+    /// proof.
+    bool proven = false;
+};
+
+/// Explains the test that the options name, for A in its own frame and B in the one that `placed`
+/// says where it is. The volumes must be well-formed. The exact verdict takes microseconds, its
+/// sharpening up to a millisecond.
+PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
+                        const OverlapOptions& options);
+PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
+                        const OverlapOptions& = {});
+PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,
+                        const OverlapOptions& = {});
+
+}  // namespace scb

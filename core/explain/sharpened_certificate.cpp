@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/explain/exact_overlap.h"
+
+namespace scb {
+namespace {
+
+/// Climbs from a direction or a point to where no step of a shrinking size is better. `scale` is
+/// that of the first steps, `value(x)` what is to grow, `step(x, s)` where a step leads.
+template <class Value, class Step>
+void climb(Vec3& x, double& best, double scale, const Value& value, const Step& step) {
+    // The edges and corners of a cube: enough directions for a value with creases.
+    constexpr int rounds = 1000;
+    double size = scale;
+    for (int round = 0; round < rounds && size > 1e-13 * scale; ++round) {
+        Vec3 chosen = x;
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j)
+                for (int k = -1; k <= 1; ++k) {
+                    const Vec3 candidate = step(x, Vec3(size * Vec3(i, j, k)));
+                    const double v = value(candidate);
+                    if (v > best) {
+                        best = v;
+                        chosen = candidate;
+                    }
+                }
+        if (chosen == x) size /= 2;
+        x = chosen;
+    }
+}
+
+/// How far the point is from the slab, along its normal. From the center.
+double miss(const Scb& s, const Vec3& point) {
+    const double height = dot(s.n, point);
+    return std::clamp(height, s.f, s.e) - height;
+}
+
+/// A point near this one that is in both slabs, where there is a way; from the center of A.
+Vec3 pulled_in(const Scb& a, const Scb& b, const Vec3& point, double slop) {
+    const Vec3 to_b = b.c - a.c;
+    const double from_a = miss(a, point), from_b = miss(b, point - to_b);
+    const Vec3 in_a = point + from_a * a.n, in_b = point + from_b * b.n;
+    if (std::abs(miss(b, in_a - to_b)) <= slop) return in_a;
+    if (std::abs(miss(a, in_b)) <= slop) return in_b;
+    // Along both normals at once.
+    const double squared_sine = squared_norm(cross(a.n, b.n)), cosine = dot(a.n, b.n);
+    if (!(squared_sine > 1e-24)) return point;
+    return point + (from_a - cosine * from_b) / squared_sine * a.n +
+           (from_b - cosine * from_a) / squared_sine * b.n;
+}
+
+Vec3 pulled_in(const Ball&, const Ball&, const Vec3& point, double) { return point; }
+
+Vec3 pulled_in(const Obb& a, const Obb& b, Vec3 point, double) {
+    const Vec3 to_b = b.center - a.center;
+    const auto nearest = [](const Obb& box, const Vec3& from_center) {
+        Vec3 result = Vec3::Zero();
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 axis = box.axes.col(i);
+            result += std::clamp(dot(axis, from_center), -box.half[i], box.half[i]) * axis;
+        }
+        return result;
+    };
+    for (int turn = 0; turn < 8; ++turn) point = to_b + nearest(b, nearest(a, point) - to_b);
+    return point;
+}
+
+/// How far a point is from the farther one of the two; of SCBs, from their slabs, since
+/// proven_depth is no depth outside of a ball.
+double outside(const Scb& a, const Scb& b, const Vec3& point) {
+    return std::max(std::abs(miss(a, point)), std::abs(miss(b, point - (b.c - a.c))));
+}
+
+double outside(const Ball&, const Ball&, const Vec3&) { return 0; }
+
+double outside(const Obb& a, const Obb& b, const Vec3& point) {
+    const auto beyond = [](const Obb& box, const Vec3& from_center) {
+        double most = 0;
+        for (int i = 0; i < 3; ++i)
+            most = std::max(most, std::abs(dot(Vec3(box.axes.col(i)), from_center)) - box.half[i]);
+        return most;
+    };
+    return std::max(beyond(a, point), beyond(b, point - (b.center - a.center)));
+}
+
+template <class V>
+ContactProof sharpened_proof(const V& a, const V& b, ContactProof proof) {
+    if (proof.contact == Contact::disjoint)
+        climb(
+            proof.direction, proof.margin, 0.5, [&](const Vec3& d) { return proven_gap(a, b, d); },
+            [](const Vec3& d, const Vec3& s) {
+                const Vec3 moved = d + s;
+                const double length = std::sqrt(squared_norm(moved));
+                return length > 0.1 ? Vec3(moved / length) : d;
+            });
+    if (proof.contact == Contact::overlapping) {
+        // The point stays one of both, though proven_depth would bear with another.
+        const double slop = 1e-13 * std::max(diameter(a), diameter(b));
+        climb(
+            proof.point, proof.margin, std::min(diameter(a), diameter(b)) / 4,
+            [&](const Vec3& p) {
+                return outside(a, b, p) <= slop ? proven_depth(a, b, p) : -HUGE_VAL;
+            },
+            [&](const Vec3& p, const Vec3& s) { return pulled_in(a, b, p + s, slop); });
+    }
+    return proof;
+}
+
+}  // namespace
+
+ContactProof sharpened(const Scb& a, const Scb& b, const ContactProof& proof) {
+    return sharpened_proof(a, b, proof);
+}
+
+ContactProof sharpened(const Ball& a, const Ball& b, const ContactProof& proof) {
+    return sharpened_proof(a, b, proof);
+}
+
+ContactProof sharpened(const Obb& a, const Obb& b, const ContactProof& proof) {
+    return sharpened_proof(a, b, proof);
+}
+
+}  // namespace scb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/fit/dop26.h"
+#include "core/fit/extremal_points.h"
+#include "core/fit/few_points.h"
+#include "core/geometry/points.h"
+#include "core/geometry/surface_moments.h"
+
+namespace scb {
+
+/// A set of points to fit a volume to, with what is already known about it.
+struct FitInput {
+    /// All points, in ascending order of their ids; either part may be empty.
+    std::array<PointsView, 2> parts;
+    /// All points where they are at most 26, else the extremal ones of the DOP (the set E of Figure
+    /// 3) in the order of the directions, upper before lower.
+    const FewPoints* few = nullptr;
+    const ExtremalPairs* pairs = nullptr;  ///< which of `few` they are
+    const Dop26* dop = nullptr;
+    const SurfaceMoments* moments = nullptr;  ///< of the triangles, where there are any
+
+    std::size_t size() const { return parts[0].size + parts[1].size; }
+    bool is_few() const { return size() <= FewPoints::capacity; }
+};
+
+}  // namespace scb

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "scb/triangle_overlap.h"
+
+namespace scb {
+
+// How two triangles lie to each other: what triangles_overlap and triangles_intersection share.
+
+/// The sides of the plane of one triangle on which the corners of another are: 1, -1, or 0 in it.
+/// They are all 0 where the triangle of the plane is degenerate.
+using Sides = std::array<int, 3>;
+
+inline bool strictly_on_one_side(const Sides& s) {
+    return s[0] != 0 && s[0] == s[1] && s[0] == s[2];
+}
+
+/// The sides of the corners of each triangle against the plane of the other.
+struct PairSides {
+    Sides of_a;
+    Sides of_b;
+};
+
+enum class Arrangement : std::uint8_t {
+    apart,      ///< no common point, as the plane of one or a degenerate pair's shape shows
+    crossing,   ///< two proper triangles, in planes that cross in a line
+    segment_a,  ///< a is a segment that meets the plane of b, a proper triangle, in one point
+    segment_b,  ///< the same with a and b exchanged
+    one_plane,  ///< all corners in one plane, some or all triangles perhaps degenerate
+};
+
+/// Completes sides that a filter left uncertain, written as 0, and says what they mean. Where the
+/// result is `apart` or `one_plane`, the sides may be left incomplete.
+Arrangement arrange(const TriangleCorners& a, const TriangleCorners& b, PairSides& sides);
+
+/// Whether the corners are collinear.
+bool is_degenerate(const TriangleCorners& t);
+
+/// Lexicographic order, which along any line is one of its two directions.
+inline bool precedes(const Vec3& p, const Vec3& q) {
+    if (p[0] != q[0]) return p[0] < q[0];
+    if (p[1] != q[1]) return p[1] < q[1];
+    return p[2] < q[2];
+}
+
+/// The first and the last corner in lexicographic order: the ends of a degenerate triangle.
+std::array<Vec3, 2> ends(const TriangleCorners& t);
+
+/// Whether the segment pq meets the proper triangle t; p and q must not be strictly on one side of
+/// its plane, nor both in it.
+bool segment_meets_triangle(const Vec3& p, const Vec3& q, const TriangleCorners& t);
+
+/// Which of a triangle's edges meet the line L in which its plane and the other's cross: those from
+/// the corner `apex`, which is alone on its side, to `first` and `second`. They meet L in one point
+/// each, that of `first` coming first (or in the same place) along L.
+struct LinePoints {
+    std::uint8_t apex, first, second;
+    std::int8_t side;  ///< of the apex; where it is in the plane, opposite to the other corners
+};
+
+/// For the first and for the second triangle of a pair that is `crossing`; L is directed as
+/// n_a x n_b, with the normals of the triangles.
+LinePoints line_points_of_a(const Sides& of_a);
+LinePoints line_points_of_b(const Sides& of_b);
+
+/// The sign of y - x along L, where x is the point of L on the edge of a from its apex to corner
+/// `to_a`, and y that on the edge of b from its apex to corner `to_b`.
+int order_on_line(const TriangleCorners& a, const LinePoints& on_a, std::uint8_t to_a,
+                  const TriangleCorners& b, const LinePoints& on_b, std::uint8_t to_b);
+
+}  // namespace scb

@@ -1,0 +1,65 @@
+#include "core/base/simd_targets.h"
+#include "scb/hierarchy.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/hierarchy/fit_volumes.cpp"
+#include <hwy/foreach_target.h>
+// After the line above.
+#include "core/hierarchy/bottom_up_fit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+template <class V>
+void fit_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+              int threads, std::span<V> volumes) {
+    BottomUpFit<V> fit(topology, points, options, threads, volumes);
+    fit.run(0);
+    if (options.counts != nullptr) options.counts->add(fit.counts());
+}
+
+void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                  int threads, std::span<Scb> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
+}
+void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                   int threads, std::span<Ball> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
+}
+void fit_obb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                  int threads, std::span<Obb> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace scb {
+
+HWY_EXPORT(fit_scb_tree);
+HWY_EXPORT(fit_ball_tree);
+HWY_EXPORT(fit_obb_tree);
+
+template <Volume V>
+std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
+                           const FitOptions& options, int threads) {
+    std::vector<V> volumes(topology.nodes.size());
+    const std::span<V> all(volumes);
+    if constexpr (std::is_same_v<V, Scb>)
+        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, all);
+    else if constexpr (std::is_same_v<V, Ball>)
+        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, all);
+    else if constexpr (std::is_same_v<V, Obb>)
+        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, all);
+    return volumes;
+}
+
+template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+
+}  // namespace scb
+#endif

@@ -1,0 +1,29 @@
+#include "core/hierarchy/level_statistics.h"
+
+#include <algorithm>
+
+namespace scb {
+
+template <Volume V>
+std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
+    const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
+    std::vector<LevelStatistics> levels(*std::max_element(depths.begin(), depths.end()) +
+                                        std::size_t{1});
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        LevelStatistics& level = levels[depths[i]];
+        level.add(hierarchy.volumes[i], hierarchy.topology->nodes[i].is_leaf());
+        ++level.rules[static_cast<std::size_t>(hierarchy.topology->rules[i])];
+    }
+    std::uint32_t leaves_above = 0;
+    for (LevelStatistics& level : levels) {
+        level.cover = level.volumes + leaves_above;
+        leaves_above += level.leaves;
+    }
+    return levels;
+}
+
+template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb>&);
+template std::vector<LevelStatistics> level_statistics(const Hierarchy<Ball>&);
+template std::vector<LevelStatistics> level_statistics(const Hierarchy<Obb>&);
+
+}  // namespace scb

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scb/packed_collide.h"
+#include "scb/packed_layout.h"
+
+namespace scb {
+
+/// A packed hierarchy whose layout is chosen at run time, as AnyHierarchy's volumes are.
+using AnyPacked = AnyCodec<PackedHierarchy>;
+
+/// `pack` to a layout. Throws InputError as that does.
+AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+                   std::string_view name = "mesh", int threads = 1);
+
+/// `collide_packed` for hierarchies of one layout, else throws std::bad_variant_access.
+PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a,
+                               const PackedOptions& options = {},
+                               PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
+
+std::string validate(const AnyPacked& packed, const Mesh& mesh);
+std::size_t bytes_of(const AnyPacked& packed);
+
+}  // namespace scb

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "scb/ball.h"
+#include "scb/obb.h"
+#include "scb/scb.h"
+#include "scb/simd_level.h"
+#include "scb/vec.h"
+
+namespace scb {
+
+/// How the minimum ball of the extremal points is grown over all points (Figure 3, line 4).
+enum class BallGrowth {
+    radius,  ///< the center stays, the radius grows
+    ritter,  ///< each point outside moves the center towards itself, as in Ritter's ball
+};
+
+/// How a Ball is fitted. The ball of an Scb is always the first.
+enum class BallMethod {
+    minimum,  ///< Figure 3, lines 1 to 6: the minimum ball of the extremal points, grown
+    ritter,   ///< Ritter's ball (Section 5, last comparison)
+};
+
+/// What fits did, summed over them; for showing that the work is linear.
+struct FitCounts {
+    std::uint64_t point_visits =
+        0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
+    std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
+
+    void add(const FitCounts& other) {
+        point_visits += other.point_visits;
+        candidate_slabs += other.candidate_slabs;
+    }
+};
+
+/// "ritter", "radius": the names of the command line.
+std::string_view ball_growth_name(BallGrowth growth);
+
+struct FitOptions {
+    /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes
+    /// smaller and hardly any larger (summed area -0.05 %), at the same cost.
+    BallGrowth growth = BallGrowth::ritter;
+    BallMethod ball_method = BallMethod::minimum;
+    /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward
+    /// by margin * r, but not out of the ball.
+    double margin = 0;
+    /// Where to add the work of the fits; nowhere by default.
+    FitCounts* counts = nullptr;
+    /// Which vector instructions to use; volumes are the same for any.
+    SimdLevel simd = SimdLevel::best;
+};
+
+/// Fits the volume to the points; every point satisfies `contains` exactly.
+///
+/// Scb: Figure 3 of the paper, O(n). Minimum ball of the at most 26 extremal points of the 26-DOP
+/// (of all points where n <= 26; n counts distinct positions in a hierarchy), grown over all
+/// points; the narrowest slab among the DOP's 13 and the planes through an extremal pair and the
+/// extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or
+/// whose points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
+///
+/// Ball: the same ball, or Ritter's.
+///
+/// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha,
+/// "OBBTree", 1996, as in RAPID), of the points where there are no triangles or they have no area;
+/// sides along them as tight as can be.
+///
+/// At least one point, all finite: throws InputError otherwise.
+Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});
+Ball fit_ball(std::span<const Vec3> points, const FitOptions& options = {});
+Obb fit_obb(std::span<const Vec3> points, const FitOptions& options = {});
+
+}  // namespace scb

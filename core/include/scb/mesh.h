@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "scb/vec.h"
+
+namespace scb {
+
+/// The three corners of a triangle, as indices of vertices.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle mesh or triangle soup in its body frame. No connectivity is assumed; degenerate and
+/// duplicate triangles are legal, and vertices that no triangle uses are ignored by everything that
+/// bounds the mesh.
+struct Mesh {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+};
+
+/// An axis-aligned box; empty (lower > upper) until something is added.
+struct Box {
+    Vec3 lower = Vec3::Constant(1e300);
+    Vec3 upper = Vec3::Constant(-1e300);
+
+    void add(const Vec3& point) {
+        lower = lower.cwiseMin(point);
+        upper = upper.cwiseMax(point);
+    }
+    void add(const Box& box) {
+        lower = lower.cwiseMin(box.lower);
+        upper = upper.cwiseMax(box.upper);
+    }
+};
+
+/// The largest |coordinate| that a mesh may have: fourth powers of lengths must stay finite.
+inline constexpr double max_coordinate = 1e70;
+
+/// The smallest longest side of the box of a mesh that is not a point: fourth powers of lengths
+/// must not vanish.
+inline constexpr double min_size = 1e-60;
+
+/// The most triangles and vertices that a hierarchy can index.
+inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
+inline constexpr std::size_t max_vertices = std::size_t{1} << 31;
+
+/// Throws InputError, naming the first offender, where the mesh has no triangles, too many of them
+/// or of vertices, an index out of range, or a used vertex that is not finite or beyond
+/// max_coordinate. `name` says which mesh it is.
+void check_mesh(const Mesh& mesh, std::string_view name);
+
+/// The box of the vertices that triangles use.
+Box bounding_box(const Mesh& mesh);
+
+}  // namespace scb

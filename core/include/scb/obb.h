@@ -1,0 +1,35 @@
+#pragma once
+
+#include "scb/vec.h"
+
+namespace scb {
+
+/// An oriented box: the points `center + axes * u` with |u[i]| <= half[i]. Closed.
+struct Obb {
+    Vec3 center = Vec3::Zero();
+    Mat3 axes = Mat3::Identity();  ///< unit axes in the columns, a rotation
+    Vec3 half = Vec3::Zero();      ///< half lengths along the axes
+};
+
+double surface_area(const Obb& box);
+double volume(const Obb& box);
+
+/// Whether the point is inside or on the surface.
+bool contains(const Obb& box, const Vec3& point);
+
+/// Whether all is finite, the axes are a rotation to 1e-12 and no side is negative.
+bool is_well_formed(const Obb& box);
+
+/// How far the box reaches from its center in the unit direction `direction`.
+double extent(const Obb& box, const Vec3& direction);
+
+/// The size that decides which of two volumes a traversal descends into: the longest half length,
+/// as in RAPID (Gottschalk).
+inline double descent_size(const Obb& box) { return box.half.maxCoeff(); }
+
+/// Diameter (the diagonal) and thickness (the shortest side): the counterparts of Section 3.1's d
+/// and tau.
+inline double diameter(const Obb& box) { return 2 * box.half.norm(); }
+inline double thickness(const Obb& box) { return 2 * box.half.minCoeff(); }
+
+}  // namespace scb

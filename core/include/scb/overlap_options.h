@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scb/stage.h"
+
+namespace scb {
+
+/// The overlap tests for two slab cut balls, by name. All but the first never reject a pair that
+/// overlaps or touches; all of them let some pairs pass that do not.
+enum class OverlapTest {
+    printed,    ///< Figure 8 as printed, with both errors: to show what they do
+    line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
+    corrected,  ///< Figure 8 with both corrected
+    symmetric,  ///< overlap_symmetric
+    extents,    ///< overlap_extents
+};
+
+/// "printed", "line8", "corrected", "symmetric", "extents".
+std::string_view overlap_test_name(OverlapTest test);
+std::optional<OverlapTest> overlap_test_of(std::string_view name);
+std::span<const OverlapTest> all_overlap_tests();
+
+/// Whether OverlapOptions::threshold means anything to the test.
+bool has_threshold(OverlapTest test);
+
+/// Whether the test never rejects volumes that overlap or touch: all but `printed`.
+bool is_sound(OverlapTest test);
+
+/// The test `symmetric` with an error on purpose, by which tests are shown to be able to fail.
+enum class TestMutant {
+    none,
+    flipped_comparison,  ///< of B's ball with A's lower plane
+    swapped_stages,      ///< B's slab comes before A's
+};
+
+struct OverlapOptions {
+    OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
+    /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
+    double threshold = 0.7;
+    TestMutant mutant = TestMutant::none;
+};
+
+/// "symmetric", "corrected a=0.7": with the threshold, where the test has one.
+std::string overlap_title(const OverlapOptions& options);
+
+/// The stages at which the test of this volume type can reject, in the order in which it makes
+/// them. Those of slab cut balls depend on their test.
+std::span<const Stage> stages_of(OverlapTest test);
+std::span<const Stage> ball_stages();
+std::span<const Stage> obb_stages();
+
+}  // namespace scb

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "core/packed/leaf_corners.h"
+#include "scb/hierarchy.h"
+#include "scb/node_codec.h"
+
+namespace scb {
+
+/// The most triangles of a packed leaf.
+inline constexpr int most_leaf_triangles = 4;
+
+/// Which wide node or leaf a child is.
+struct PackedRef {
+    static constexpr std::uint32_t leaf_bit = std::uint32_t{1} << 31;
+    std::uint32_t bits = 0;
+
+    bool is_leaf() const { return (bits & leaf_bit) != 0; }
+    /// Of a node: its index; of a leaf: where its words begin.
+    std::uint32_t index() const { return bits & ~leaf_bit; }
+};
+
+/// A node with up to `width` children, and its own volume, whose center is the origin of theirs.
+/// Kernels load four numbers of an array of two: what is behind the volumes is theirs to read. So
+/// floats are: whole numbers would be denormal ones, with which tests take up to twice as long.
+template <class Codec>
+struct PackedNode {
+    std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
+    std::uint16_t count = 0;
+    std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
+    Codec volumes;
+    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    PackedScb own;
+};
+
+/// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where
+/// they are stored, the coordinates of their corners relative to the volume's center: x of all
+/// first corners, y, z, then those of the second and third corners. Words are floats, of which
+/// counts and indices have the bits: these are moved and compared, not computed with.
+struct PackedLeaf {
+    /// What queries fetch ahead, three lines of a cache, nearly all of the largest leaf. Shorter
+    /// leaves have fewer, so that as many are allocated behind the last one.
+    static constexpr std::size_t fetched_words = 48;
+    static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
+    const float* words = nullptr;
+
+    PackedScb own() const {
+        PackedScb scb;
+        std::memcpy(static_cast<void*>(&scb), words, sizeof scb);
+        return scb;
+    }
+    const float* center() const { return words; }
+    float radius() const { return words[3]; }
+    std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[header - 1]); }
+    /// The index of triangle k of `count()`.
+    std::uint32_t triangle(std::size_t k) const {
+        return std::bit_cast<std::uint32_t>(triangle_bits()[k]);
+    }
+    /// The bits of all indices.
+    const float* triangle_bits() const { return words + header; }
+    const float* corners() const { return words + header + count(); }
+    /// Words of a leaf of so many triangles.
+    static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
+        return header + (corners == LeafCorners::stored ? 10 : 1) * count;
+    }
+    /// Writes the corners behind the indices, rounded to the nearest floats.
+    static void write_corners(float* words, const Mesh& mesh);
+};
+
+/// A hierarchy of slab cut balls made for queries: wide nodes whose volumes and triangles are
+/// rounded to less memory, outward, so that a query finds the same pairs as with the hierarchy that
+/// it was made of, see collide_packed. Immutable once built.
+template <class Codec>
+struct PackedHierarchy {
+    std::vector<PackedNode<Codec>> nodes;  ///< parents first
+    std::vector<float> leaves;             ///< words, and a few that kernels may read behind them
+    PackedRef root;
+    LeafCorners corners = LeafCorners::stored;
+    double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
+    double leaf_radius = 0;  ///< of the leaves' balls, the mean
+
+    PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
+    std::size_t bytes() const {
+        return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(float);
+    }
+};
+
+/// Throws InputError, naming the mesh, where its coordinates are beyond what floats hold with room
+/// for their products: 1e8 in magnitude, or a size below 1e-8.
+void check_packable(const Mesh& mesh, std::string_view name);
+
+/// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf; the same
+/// for any number of threads. Throws InputError, naming the mesh, where check_packable does, and
+/// where its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners.
+/// O(n).
+template <class Codec>
+PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+                            int leaf_triangles = most_leaf_triangles,
+                            LeafCorners corners = LeafCorners::stored,
+                            std::string_view name = "mesh", int threads = 1);
+
+/// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
+/// its own volume and in the one that its parent has of it, as decoded, and that corners are the
+/// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log
+/// n).
+template <class Codec>
+std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh);
+
+}  // namespace scb

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "scb/scb.h"
+
+namespace scb {
+
+/// A slab cut ball as 9 floats, 36 bytes: the points x with |x - c| <= r and |n.(x - c) - m| <= h.
+/// The slab is its middle, m, and half its thickness, h, of which overlap tests are made. `n` is a
+/// unit vector as far as floats go.
+struct PackedScb {
+    float c[3] = {0, 0, 0};
+    float r = 0;
+    float n[3] = {0, 0, 1};
+    float m = 0;
+    float h = 0;
+};
+
+/// The center, exactly.
+inline Vec3 center(const PackedScb& scb) {
+    return {static_cast<double>(scb.c[0]), static_cast<double>(scb.c[1]),
+            static_cast<double>(scb.c[2])};
+}
+
+/// The smallest float that is no less than `value`, which must be below the largest float.
+float float_above(double value);
+
+/// What of an SCB a storage format keeps as it is, after rounding: the rest has to make up for it.
+struct RoundedCenter {
+    Vec3 c;  ///< in the frame of the SCB that is rounded
+    Vec3 n;
+};
+
+/// Radius, middle and half thickness that an SCB needs about another center and normal. Exact up to
+/// a relative 2^-40, by which it is larger.
+struct GrownScb {
+    double r, m, h;
+};
+GrownScb grown_about(const Scb& scb, const RoundedCenter& rounded);
+
+/// Half the thickness that holds the slab where its middle is rounded to `m`.
+double half_thickness(const GrownScb& grown, double m);
+
+/// The SCB in floats, its center relative to `origin`; holds all of it (Section 1.1, and after
+/// rounding the normal the slab is refitted to it).
+PackedScb packed(const Scb& scb, const Vec3& origin);
+
+/// Whether the point, relative to the origin, is inside or on the surface.
+bool contains(const PackedScb& scb, const Vec3& point);
+
+}  // namespace scb

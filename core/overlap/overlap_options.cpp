@@ -1,0 +1,62 @@
+#include "scb/overlap_options.h"
+
+#include <cstdio>
+
+#include <array>
+
+namespace scb {
+namespace {
+
+constexpr std::array tests = {OverlapTest::printed, OverlapTest::line8, OverlapTest::corrected,
+                              OverlapTest::symmetric, OverlapTest::extents};
+constexpr std::array<std::string_view, tests.size()> names = {"printed", "line8", "corrected",
+                                                              "symmetric", "extents"};
+
+constexpr std::array table_1 = {Stage::ball_ball, Stage::slab_ball, Stage::ball_slab,
+                                Stage::slab_cylinder, Stage::cylinder_slab};
+constexpr std::array extents = {Stage::ball_ball, Stage::slab_a, Stage::slab_b, Stage::center_line};
+constexpr std::array axes = {
+    Stage::axis_a0,    Stage::axis_a1,    Stage::axis_a2,    Stage::axis_b0,    Stage::axis_b1,
+    Stage::axis_b2,    Stage::axis_a0_b0, Stage::axis_a0_b1, Stage::axis_a0_b2, Stage::axis_a1_b0,
+    Stage::axis_a1_b1, Stage::axis_a1_b2, Stage::axis_a2_b0, Stage::axis_a2_b1, Stage::axis_a2_b2};
+
+}  // namespace
+
+std::string_view overlap_test_name(OverlapTest test) {
+    return names[static_cast<std::size_t>(test)];
+}
+
+std::optional<OverlapTest> overlap_test_of(std::string_view name) {
+    for (const OverlapTest test : tests)
+        if (overlap_test_name(test) == name) return test;
+    return std::nullopt;
+}
+
+std::span<const OverlapTest> all_overlap_tests() { return tests; }
+
+bool is_sound(OverlapTest test) { return test != OverlapTest::printed; }
+
+bool has_threshold(OverlapTest test) {
+    return test != OverlapTest::symmetric && test != OverlapTest::extents;
+}
+
+std::span<const Stage> stages_of(OverlapTest test) {
+    if (test == OverlapTest::extents) return extents;
+    return table_1;
+}
+
+std::span<const Stage> ball_stages() { return std::span(table_1).first(1); }
+
+std::span<const Stage> obb_stages() { return axes; }
+
+std::string overlap_title(const OverlapOptions& options) {
+    std::string title(overlap_test_name(options.test));
+    if (has_threshold(options.test)) {
+        char text[32];
+        std::snprintf(text, sizeof text, " a=%g", options.threshold);
+        title += text;
+    }
+    return title;
+}
+
+}  // namespace scb

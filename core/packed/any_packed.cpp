@@ -1,0 +1,48 @@
+#include "scb/any_packed.h"
+
+#include <cassert>
+#include <cstdlib>
+
+namespace scb {
+
+AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+                   std::string_view name, int threads) {
+    const auto packed = [&]<class Codec>() -> AnyPacked {
+        return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
+    };
+    const bool floats = layout.numbers == PackedLayout::Numbers::floats;
+    switch (layout.width) {
+        case 2:
+            return floats ? packed.operator()<FloatCodec<2>>()
+                          : packed.operator()<QuantizedCodec<2>>();
+        case 4:
+            return floats ? packed.operator()<FloatCodec<4>>()
+                          : packed.operator()<QuantizedCodec<4>>();
+        default:
+            assert(layout.width == 8 && "see PackedLayout");
+            return floats ? packed.operator()<FloatCodec<8>>()
+                          : packed.operator()<QuantizedCodec<8>>();
+    }
+}
+
+PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
+                               PackedWorkspace* workspace, PackedFront* front) {
+    return std::visit(
+        [&]<class Codec>(const PackedHierarchy<Codec>& of_a) {
+            return collide_packed<Codec>({of_a, mesh_a},
+                                         {std::get<PackedHierarchy<Codec>>(b), mesh_b}, b_to_a,
+                                         options, workspace, front);
+        },
+        a);
+}
+
+std::string validate(const AnyPacked& packed, const Mesh& mesh) {
+    return std::visit([&](const auto& some) { return validate(some, mesh); }, packed);
+}
+
+std::size_t bytes_of(const AnyPacked& packed) {
+    return std::visit([](const auto& some) { return some.bytes(); }, packed);
+}
+
+}  // namespace scb

@@ -1,0 +1,107 @@
+#include "core/packed/front_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/packed/displacement.h"
+
+namespace scb {
+namespace {
+
+// A front costs about as much as a query, and the thicker its skin, the more it has that is apart:
+// where queries move by d, one of skin s is good for a number of queries that is as s / d, and each
+// of them has more to test by a share that is as s / leaf_radius. Their sum is least at a skin as
+// the root of d leaf_radius. The factor was measured, and so was the motion from which on no front
+// pays: on surfaces that cross (horses, hands) and on ones that nearly coincide (spheres).
+constexpr double skin_factor = 0.1, most_motion = 0.025;
+/// Of leaf_radius: a skin so thin adds nothing that could be measured.
+constexpr double least_skin = 1e-3;
+/// Fewer queries than this do not pay for a front.
+constexpr int paid = 2;
+constexpr int longest_pause = 63;
+constexpr int most_ahead = 32;
+
+Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
+
+Pose product(const Pose& outer, const Pose& inner) {
+    Pose result;
+    for (int k = 0; k < 3; ++k)
+        result.rotation.col(k) = rotate(outer.rotation, Vec3(inner.rotation.col(k)));
+    result.translation = transform_point(outer, inner.translation);
+    return result;
+}
+
+/// The motion that leads from one pose to the other, in A's frame.
+Pose step(const Pose& from, const Pose& to) { return product(to, inverse(from)); }
+
+}  // namespace
+
+double motion_bound(const FrontBodies& bodies, const Pose& from, const Pose& to) {
+    const double of_b = displacement_bound(from, to, bodies.b);
+    // Distances are the same in B's frame but for what is not rigid and for rounding, which the
+    // bound, 7 defects and 32 units of these lengths and more, has to hold once again.
+    const double of_a = displacement_bound(inverse(from), inverse(to), bodies.a);
+    const double lengths = std::sqrt(squared_norm(from.translation)) +
+                           std::sqrt(squared_norm(to.translation)) +
+                           std::sqrt(squared_norm(bodies.a.center)) + bodies.a.radius +
+                           std::sqrt(squared_norm(bodies.b.center)) + bodies.b.radius;
+    const double defects = rigidity_defect(from) + rigidity_defect(to);
+    return std::min(of_b, of_a + (8 * defects + 64 * 0x1p-53) * lengths);
+}
+
+std::optional<FrontPlan> FrontSchedule::next(const FrontBodies& bodies, const Pose& b_to_a,
+                                             double rounding) {
+    const auto is_good = [&](const FrontPlan& front) {
+        return motion_bound(bodies, front.b_to_a, b_to_a) + rounding <= front.skin;
+    };
+    std::optional<FrontPlan> made_now;
+    good_ = front_ && is_good(*front_);
+    if (!good_) {
+        made_now = plan(bodies, b_to_a, rounding);
+        if (made_now && !is_good(*made_now)) made_now.reset();
+        if (made_now) {
+            front_ = made_now;
+            good_ = true;
+            uses_ = 0;
+            ++made;
+        }
+    }
+    if (good_) {
+        ++uses_;
+        ++used;
+    }
+    before_last_ = last_;
+    last_ = b_to_a;
+    return made_now;
+}
+
+std::optional<FrontPlan> FrontSchedule::plan(const FrontBodies& bodies, const Pose& b_to_a,
+                                             double rounding) {
+    if (!last_) return std::nullopt;
+    const double motion = motion_bound(bodies, *last_, b_to_a);
+    if (!(motion <= most_motion * bodies.leaf_radius)) return std::nullopt;
+    // Motion that no front can follow is not tried over and over.
+    const bool has_paid = !front_ || uses_ >= paid;
+    if (has_paid) pause_ = next_pause_ = 0;
+    if (pause_ > 0) {
+        --pause_;
+        return std::nullopt;
+    }
+    if (!has_paid) pause_ = next_pause_ = std::min(2 * next_pause_ + 1, longest_pause);
+    const double skin = std::max(std::sqrt(skin_factor * motion * bodies.leaf_radius),
+                                 least_skin * bodies.leaf_radius) +
+                        2 * rounding;
+    // All points are one: a front needs a skin.
+    if (!(skin > 0)) return std::nullopt;
+    // Where the motion goes on as before, a front that lies ahead is good on both sides of it.
+    if (!before_last_) return FrontPlan{b_to_a, skin};
+    const Pose on = step(*last_, b_to_a);
+    if (motion_bound(bodies, product(step(*before_last_, *last_), *last_), b_to_a) > motion / 4)
+        return FrontPlan{b_to_a, skin};
+    Pose ahead = b_to_a;
+    double left = skin - 2 * rounding - motion;
+    for (int i = 0; i < most_ahead && left >= 0; ++i, left -= motion) ahead = product(on, ahead);
+    return FrontPlan{ahead, skin};
+}
+
+}  // namespace scb

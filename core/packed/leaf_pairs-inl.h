@@ -1,0 +1,247 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_LEAF_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_LEAF_PAIRS_INL_H_
+#undef SCB_CORE_LEAF_PAIRS_INL_H_
+#else
+#define SCB_CORE_LEAF_PAIRS_INL_H_
+#endif
+
+#include <bit>
+#include <cstring>
+
+#include "core/packed/float_placement-inl.h"
+#include "core/packed/packed_query.h"
+#include "core/packed/prefetch.h"
+#include "core/packed/triangle_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// Where lanes come from that have the first of four numbers four times, then the second and so on:
+/// which lane of their own four, in vectors of n lanes.
+template <int n>
+struct SpreadFrom {
+    static constexpr int four = most_leaf_triangles;
+    alignas(64) std::int32_t lane[four * four] = {};
+    constexpr SpreadFrom() {
+        for (int k = 0; k < four * four; ++k) lane[k] = k / four + k % n / four * four;
+    }
+};
+template <int n>
+inline constexpr SpreadFrom<n> spread_from{};
+
+/// Tests pairs of leaves for triangles that intersect.
+class LeafPairs {
+  public:
+    LeafPairs(const LeafQuery& query, OpenPairs& open, PackedFindings& found)
+        : a_(query.a),
+          b_(query.b),
+          placed_(*query.placed),
+          skin_(query.skin),
+          open_(open),
+          found_(found) {}
+
+    /// Tests all pairs of the list, and empties it.
+    void run(RefPairs& list) {
+        if (skin_ > 0)
+            run(list, [this](std::uint32_t i, std::uint32_t j) HWY_ATTR { keep_near(i, j); });
+        else
+            run(list, [this](std::uint32_t i, std::uint32_t j) HWY_ATTR { leaf_leaf(i, j); });
+    }
+
+    /// Decides on all pairs that are open.
+    void finish() { decide(); }
+
+  private:
+    template <class Test>
+    HWY_INLINE void run(RefPairs& list, Test test) {
+        const std::size_t count = list.size();
+        const std::uint32_t *a = list.a_begin(), *b = list.b_begin();
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair(a[i], b[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + ahead < count) prefetch_pair(a[i + ahead], b[i + ahead]);
+            test(a[i], b[i]);
+        }
+        list.clear();
+    }
+
+    static constexpr std::size_t ahead = 4;  // so many pairs
+    // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
+    // first triangle in the first four, its second in the next.
+    static constexpr int side = most_leaf_triangles, n = part_lanes(side * side);
+
+    HWY_INLINE void prefetch_pair(std::uint32_t i, std::uint32_t j) const {
+        prefetch_leaf(a_.words + PackedRef{i}.index());
+        prefetch_leaf(b_.words + PackedRef{j}.index());
+    }
+
+    /// A leaf with its corners, which are gathered where it has none; often it is that of before.
+    struct Gathered {
+        std::uint32_t ref = 0;  // no leaf: bits of one are not 0
+        // Whole vectors are loaded from the last numbers on.
+        float words[PackedLeaf::size(side, LeafCorners::stored) + side] = {};
+    };
+    HWY_INLINE PackedLeaf leaf(const PackedLeaves& leaves, std::uint32_t ref, Gathered& gathered) {
+        const PackedLeaf bare{leaves.words + PackedRef{ref}.index()};
+        if (leaves.mesh == nullptr) return bare;
+        if (gathered.ref != ref) {
+            gathered.ref = ref;
+            std::memcpy(gathered.words, bare.words,
+                        4 * PackedLeaf::size(bare.count(), LeafCorners::in_mesh));
+            PackedLeaf::write_corners(gathered.words, *leaves.mesh);
+        }
+        return {gathered.words};
+    }
+
+    /// Lanes `first` and on of four numbers, tiled.
+    static HWY_INLINE Lanes<n> tiled(const float* four, int first) {
+        if constexpr (n < side)
+            return {hn::LoadU(typename Lanes<n>::D(), four + first % side)};
+        else
+            return {hn::LoadDup128(typename Lanes<n>::D(), four)};
+    }
+    /// The same, spread.
+    static HWY_INLINE Lanes<n> spread(const float* four, int first) {
+        const typename Lanes<n>::D d;
+        if constexpr (n <= side) {
+            return {hn::Set(d, four[first / side])};
+        } else {
+            return {hn::TableLookupLanes(hn::LoadDup128(d, four),
+                                         hn::SetTableIndices(d, spread_from<n>.lane + first))};
+        }
+    }
+
+    /// Turns the corners of a leaf of B into A's frame, but for the translation.
+    HWY_INLINE void turn(const PackedLeaf& b) {
+        constexpr int m = part_lanes(side);
+        const std::uint32_t count = b.count();
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            for (int first = 0; first < side; first += m) {
+                const float* at = b.corners() + 3 * corner * count + first;
+                const Lanes3<m> turned =
+                    rotate(placed_, Lanes3<m>{Lanes<m>::load(at), Lanes<m>::load(at + count),
+                                              Lanes<m>::load(at + 2 * count)});
+                turned.x.store(turned_[3 * corner] + first);
+                turned.y.store(turned_[3 * corner + 1] + first);
+                turned.z.store(turned_[3 * corner + 2] + first);
+            }
+    }
+
+    HWY_INLINE Lanes3<n> corner_a(const PackedLeaf& a, std::uint32_t corner, int first) const {
+        const std::uint32_t count = a.count();
+        const float* x = a.corners() + 3 * corner * count;
+        return {tiled(x, first), tiled(x + count, first), tiled(x + 2 * count, first)};
+    }
+    HWY_INLINE Lanes3<n> corner_b(std::uint32_t corner, int first) const {
+        return {spread(turned_[3 * corner], first), spread(turned_[3 * corner + 1], first),
+                spread(turned_[3 * corner + 2], first)};
+    }
+
+    HWY_INLINE void leaf_leaf(std::uint32_t i, std::uint32_t j) {
+        for_each_part(i, j,
+                      [this](const TrianglePairs<n>& pairs, std::uint32_t valid,
+                             const PackedLeaf& a, const PackedLeaf& b, int first) HWY_ATTR {
+                          const std::uint32_t bits = planes_meet(pairs).bits() & valid;
+                          if (bits != 0) put(pairs, bits, a, b, first);
+                      });
+    }
+
+    /// Keeps a pair of leaves for the front where triangles may be no farther apart than the skin.
+    HWY_INLINE void keep_near(std::uint32_t i, std::uint32_t j) {
+        std::uint32_t near = 0;
+        for_each_part(i, j,
+                      [&](const TrianglePairs<n>& pairs, std::uint32_t valid, const PackedLeaf&,
+                          const PackedLeaf&, int) HWY_ATTR {
+                          near |= planes_near(pairs, Lanes<n>::all(skin_)).bits() & valid;
+                      });
+        if (near != 0) found_.kept.leaf_leaf.add(i, j);
+    }
+
+    /// Calls `each` with the pairs of triangles of two leaves, as many at a time as there are
+    /// lanes: which lanes have one, the leaves, and the first lane.
+    template <class Each>
+    HWY_INLINE void for_each_part(std::uint32_t i, std::uint32_t j, Each each) {
+        const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
+        if (j != turned_leaf_) turn(b);  // often it is that of the pair before
+        turned_leaf_ = j;
+        const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
+        const std::uint32_t count_a = a.count(), count_b = b.count();
+        found_.n_p += count_a * count_b;
+        const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
+        const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
+        const Lanes3<n> t = Lanes3<n>::all(o.t);
+        const int lanes = static_cast<int>(count_b) * side;
+        for (int first = 0; first < lanes; first += n) {
+            const Lanes3<n> p0 = corner_a(a, 0, first), to_q = t - p0;
+            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
+                                            corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
+                                            corner_b(2, first) + to_q,  error};
+            each(pairs, (valid & low_bits(static_cast<std::uint32_t>(lanes))) >> first, a, b,
+                 first);
+        }
+    }
+
+    /// Puts pairs of a batch aside, until there are enough to decide on.
+    HWY_INLINE void put(const TrianglePairs<n>& pairs, std::uint32_t bits, const PackedLeaf& a,
+                        const PackedLeaf& b, int first) {
+        const std::size_t at = open_.count;
+        const ChosenLanes<n> chosen(bits);
+        const auto store = [at, &chosen](float* row, Lanes<n> lanes)
+                               HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
+        store(open_.a, tiled(a.triangle_bits(), first));
+        store(open_.b, spread(b.triangle_bits(), first));
+        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0, &pairs.q1, &pairs.q2};
+        for (int k = 0; k < 5; ++k) {
+            store(open_.points[3 * k], points[k]->x);
+            store(open_.points[3 * k + 1], points[k]->y);
+            store(open_.points[3 * k + 2], points[k]->z);
+        }
+        store(open_.points[15], pairs.error);
+        open_.count += static_cast<std::size_t>(std::popcount(bits));
+        if (open_.count >= OpenPairs::enough) decide();
+    }
+
+    /// Decides on the last pairs that are open, n at most.
+    HWY_INLINE void decide_some() {
+        const std::size_t count = open_.count < std::size_t{n} ? open_.count : std::size_t{n};
+        open_.count -= count;
+        const std::size_t at = open_.count;
+        const auto lanes = [this, at](int row)
+                               HWY_ATTR { return Lanes<n>::load(open_.points[row] + at); };
+        const auto point = [&lanes](int k) HWY_ATTR {
+            return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
+        };
+        const Certainty<n> result = intersection(
+            TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4), lanes(15)});
+        std::uint32_t yes = result.intersect.bits() & low_bits(static_cast<std::uint32_t>(count));
+        std::uint32_t unsure =
+            result.open.bits() & low_bits(static_cast<std::uint32_t>(count)) & ~yes;
+        for (; yes != 0; yes &= yes - 1) {
+            const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(yes));
+            found_.pairs.push_back(open_.pair(k));
+        }
+        for (; unsure != 0; unsure &= unsure - 1) {
+            const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(unsure));
+            found_.undecided.push_back(open_.pair(k));
+        }
+    }
+    void decide() {
+        while (open_.count > 0) decide_some();
+    }
+
+    const PackedLeaves a_, b_;
+    Gathered gathered_a_, gathered_b_;
+    const FloatPlacement placed_;
+    const float skin_;
+    OpenPairs& open_;
+    PackedFindings& found_;
+    std::uint32_t turned_leaf_ = 0;  // no leaf: bits of one are not 0
+    float turned_[9][side] = {};
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

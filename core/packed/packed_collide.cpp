@@ -1,0 +1,220 @@
+#include "scb/packed_collide.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <utility>
+
+#include "core/base/parallel_for.h"
+#include "core/collide/pair_sort.h"
+#include "core/packed/packed_front_parts.h"
+#include "core/packed/packed_query.h"
+
+namespace scb {
+
+namespace {
+
+/// What one thread needs.
+struct Work {
+    PackedLists lists;
+    OpenPairs open;
+    PackedFindings found;
+
+    /// Also of what a query left that ran out of memory.
+    void clear() {
+        lists.clear();
+        open.count = 0;
+        found.clear();
+    }
+};
+
+/// A query, but for the types of its hierarchies.
+struct AnyQuery {
+    AnyPackedQuery nodes;
+    LeafQuery leaves;
+    const Mesh &a, &b;
+    const Pose& b_to_a;
+    SimdLevel level;
+};
+
+/// How many pairs all threads have found, and how many they may.
+struct PairLimit {
+    std::size_t most;
+    std::atomic<std::size_t> found{0};
+
+    bool is_passed() const { return found.load(std::memory_order_relaxed) > most; }
+};
+
+void decide_exactly(const AnyQuery& query, PackedFindings& found) {
+    for (const IndexPair& pair : found.undecided)
+        if (triangles_overlap(corners(query.a, pair.a),
+                              transform_corners(query.b_to_a, corners(query.b, pair.b))))
+            found.pairs.push_back(pair);
+    found.n_exact += found.undecided.size();
+    found.undecided.clear();
+}
+
+/// Traverses what the lists have, and decides on every pair of triangles; or ends before, where
+/// there are too many.
+void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
+    // Pairs are counted, and undecided ones held, so many at a time: all might be too many.
+    constexpr std::size_t many = 4096;
+    auto& [lists, open, found] = work;
+    std::size_t counted = 0;
+    const auto count = [&, &pairs = found.pairs] {
+        limit.found.fetch_add(pairs.size() - counted, std::memory_order_relaxed);
+        counted = pairs.size();
+    };
+    while (!lists.empty() && !limit.is_passed()) {
+        divide_nodes(query.nodes, query.level, lists, found);
+        test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
+        if (found.undecided.size() >= many) decide_exactly(query, found);
+        if (found.pairs.size() >= counted + many) count();
+    }
+    decide_open(query.leaves, query.level, open, found);
+    decide_exactly(query, found);
+    count();
+}
+
+/// The share of `list` that is chunk `i` of `count`.
+void append_share(RefPairs& to, const RefPairs& list, std::size_t i, std::size_t count) {
+    const std::size_t first = list.size() * i / count, end = list.size() * (i + 1) / count;
+    to.append(list, first, end - first);
+}
+
+/// Divides the lists of `work` among threads, where there is enough to divide, and gathers what
+/// they find: the same in any order.
+void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads,
+                       PairLimit& limit) {
+    // As many pairs of nodes as keep a thread busy for some ten microseconds, and the chunks so
+    // many that they end at about the same time.
+    constexpr std::size_t pairs_of_chunk = 32, chunks_of_thread = 8;
+    const std::size_t most = chunks_of_thread * static_cast<std::size_t>(threads);
+    while (work.lists.inner_size() != 0 && work.lists.size() < pairs_of_chunk * most)
+        divide_once(query.nodes, query.level, work.lists, work.found);
+    const std::size_t count = work.lists.size() / pairs_of_chunk;
+    if (count < 2) return finish(query, work, limit);
+    chunks.resize(std::max(chunks.size(), std::min(count, most)));
+    const std::size_t used = std::min(count, most);
+    in_threads(threads, used, [&](std::size_t i) {
+        Work& chunk = chunks[i];
+        chunk.clear();
+        append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
+        append_share(chunk.lists.inner_leaf, work.lists.inner_leaf, i, used);
+        append_share(chunk.lists.leaf_inner, work.lists.leaf_inner, i, used);
+        append_share(chunk.lists.leaf_leaf, work.lists.leaf_leaf, i, used);
+        finish(query, chunk, limit);
+    });
+    work.lists.clear();
+    for (std::size_t i = 0; i < used; ++i) work.found.add(chunks[i].found);
+}
+
+void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads,
+         PairLimit& limit) {
+    if (threads > 1)
+        finish_in_threads(query, work, chunks, threads, limit);
+    else
+        finish(query, work, limit);
+}
+
+template <class Codec>
+PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
+    const bool stored = side.hierarchy.corners == LeafCorners::stored;
+    return {side.hierarchy.leaves.data(), stored ? nullptr : &side.mesh};
+}
+
+// As in query_placement, for the margin is that of the reference's volumes.
+template <class Codec>
+Placement placement_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                       const Pose& b_to_a) {
+    return placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
+}
+
+/// A query that makes a front where the skin is more than 0.
+template <class Codec>
+AnyQuery query_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                  const Placement& placed, SimdLevel level, float skin) {
+    // Where nodes are small against the skin, more of them are apart but kept than it takes to test
+    // them again.
+    constexpr float skins_of_kept = 8;
+    return {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed, skin, skins_of_kept * skin},
+            {leaves_of(a), leaves_of(b), &placed, skin},
+            a.mesh,
+            b.mesh,
+            placed.b_to_a,
+            level};
+}
+
+template <class Codec>
+Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
+    const PackedRef root = hierarchy.root;
+    const PackedScb own =
+        root.is_leaf() ? hierarchy.leaf(root).own() : hierarchy.nodes[root.index()].own;
+    // Volumes hold their points but for the rounding of doubles.
+    return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
+}
+
+}  // namespace
+
+struct PackedWorkspace::Parts {
+    Work work;
+    std::vector<Work> chunks;  // of threads
+    std::vector<IndexPair> room;
+};
+
+PackedWorkspace::PackedWorkspace() : parts_(std::make_unique<Parts>()) {}
+PackedWorkspace::~PackedWorkspace() = default;
+PackedWorkspace::PackedWorkspace(PackedWorkspace&&) noexcept = default;
+PackedWorkspace& PackedWorkspace::operator=(PackedWorkspace&&) noexcept = default;
+
+template <class Codec>
+PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                               const Pose& b_to_a, const PackedOptions& options,
+                               PackedWorkspace* workspace, PackedFront* front) {
+    assert(options.threads >= 1 && "somebody has to do it");
+    if (workspace == nullptr) {
+        PackedWorkspace own;
+        return collide_packed(a, b, b_to_a, options, &own, front);
+    }
+    auto& [work, chunks, room] = workspace->parts();
+    PackedFindings& found = work.found;
+    work.clear();
+    PairLimit limit{options.max_pairs};
+    const Placement placed = placement_of(a, b, b_to_a);
+    bool from_front = false;
+    if (front != nullptr) {
+        auto& [schedule, pairs] = front->parts();
+        const FrontBodies bodies = {root_ball(a.hierarchy), root_ball(b.hierarchy),
+                                    a.hierarchy.leaf_radius + b.hierarchy.leaf_radius};
+        if (const auto plan = schedule.next(bodies, b_to_a, placed.margin)) {
+            try {
+                const Placement there = placement_of(a, b, plan->b_to_a);
+                work.lists.add(a.hierarchy.root, b.hierarchy.root);
+                run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
+                    options.threads, limit);
+            } catch (...) {
+                front->clear();  // it would have the pairs of another pose
+                throw;
+            }
+            std::swap(pairs, found.kept);
+            found.kept.clear();
+        }
+        from_front = schedule.is_good();
+        if (from_front) work.lists.append(pairs);
+    }
+    if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
+    run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads, limit);
+    const bool complete = !limit.is_passed();
+    if (!complete) found.pairs.clear();
+    sort_pairs(found.pairs, room);
+    return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
+}
+
+#define SCB_COLLIDE(Codec)                                                             \
+    template PackedCollision collide_packed(const PackedCollider<Codec>&,              \
+                                            const PackedCollider<Codec>&, const Pose&, \
+                                            const PackedOptions&, PackedWorkspace*, PackedFront*);
+SCB_FOR_EACH_CODEC(SCB_COLLIDE)
+#undef SCB_COLLIDE
+
+}  // namespace scb

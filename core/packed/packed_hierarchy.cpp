@@ -1,0 +1,168 @@
+#include "scb/packed_hierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "core/base/parallel_for.h"
+#include "core/packed/collapse.h"
+#include "scb/error.h"
+#include "scb/placement.h"
+
+namespace scb {
+namespace {
+
+constexpr double largest = 1e8, smallest = 1e-8;
+// Kernels load four lanes of a leaf that may have one, and fetch some lines ahead.
+constexpr std::size_t words_behind = PackedLeaf::fetched_words;
+
+double up(float value) { return static_cast<double>(value); }
+
+template <class Codec>
+class Packing {
+  public:
+    Packing(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, LeafCorners corners,
+            std::string_view name, int threads)
+        : topology_(*hierarchy.topology),
+          volumes_(hierarchy.volumes),
+          mesh_(mesh),
+          name_(name),
+          threads_(threads) {
+        packed_.corners = corners;
+    }
+
+    PackedHierarchy<Codec> run(int leaf_triangles) {
+        std::vector<double> cost(volumes_.size());
+        in_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) cost[i] = surface_area(volumes_[i]);
+        });
+        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
+        packed_.reach = scb::reach(volumes_[0]);
+        packed_.nodes.resize(wide.nodes.size());
+        place_leaves(wide);
+        in_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i)
+                set_node(packed_.nodes[i], wide.nodes[i], wide);
+        });
+        if (wide.nodes.empty()) packed_.root = set_leaf(0, 0);
+        return std::move(packed_);
+    }
+
+  private:
+    // Where the first leaf of each node begins; a node's leaves follow each other.
+    void place_leaves(const WideTopology& wide) {
+        std::size_t words = wide.nodes.empty() ? leaf_size(0) : 0;
+        double radii = wide.nodes.empty() ? volumes_[0].r : 0;
+        std::size_t leaves = wide.nodes.empty() ? 1 : 0;
+        first_leaf_.reserve(wide.nodes.size());
+        for (const WideTopology::Node& node : wide.nodes) {
+            first_leaf_.push_back(words);
+            for (std::uint32_t k = 0; k < node.child_count; ++k) {
+                const WideTopology::Child& child = wide.children[node.first_child + k];
+                if (child.wide != WideTopology::no_node) continue;
+                words += leaf_size(child.node);
+                radii += volumes_[child.node].r;
+                ++leaves;
+            }
+        }
+        if (words >= PackedRef::leaf_bit)
+            throw InputError(name_ +
+                             ": too many triangles for this packed layout; give larger leaves, an "
+                             "indexed layout, or the reference.");
+        packed_.leaves.resize(words + words_behind);
+        packed_.leaf_radius = radii / static_cast<double>(leaves);
+    }
+    std::size_t leaf_size(std::uint32_t i) const {
+        return PackedLeaf::size(topology_.nodes[i].count, packed_.corners);
+    }
+
+    void set_node(PackedNode<Codec>& node, const WideTopology::Node& from,
+                  const WideTopology& wide) {
+        node.own = packed(volumes_[from.node], Vec3::Zero());
+        node.count = static_cast<std::uint16_t>(from.child_count);
+        std::array<Scb, Codec::width> children;
+        std::size_t leaf = first_leaf_[static_cast<std::size_t>(&node - packed_.nodes.data())];
+        for (std::uint32_t k = 0; k < from.child_count; ++k) {
+            const WideTopology::Child& child = wide.children[from.first_child + k];
+            children[k] = volumes_[child.node];
+            if (child.wide != WideTopology::no_node) {
+                node.child[k] = child.wide;
+                continue;
+            }
+            node.child[k] = set_leaf(child.node, leaf).bits;
+            node.leaf_bits = static_cast<std::uint16_t>(node.leaf_bits | 1u << k);
+            leaf += leaf_size(child.node);
+        }
+        node.volumes.encode({children.data(), from.child_count}, center(node.own));
+        double far = up(node.own.r);
+        for (std::size_t k = 0; k < from.child_count; ++k) {
+            const PackedScb scb = node.volumes.decode(k);
+            far = std::max(far, std::sqrt(squared_norm(center(scb))) + up(scb.r));
+        }
+        node.reach = float_above(far * (1 + 0x1p-40));
+    }
+
+    PackedRef set_leaf(std::uint32_t i, std::size_t at) {
+        const TopologyNode& node = topology_.nodes[i];
+        float* words = packed_.leaves.data() + at;
+        const PackedScb own = packed(volumes_[i], Vec3::Zero());
+        std::memcpy(words, &own, sizeof own);
+        words[PackedLeaf::header - 1] = std::bit_cast<float>(node.count);
+        for (std::uint32_t k = 0; k < node.count; ++k)
+            words[PackedLeaf::header + k] = std::bit_cast<float>(topology_.order[node.first + k]);
+        if (packed_.corners == LeafCorners::stored) PackedLeaf::write_corners(words, mesh_);
+        return {static_cast<std::uint32_t>(at) | PackedRef::leaf_bit};
+    }
+
+    const Topology& topology_;
+    const std::vector<Scb>& volumes_;
+    const Mesh& mesh_;
+    std::string name_;
+    int threads_;
+    std::vector<std::size_t> first_leaf_;
+    PackedHierarchy<Codec> packed_;
+};
+
+}  // namespace
+
+void check_packable(const Mesh& mesh, std::string_view name) {
+    const Box box = bounding_box(mesh);
+    const double reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+    const double size = (box.upper - box.lower).maxCoeff();
+    if (reach <= largest && (size >= smallest || size == 0)) return;
+    throw InputError(std::string(name) +
+                     ": packed layouts hold coordinates up to 1e8 and sizes from 1e-8 on; scale "
+                     "it, or use the reference layout.");
+}
+
+void PackedLeaf::write_corners(float* words, const Mesh& mesh) {
+    const PackedLeaf leaf{words};
+    const std::size_t count = leaf.count();
+    const float* const origin = leaf.center();
+    for (std::size_t k = 0; k < count; ++k) {
+        const Triangle& triangle = mesh.triangles[leaf.triangle(k)];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Vec3& v = mesh.vertices[triangle[corner]];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                words[header + count * (1 + 3 * corner + axis) + k] =
+                    static_cast<float>(v[static_cast<int>(axis)] - up(origin[axis]));
+        }
+    }
+}
+
+template <class Codec>
+PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, int leaf_triangles,
+                            LeafCorners corners, std::string_view name, int threads) {
+    assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
+    check_packable(mesh, name);
+    return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
+}
+
+#define SCB_PACK(Codec)                                                                        \
+    template PackedHierarchy<Codec> pack(const Hierarchy<Scb>&, const Mesh&, int, LeafCorners, \
+                                         std::string_view, int);
+SCB_FOR_EACH_CODEC(SCB_PACK)
+#undef SCB_PACK
+
+}  // namespace scb

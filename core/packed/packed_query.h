@@ -1,0 +1,177 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "core/collide/collision.h"
+#include "scb/packed_hierarchy.h"
+#include "scb/placement.h"
+#include "scb/simd_level.h"
+
+namespace scb {
+
+// What a traversal of packed hierarchies is given, and what it leaves: shared by all SIMD targets.
+
+/// A query on two packed hierarchies of one layout.
+template <class Codec>
+struct PackedQuery {
+    const PackedHierarchy<Codec>*a, *b;
+    const Placement* placed;
+    /// More than 0 where the query makes a front, see PackedFront: volumes that are no farther
+    /// apart than this length are taken for overlapping, and pairs of nodes whose radii add up to
+    /// `kept_size` at most are kept, not divided.
+    float skin = 0, kept_size = 0;
+};
+using AnyPackedQuery = AnyCodec<PackedQuery>;
+
+/// Pairs of nodes that are to be divided: a list of A's and one of B's, in step.
+class RefPairs {
+  public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    void clear() { size_ = 0; }
+    const std::uint32_t* a_begin() const { return a_.data(); }
+    const std::uint32_t* b_begin() const { return b_.data(); }
+
+    /// Makes room for so many more pairs, which are then written at the two ends; grow() says how
+    /// many they are.
+    void reserve(std::size_t more) {
+        if (size_ + more <= a_.size()) return;
+        const std::size_t room = std::max(2 * a_.size(), size_ + more);
+        a_.resize(room);
+        b_.resize(room);
+    }
+    std::uint32_t* a_end() { return a_.data() + size_; }
+    std::uint32_t* b_end() { return b_.data() + size_; }
+    void grow(std::size_t more) { size_ += more; }
+
+    void add(std::uint32_t a, std::uint32_t b) {
+        reserve(1);
+        *a_end() = a;
+        *b_end() = b;
+        ++size_;
+    }
+
+    /// Appends some of another list.
+    void append(const RefPairs& from, std::size_t first, std::size_t count) {
+        reserve(count);
+        std::copy_n(from.a_begin() + first, count, a_end());
+        std::copy_n(from.b_begin() + first, count, b_end());
+        size_ += count;
+    }
+
+    /// Moves the last pairs, at most `most`, into the arrays.
+    std::size_t take(std::uint32_t* a, std::uint32_t* b, std::size_t most) {
+        const std::size_t count = std::min(most, size_);
+        size_ -= count;
+        std::copy_n(a_.data() + size_, count, a);
+        std::copy_n(b_.data() + size_, count, b);
+        return count;
+    }
+
+  private:
+    std::vector<std::uint32_t> a_, b_;
+    std::size_t size_ = 0;
+};
+
+/// The pairs that wait, by whether A's and B's are inner nodes or leaves.
+struct PackedLists {
+    RefPairs inner_inner, inner_leaf, leaf_inner, leaf_leaf;
+
+    void reserve(std::size_t more) {
+        inner_inner.reserve(more);
+        inner_leaf.reserve(more);
+        leaf_inner.reserve(more);
+        leaf_leaf.reserve(more);
+    }
+    bool empty() const { return size() == 0; }
+    std::size_t size() const { return inner_size() + leaf_leaf.size(); }
+    /// Of pairs that can be divided.
+    std::size_t inner_size() const {
+        return inner_inner.size() + inner_leaf.size() + leaf_inner.size();
+    }
+    void clear() {
+        inner_inner.clear();
+        inner_leaf.clear();
+        leaf_inner.clear();
+        leaf_leaf.clear();
+    }
+    void append(const PackedLists& from) {
+        inner_inner.append(from.inner_inner, 0, from.inner_inner.size());
+        inner_leaf.append(from.inner_leaf, 0, from.inner_leaf.size());
+        leaf_inner.append(from.leaf_inner, 0, from.leaf_inner.size());
+        leaf_leaf.append(from.leaf_leaf, 0, from.leaf_leaf.size());
+    }
+    void add(PackedRef a, PackedRef b) {
+        RefPairs& list = a.is_leaf() ? (b.is_leaf() ? leaf_leaf : leaf_inner)
+                                     : (b.is_leaf() ? inner_leaf : inner_inner);
+        list.add(a.bits, b.bits);
+    }
+};
+
+/// What a traversal finds, in no order.
+struct PackedFindings {
+    std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
+    std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
+    std::uint64_t n_exact = 0;         ///< of these, how many it has decided on
+    PackedLists kept;                  ///< of a query that makes a front: it has no pairs then
+    std::uint64_t n_v = 0, n_p = 0;
+
+    void clear() {
+        pairs.clear();
+        undecided.clear();
+        kept.clear();
+        n_v = n_p = n_exact = 0;
+    }
+    void add(const PackedFindings& other) {
+        pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
+        undecided.insert(undecided.end(), other.undecided.begin(), other.undecided.end());
+        kept.append(other.kept);
+        n_v += other.n_v;
+        n_p += other.n_p;
+        n_exact += other.n_exact;
+    }
+};
+
+/// The leaves of a packed hierarchy: words, see PackedLeaf; and the mesh that has their corners
+/// where they do not.
+struct PackedLeaves {
+    const float* words;
+    const Mesh* mesh;
+};
+struct LeafQuery {
+    PackedLeaves a, b;
+    const Placement* placed;
+    float skin = 0;  ///< more than 0: pairs of leaves that are this near are kept, see PackedQuery
+};
+
+/// Pairs of triangles whose planes meet, until there are enough for all lanes of the next test:
+/// their indices, and row by row what TrianglePairs has.
+struct OpenPairs {
+    static constexpr std::size_t enough = 64;
+    std::size_t count = 0;
+    float a[enough + 32] = {}, b[enough + 32] = {};  ///< bits of indices
+    float points[16][enough + 32] = {};
+
+    IndexPair pair(std::size_t i) const {
+        return {std::bit_cast<std::uint32_t>(a[i]), std::bit_cast<std::uint32_t>(b[i])};
+    }
+};
+
+/// Divides every pair that is not of leaves once.
+void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                 PackedFindings& found);
+
+/// Divides pairs until none are left but of leaves, or a good many of leaves wait.
+void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                  PackedFindings& found);
+
+/// Tests pairs of leaves for triangles that intersect; the list is empty then. Fewer than
+/// OpenPairs::enough may stay open, until decide_open.
+void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
+                 PackedFindings& found);
+void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
+
+}  // namespace scb

@@ -1,0 +1,230 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_PACKED_TRAVERSAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#undef SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#else
+#define SCB_CORE_PACKED_TRAVERSAL_INL_H_
+#endif
+
+#include <bit>
+
+#include "core/packed/packed_query.h"
+#include "core/packed/prefetch.h"
+#include "core/packed/volume_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// The traversal of two packed hierarchies, compiled for one layout. Pairs of nodes wait in lists
+/// by what they are; a batch of one list at a time is divided, and its lines are fetched ahead.
+template <class Codec>
+class PackedTraversal {
+  public:
+    PackedTraversal(const PackedQuery<Codec>& query, PackedLists& lists, PackedFindings& found)
+        : a_(*query.a),
+          b_(*query.b),
+          placed_(*query.placed),
+          skin_(query.skin),
+          kept_size_(query.kept_size),
+          lists_(lists),
+          found_(found) {}
+
+    /// Until nothing is left to divide, or a good many pairs of leaves wait.
+    void run() {
+        while (lists_.leaf_leaf.size() < enough) {
+            if (!lists_.inner_leaf.empty())
+                divide(&PackedLists::inner_leaf,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
+            else if (!lists_.leaf_inner.empty())
+                divide(&PackedLists::leaf_inner,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
+            else if (!lists_.inner_inner.empty())
+                divide(&PackedLists::inner_inner,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
+            else
+                return;
+        }
+    }
+
+    /// Divides every pair that is there, once.
+    void run_once() {
+        // What is added to the lists meanwhile is behind what was there.
+        const PackedLists before = lists_;
+        lists_.inner_inner.clear();
+        lists_.inner_leaf.clear();
+        lists_.leaf_inner.clear();
+        const auto each = [&](RefPairs PackedLists::*which, auto divide_pair) HWY_ATTR {
+            const RefPairs& list = before.*which;
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                const PackedRef a{list.a_begin()[i]}, b{list.b_begin()[i]};
+                if (skin_ > 0 && is_kept(a, b)) {
+                    (found_.kept.*which).add(a.bits, b.bits);
+                    continue;
+                }
+                lists_.reserve(W * W + 16);
+                divide_pair(a, b);
+            }
+        };
+        each(&PackedLists::inner_leaf,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
+        each(&PackedLists::leaf_inner,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
+        each(&PackedLists::inner_inner,
+             [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
+    }
+
+  private:
+    using Node = PackedNode<Codec>;
+    static constexpr int W = child_lanes<Codec::width>;
+    using Part = ChildLanes<Codec::width>;
+    static constexpr int n = Part::n;
+    static constexpr std::size_t enough = 256;  // leaves are tested in long runs of the same code
+    static constexpr std::size_t batch = 32, ahead = 4;
+    /// More than what is computed of the distances of volumes may be off: a center of B by some 18
+    /// units of the length, its normal by 12, distances along both normals and their cosine by 60
+    /// in all, and radii times the sine by 20. What the skin adds to these lengths is rounded as
+    /// often.
+    HWY_INLINE float margin(const Offset& o) const {
+        return 96 * float_unit * (o.length + skin_) + placed_.double_error + skin_;
+    }
+
+    HWY_INLINE bool is_kept(PackedRef i, PackedRef j) const {
+        return radius(a_, i) + radius(b_, j) <= kept_size_;
+    }
+    static HWY_INLINE float radius(const PackedHierarchy<Codec>& side, PackedRef ref) {
+        return ref.is_leaf() ? side.leaf(ref).radius() : side.nodes[ref.index()].own.r;
+    }
+    /// Moves those of a batch that are small enough to the front; returns how many are left.
+    std::size_t keep_small(std::uint32_t* a, std::uint32_t* b, std::size_t count, RefPairs& kept) {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (is_kept({a[i]}, {b[i]})) {
+                kept.add(a[i], b[i]);
+                continue;
+            }
+            a[left] = a[i];
+            b[left++] = b[i];
+        }
+        return left;
+    }
+
+    template <class Divide>
+    HWY_INLINE void divide(RefPairs PackedLists::*which, Divide each) {
+        std::uint32_t a[batch], b[batch];
+        std::size_t count = (lists_.*which).take(a, b, batch);
+        if (skin_ > 0) count = keep_small(a, b, count, found_.kept.*which);
+        lists_.reserve(count * (W * W + 16));
+        for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair({a[i]}, {b[i]});
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + ahead < count) prefetch_pair({a[i + ahead]}, {b[i + ahead]});
+            each({a[i]}, {b[i]});
+        }
+    }
+    HWY_INLINE void prefetch_pair(PackedRef i, PackedRef j) const {
+        fetch(a_, i);
+        fetch(b_, j);
+    }
+    static HWY_INLINE void fetch(const PackedHierarchy<Codec>& side, PackedRef ref) {
+        if (ref.is_leaf())
+            prefetch_leaf(side.leaves.data() + ref.index());
+        else
+            prefetch(reinterpret_cast<const char*>(&side.nodes[ref.index()]), sizeof(Node));
+    }
+
+    /// Puts aside child lanes of A with one of B.
+    HWY_INLINE void put_a(const Node& a, std::uint32_t bits, PackedRef b) {
+        RefPairs& inner = b.is_leaf() ? lists_.inner_leaf : lists_.inner_inner;
+        RefPairs& leaf = b.is_leaf() ? lists_.leaf_leaf : lists_.leaf_inner;
+        put(inner.a_end(), inner.b_end(), a.child, bits & ~a.leaf_bits, b.bits, inner);
+        put(leaf.a_end(), leaf.b_end(), a.child, bits & a.leaf_bits, b.bits, leaf);
+    }
+    HWY_INLINE void put_b(PackedRef a, const Node& b, std::uint32_t bits) {
+        RefPairs& inner = a.is_leaf() ? lists_.leaf_inner : lists_.inner_inner;
+        RefPairs& leaf = a.is_leaf() ? lists_.leaf_leaf : lists_.inner_leaf;
+        put(inner.b_end(), inner.a_end(), b.child, bits & ~b.leaf_bits, a.bits, inner);
+        put(leaf.b_end(), leaf.a_end(), b.child, bits & b.leaf_bits, a.bits, leaf);
+    }
+    static HWY_INLINE void put(std::uint32_t* ones, std::uint32_t* others,
+                               const std::uint32_t* children, std::uint32_t bits,
+                               std::uint32_t other, RefPairs& list) {
+        store_chosen<W>(children, bits, ones);
+        for (int k = 0; k < W; ++k) others[k] = other;
+        list.grow(static_cast<std::size_t>(std::popcount(bits)));
+    }
+
+    static HWY_INLINE PackedScb centered(PackedScb scb) {
+        scb.c[0] = scb.c[1] = scb.c[2] = 0;
+        return scb;
+    }
+    HWY_INLINE Part children_of_b(const Node& b, int first, const Offset& o) const {
+        return placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t));
+    }
+
+    /// Which children of A overlap a volume that all lanes have, in A's frame.
+    HWY_INLINE std::uint32_t overlapping_a(const Node& a, const Part& b, Lanes<n> wide) {
+        found_.n_v += a.count;
+        std::uint32_t bits = 0;
+        for (int first = 0; first < W; first += n)
+            bits |= overlap(load_children(a.volumes, first), b, wide).bits() << first;
+        return bits & low_bits(a.count);
+    }
+
+    HWY_INLINE void inner_inner(PackedRef i, PackedRef j) {
+        const Node &a = a_.nodes[i.index()], &b = b_.nodes[j.index()];
+        const Offset o = offset(placed_, a.own.c, a.reach, b.own.c, b.reach);
+        const Lanes<n> wide = Lanes<n>::all(margin(o));
+        const Part own = Part::all(centered(a.own));
+        found_.n_v += b.count;
+        std::uint32_t left = 0;
+        float rows[9][W];  // the children of B in A's frame
+        for (int first = 0; first < W; first += n) {
+            const Part of_b = children_of_b(b, first, o);
+            left |= overlap(own, of_b, wide).bits() << first;
+            const Lanes<n>* const lanes[] = {&of_b.c.x,      &of_b.c.y,      &of_b.c.z,
+                                             &of_b.normal.x, &of_b.normal.y, &of_b.normal.z,
+                                             &of_b.r,        &of_b.m,        &of_b.h};
+            for (int row = 0; row < 9; ++row) lanes[row]->store(rows[row] + first);
+        }
+        for (left &= low_bits(b.count); left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            const auto row = [&rows, k](int r) HWY_ATTR { return Lanes<n>::all(rows[r][k]); };
+            const Part one = {
+                {row(0), row(1), row(2)}, {row(3), row(4), row(5)}, row(6), row(7), row(8)};
+            put_a(a, overlapping_a(a, one, wide), {b.child[k]});
+        }
+    }
+
+    HWY_INLINE void inner_leaf(PackedRef i, PackedRef j) {
+        const Node& a = a_.nodes[i.index()];
+        const PackedScb b = b_.leaf(j).own();
+        const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
+        const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
+        put_a(a, overlapping_a(a, of_b, Lanes<n>::all(margin(o))), j);
+    }
+
+    HWY_INLINE void leaf_inner(PackedRef i, PackedRef j) {
+        const Node& b = b_.nodes[j.index()];
+        const PackedScb a = a_.leaf(i).own();
+        const Offset o = offset(placed_, a.c, a.r, b.own.c, b.reach);
+        const Lanes<n> wide = Lanes<n>::all(margin(o));
+        const Part own = Part::all(centered(a));
+        found_.n_v += b.count;
+        std::uint32_t bits = 0;
+        for (int first = 0; first < W; first += n)
+            bits |= overlap(own, children_of_b(b, first, o), wide).bits() << first;
+        put_b(i, b, bits & low_bits(b.count));
+    }
+
+    const PackedHierarchy<Codec>&a_, &b_;
+    const FloatPlacement placed_;
+    const float skin_, kept_size_;
+    PackedLists& lists_;
+    PackedFindings& found_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

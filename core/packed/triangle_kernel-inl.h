@@ -1,0 +1,160 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_TRIANGLE_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_TRIANGLE_KERNEL_INL_H_
+#undef SCB_CORE_TRIANGLE_KERNEL_INL_H_
+#else
+#define SCB_CORE_TRIANGLE_KERNEL_INL_H_
+#endif
+
+#include "core/base/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+// Pairs of triangles P and Q in floats, decided where the signs of all determinants that matter are
+// certain. Coordinates are differences from P's first corner, each off by at most `error` from
+// those that the exact test would see; D is the largest magnitude of them. With 2^24 error > 48 D,
+// roundings of products are small against what `error` does, and 1/8 more than that covers them.
+// Below `underflow`, products may have lost digits to the least exponent.
+
+/// n pairs: the corners of both relative to P's first.
+template <int n>
+struct TrianglePairs {
+    Lanes3<n> p1, p2, q0, q1, q2;
+    Lanes<n> error;
+};
+
+inline constexpr float kernel_underflow = 0x1p-100f;
+
+/// D.
+template <int n>
+HWY_INLINE Lanes<n> magnitude(const TrianglePairs<n>& t) {
+    return max(max(max(largest(t.p1), largest(t.p2)), max(largest(t.q0), largest(t.q1))),
+               largest(t.q2));
+}
+
+/// A bound of the error of determinants, `factor` D^2 error.
+template <int n>
+HWY_INLINE Lanes<n> determinant_bound(const TrianglePairs<n>& t, float factor) {
+    const Lanes<n> d = magnitude(t);
+    return d * d * t.error * Lanes<n>::all(factor) + Lanes<n>::all(kernel_underflow);
+}
+
+/// Which of n triples of numbers are certainly all above the bound, or all below minus the bound.
+template <int n>
+HWY_INLINE LaneMask<n> on_one_side(Lanes<n> x, Lanes<n> y, Lanes<n> z, Lanes<n> bound) {
+    return (bound < min(min(x, y), z)) | (max(max(x, y), z) < -bound);
+}
+
+/// Heights of points above the plane of a triangle, times twice its area.
+template <int n>
+struct Heights {
+    Lanes<n> h[3];
+};
+
+/// Of the corners of Q above the plane of P: the normal's components are off by at most 4 D error,
+/// a third of the sum by 2 D^2 error + D 4 D error, all by 18 D^2 error: with 1/8 more, below 21.
+template <int n>
+HWY_INLINE Heights<n> heights_of_q(const TrianglePairs<n>& t) {
+    const Lanes3<n> normal = cross(t.p1, t.p2);
+    return {{dot(normal, t.q0), dot(normal, t.q1), dot(normal, t.q2)}};
+}
+inline constexpr float q_height_bound = 21;
+
+/// Of the corners of P above the plane of Q, whose edges are up to 2 D and off by 2 error: the
+/// normal's components are up to 8 D^2, off by 8 D error; corners relative to q0 up to 2 D, off by
+/// 2 error: 3 (8 D^2 2 error + 2 D 8 D error) = 96 D^2 error, with 1/8 more 108.
+template <int n>
+HWY_INLINE Heights<n> heights_of_p(const TrianglePairs<n>& t) {
+    const Lanes3<n> normal = cross(t.q1 - t.q0, t.q2 - t.q0);
+    return {{dot(normal, -t.q0), dot(normal, t.p1 - t.q0), dot(normal, t.p2 - t.q0)}};
+}
+inline constexpr float p_height_bound = 108;
+
+/// Lanes in which no plane of one triangle certainly has the other on one side, by these bounds.
+template <int n>
+HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t, Lanes<n> q_bound, Lanes<n> p_bound) {
+    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
+    LaneMask<n> apart =
+        on_one_side(q.h[0], q.h[1], q.h[2], q_bound) | on_one_side(p.h[0], p.h[1], p.h[2], p_bound);
+    const LaneMask<n> none = q.h[0] < q.h[0];
+    // Not a number anywhere, after an overflow: not certain of anything.
+    LaneMask<n> meet = apart ^ (none | (t.error <= t.error));
+    return meet;
+}
+template <int n>
+HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
+    const Lanes<n> q_bound = determinant_bound(t, q_height_bound);
+    return planes_meet(t, q_bound, q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1));
+}
+
+/// Lanes in which no plane of one triangle certainly has the other on one side and farther away
+/// than `skin`: heights are times the normal's length, which is off by at most 7 D error for P's
+/// and 14 D error for Q's, see above. Squares of it may underflow.
+template <int n>
+HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
+    const Lanes<n> off = magnitude(t) * t.error * Lanes<n>::all(16) + Lanes<n>::all(0x1p-70f);
+    const auto length = [&](Lanes3<n> normal) HWY_ATTR {
+        return sqrt(dot(normal, normal)) * Lanes<n>::all(1 + 0x1p-16f) + off;
+    };
+    const Lanes<n> q_bound = determinant_bound(t, q_height_bound);
+    return planes_meet(t, q_bound + skin * length(cross(t.p1, t.p2)),
+                       q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1) +
+                           skin * length(cross(t.q1 - t.q0, t.q2 - t.q0)));
+}
+
+/// Lanes in which the triangles certainly have a point in common, and those in which it is not
+/// certain either way.
+template <int n>
+struct Certainty {
+    LaneMask<n> intersect, open;
+};
+
+/// Two triangles in planes that cross intersect where an edge of one passes through the other: its
+/// ends are on two sides of the plane, and the other's three edges pass it on the same side, which
+/// the Plucker product of two lines says. Products of an edge (up to 2 D, off by 2 error) and the
+/// moment of one (up to 4 D^2, off by 8 D error): 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2
+/// error, with 1/8 more 162.
+template <int n>
+HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
+    constexpr float edge_bound = 162;
+    const Lanes<n> bound = determinant_bound(t, edge_bound);
+    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
+    const Lanes3<n> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
+    const Lanes3<n> edge_q[3] = {t.q1 - t.q0, t.q2 - t.q1, t.q0 - t.q2};
+    // The first corner of P is the origin: two of its edges have no moment.
+    const Lanes3<n> moment_p = cross(t.p1, edge_p[1]);
+    const Lanes3<n> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
+                                   cross(t.q2, edge_q[2])};
+    // On which side of each other lines of edges pass.
+    const auto product = [&](int i, int j) HWY_ATTR {
+        const Lanes<n> of_p = dot(edge_p[i], moment_q[j]);
+        return i == 1 ? of_p + dot(edge_q[j], moment_p) : of_p;
+    };
+    const Lanes<n> side[3][3] = {{product(0, 0), product(0, 1), product(0, 2)},
+                                 {product(1, 0), product(1, 1), product(1, 2)},
+                                 {product(2, 0), product(2, 1), product(2, 2)}};
+
+    const LaneMask<n> none = t.error < t.error;
+    Certainty<n> result{none, none};
+    const auto pass = [&](Lanes<n> from, Lanes<n> to, Lanes<n> x, Lanes<n> y, Lanes<n> z) HWY_ATTR {
+        const LaneMask<n> sure = (bound < abs(from)) & (bound < abs(to));
+        const Lanes<n> zero = Lanes<n>::all(0);
+        const LaneMask<n> crosses = sure & ((from < zero) ^ (to < zero));
+        const LaneMask<n> stays = sure ^ crosses;
+        const LaneMask<n> through = crosses & on_one_side(x, y, z, bound);
+        const LaneMask<n> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
+        result.intersect = result.intersect | through;
+        result.open = result.open | ((stays | through | beside) ^ (t.error <= t.error));
+    };
+    for (int i = 0; i < 3; ++i) pass(p.h[i], p.h[(i + 1) % 3], side[i][0], side[i][1], side[i][2]);
+    for (int j = 0; j < 3; ++j) pass(q.h[j], q.h[(j + 1) % 3], side[0][j], side[1][j], side[2][j]);
+    return result;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,96 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_VOLUME_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_VOLUME_KERNEL_INL_H_
+#undef SCB_CORE_VOLUME_KERNEL_INL_H_
+#else
+#define SCB_CORE_VOLUME_KERNEL_INL_H_
+#endif
+
+#include "core/base/lanes-inl.h"
+#include "core/packed/float_placement-inl.h"
+#include "scb/node_codec.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// n slab cut balls in one frame, see PackedScb.
+template <int n_>
+struct LaneScbs {
+    static constexpr int n = n_;
+    Lanes3<n> c, normal;
+    Lanes<n> r, m, h;
+
+    static HWY_INLINE LaneScbs all(const PackedScb& s) {
+        return {Lanes3<n>::all(s.c), Lanes3<n>::all(s.n), Lanes<n>::all(s.r), Lanes<n>::all(s.m),
+                Lanes<n>::all(s.h)};
+    }
+};
+
+/// Children of a node that are loaded at a time, and for a node of so many children in all: no
+/// fewer than any target loads.
+template <int width>
+inline constexpr int child_lanes = width < 4 ? 4 : width;
+template <int width>
+using ChildLanes = LaneScbs<part_lanes(child_lanes<width>)>;
+
+/// Children of a node, from the one of that index on, in its own frame. Lanes behind the last child
+/// are without meaning.
+template <int width>
+HWY_INLINE ChildLanes<width> load_children(const FloatCodec<width>& from, int first) {
+    using L = Lanes<ChildLanes<width>::n>;
+    return {{L::load(from.c[0] + first), L::load(from.c[1] + first), L::load(from.c[2] + first)},
+            {L::load(from.n[0] + first), L::load(from.n[1] + first), L::load(from.n[2] + first)},
+            L::load(from.r + first),
+            L::load(from.m + first),
+            L::load(from.h + first)};
+}
+template <int width>
+HWY_INLINE ChildLanes<width> load_children(const QuantizedCodec<width>& from, int first) {
+    using L = Lanes<ChildLanes<width>::n>;
+    // All of them powers of two: products are exact.
+    const L length = L::all(from.length_unit), slab = L::all(from.slab_unit),
+            unit = L::all(normal_unit);
+    return {{L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
+             L::load(from.c[2] + first) * length},
+            {L::load(from.n[0] + first) * unit, L::load(from.n[1] + first) * unit,
+             L::load(from.n[2] + first) * unit},
+            L::load(from.r + first) * length,
+            L::load(from.m + first) * slab,
+            L::load(from.h + first) * slab};
+}
+
+/// The volumes of B in A's frame.
+template <int n>
+HWY_INLINE LaneScbs<n> placed(const LaneScbs<n>& b, const FloatPlacement& placement,
+                              const Lanes3<n>& translation) {
+    return {rotate(placement, b.c) + translation, rotate(placement, b.normal), b.r, b.m, b.h};
+}
+
+/// Which of n pairs of volumes overlap or are within `margin`: the symmetric form of Figure 8, all
+/// stages at once, see overlap_symmetric. |sin| is taken from the cross product of the normals: 1 -
+/// cos^2 cancels where slabs are nearly parallel.
+template <int n>
+HWY_INLINE LaneMask<n> overlap(const LaneScbs<n>& a, const LaneScbs<n>& b, Lanes<n> margin) {
+    const Lanes3<n> c = b.c - a.c;
+    const Lanes<n> reach_a = a.r + margin, reach_b = b.r + margin, sum = a.r + reach_b;
+    LaneMask<n> together = dot(c, c) <= sum * sum;
+
+    const Lanes<n> d0 = dot(a.normal, c) - a.m, d1 = dot(b.normal, c) + b.m,
+                   cosine = dot(a.normal, b.normal);
+    together = together & (abs(d0) - a.h <= reach_b) & (abs(d1) - b.h <= reach_a);
+
+    const Lanes3<n> normals = cross(a.normal, b.normal);
+    const Lanes<n> squared_sine = dot(normals, normals), tilt = abs(cosine),
+                   zero = Lanes<n>::all(0);
+    const Lanes<n> gap_a = max(abs(d0 + b.m * cosine) - a.h - b.h * tilt - margin, zero);
+    const Lanes<n> gap_b = max(abs(d1 - a.m * cosine) - b.h - a.h * tilt - margin, zero);
+    return together & (gap_a * gap_a <= b.r * b.r * squared_sine) &
+           (gap_b * gap_b <= a.r * a.r * squared_sine);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,115 @@
+#include "golden/compare/counts_difference.h"
+
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+bool is_container(const json& value) { return value.is_object() || value.is_array(); }
+
+/// An object or a list that has entries to walk.
+bool is_branch(const json& value) { return is_container(value) && !value.empty(); }
+
+std::optional<std::int64_t> integer_in(const json& leaf) {
+    if (leaf.is_number_unsigned()) {
+        const auto value = leaf.get<std::uint64_t>();
+        if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+            return std::nullopt;
+        return static_cast<std::int64_t>(value);
+    }
+    if (leaf.is_number_integer()) return leaf.get<std::int64_t>();
+    return std::nullopt;
+}
+
+/// The leaf as JSON, on one line.
+std::string text_of(const json& leaf) {
+    return leaf.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+bool equal_leaves(const json& a, const json& b) {
+    if (integer_in(a) || integer_in(b)) return integer_in(a) == integer_in(b);
+    // Texts that are not UTF-8 are printed alike.
+    return a.is_string() ? a == b : text_of(a) == text_of(b);
+}
+
+std::string below(const std::string& place, const std::string& key) {
+    std::string path = place.empty() ? "" : place + "/";
+    for (const char c : key) {
+        if (c == '~') path += "~0";
+        if (c == '/') path += "~1";
+        if (c != '~' && c != '/') path += c;
+    }
+    return path;
+}
+
+class Walk {
+  public:
+    /// `before` and `after` stand at `place`; null where that side has nothing there.
+    void compare(const json* before, const json* after, const std::string& place) {
+        const bool alike =
+            before && after && is_container(*before) && before->type() == after->type();
+        if (alike && before->is_object()) return compare_objects(*before, *after, place);
+        if (alike) return compare_lists(*before, *after, place);
+        const bool leaves = before && after && !is_branch(*before) && !is_branch(*after);
+        if (leaves && equal_leaves(*before, *after)) return;
+        if (leaves) return add(changed_, place, before, after);
+        if (before) add_leaves(*before, place, true);
+        if (after) add_leaves(*after, place, false);
+    }
+
+    std::vector<CountChange> result() && {
+        changed_.insert(changed_.end(), std::make_move_iterator(appeared_.begin()),
+                        std::make_move_iterator(appeared_.end()));
+        return std::move(changed_);
+    }
+
+  private:
+    void compare_objects(const json& before, const json& after, const std::string& place) {
+        for (const auto& [key, value] : before.items()) {
+            const auto other = after.find(key);
+            compare(&value, other == after.end() ? nullptr : &*other, below(place, key));
+        }
+        for (const auto& [key, value] : after.items())
+            if (!before.contains(key)) compare(nullptr, &value, below(place, key));
+    }
+
+    void compare_lists(const json& before, const json& after, const std::string& place) {
+        for (std::size_t i = 0; i < before.size() || i < after.size(); ++i)
+            compare(i < before.size() ? &before[i] : nullptr,
+                    i < after.size() ? &after[i] : nullptr, below(place, std::to_string(i)));
+    }
+
+    /// Everything at or below a value that the other side does not have.
+    void add_leaves(const json& value, const std::string& place, bool is_before) {
+        if (!is_branch(value))
+            return is_before ? add(changed_, place, &value, nullptr)
+                             : add(appeared_, place, nullptr, &value);
+        // items() numbers the elements of a list.
+        for (const auto& [key, child] : value.items())
+            add_leaves(child, below(place, key), is_before);
+    }
+
+    static void add(std::vector<CountChange>& to, const std::string& place, const json* before,
+                    const json* after) {
+        CountChange change{place, {}, {}};
+        if (before && !(change.before = integer_in(*before))) change.before_text = text_of(*before);
+        if (after && !(change.after = integer_in(*after))) change.after_text = text_of(*after);
+        to.push_back(std::move(change));
+    }
+
+    std::vector<CountChange> changed_, appeared_;
+};
+
+}  // namespace
+
+std::vector<CountChange> counts_difference(const json& before, const json& after) {
+    Walk walk;
+    walk.compare(&before, &after, "");
+    return std::move(walk).result();
+}
+
+}  // namespace scb

@@ -1,0 +1,95 @@
+#include "golden/compare/image_difference.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace scb {
+namespace {
+
+/// The largest difference of a channel of two pixels, each 4 bytes.
+int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
+    int largest = 0;
+    for (int channel = 0; channel < 4; ++channel)
+        largest = std::max(largest, std::abs(a[channel] - b[channel]));
+    return largest;
+}
+
+/// Okabe and Ito's vermillion, which nothing pale or grey can be taken for.
+constexpr Rgba8 accent{0xD5, 0x5E, 0x00};
+
+/// A share of the accent on white, in 255ths: a difference of 1 has more than a third.
+int accent_share(int difference) { return 95 + 160 * difference / 255; }
+
+std::uint8_t between(int from, int to, int share) {
+    return static_cast<std::uint8_t>(from + (to - from) * share / 255);
+}
+
+/// Grey from 190 (black) to 255 (white), so that what agrees is recognized but stays behind.
+Rgba8 pale_grey(Rgba8 color) {
+    const int luma = (54 * color.r + 183 * color.g + 19 * color.b) / 256;
+    const std::uint8_t grey = between(190, 255, luma);
+    return {grey, grey, grey, 255};
+}
+
+}  // namespace
+
+ImageDifference image_difference(const Image& a, const Image& b) {
+    assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
+           "pictures of different sizes cannot be compared pixel by pixel");
+    ImageDifference difference;
+    // At [d], how many pixels differ by d, which are far fewer steps than one for each threshold.
+    std::array<std::size_t, 256> exactly{};
+    const std::size_t row_size = 4 * static_cast<std::size_t>(a.width);
+    for (int y = 0; y < a.height; ++y) {
+        const std::uint8_t* row_a = a.rgba.data() + static_cast<std::size_t>(y) * row_size;
+        const std::uint8_t* row_b = b.rgba.data() + static_cast<std::size_t>(y) * row_size;
+        if (row_size == 0 || std::memcmp(row_a, row_b, row_size) == 0) continue;
+        for (int x = 0; x < a.width; ++x) {
+            const std::size_t at = 4 * static_cast<std::size_t>(x);
+            const int by = pixel_difference(row_a + at, row_b + at);
+            if (by == 0) continue;
+            ++exactly[static_cast<std::size_t>(by)];
+            difference.box.add(x, y);
+        }
+    }
+    for (std::size_t d = 255; d > 0; --d) {
+        difference.beyond[d - 1] = difference.beyond[d] + exactly[d];
+        if (exactly[d] > 0) difference.largest = std::max(difference.largest, static_cast<int>(d));
+    }
+    difference.pixels = difference.beyond[0];
+    return difference;
+}
+
+bool within(const ImageDifference& difference, const ColorTolerance& tolerance) {
+    if (tolerance.max_channel_delta >= 255) return true;
+    const int delta = std::max(0, tolerance.max_channel_delta);
+    return difference.beyond[static_cast<std::size_t>(delta)] <= tolerance.max_pixels;
+}
+
+Image difference_picture(const Image& a, const Image& b) {
+    assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
+           "pictures of different sizes have no picture of their difference");
+    Image picture{b.width, b.height, {}};
+    picture.rgba.resize(b.rgba.size());
+    for (int y = 0; y < b.height; ++y)
+        for (int x = 0; x < b.width; ++x) {
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(b.width) +
+                     static_cast<std::size_t>(x));
+            const int by = pixel_difference(&a.rgba[at], &b.rgba[at]);
+            if (by == 0) {
+                set_pixel(picture, x, y, pale_grey(pixel(b, x, y)));
+                continue;
+            }
+            const int share = accent_share(by);
+            set_pixel(picture, x, y,
+                      {between(255, accent.r, share), between(255, accent.g, share),
+                       between(255, accent.b, share), 255});
+        }
+    return picture;
+}
+
+}  // namespace scb

@@ -1,0 +1,41 @@
+#include "golden/compare/number_words.h"
+
+namespace scb::words {
+namespace {
+
+std::uint64_t magnitude(std::int64_t n) {
+    const auto bits = static_cast<std::uint64_t>(n);
+    return n < 0 ? 0 - bits : bits;
+}
+
+std::string place(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_string(y) + ")"; }
+
+}  // namespace
+
+std::string grouped(std::uint64_t n) {
+    std::string text = std::to_string(n);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+std::string grouped_signed(std::int64_t n, const char* minus) {
+    return (n < 0 ? minus : "") + grouped(magnitude(n));
+}
+
+std::string change_of(std::int64_t before, std::int64_t after, const char* minus) {
+    const auto a = static_cast<std::uint64_t>(before), b = static_cast<std::uint64_t>(after);
+    return after < before ? minus + grouped(a - b) : "+" + grouped(b - a);
+}
+
+std::string counted(std::uint64_t n, const char* one, const char* many) {
+    return grouped(n) + " " + (n == 1 ? one : many);
+}
+
+std::string box_words(const PixelBox& box) {
+    if (box.empty()) return "";
+    if (box.right == box.left + 1 && box.bottom == box.top + 1)
+        return "at " + place(box.left, box.top);
+    return "from " + place(box.left, box.top) + " to " + place(box.right - 1, box.bottom - 1);
+}
+
+}  // namespace scb::words

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "golden/compare/counts_difference.h"
+#include "golden/compare/id_difference.h"
+#include "golden/compare/image_difference.h"
+#include "golden/compare/verdict.h"
+
+namespace scb {
+
+/// A picture of a case in three versions, as paths of files relative to the folder of results.json;
+/// empty where there is none.
+struct ResultPictures {
+    std::string baseline, candidate, difference;
+
+    friend bool operator==(const ResultPictures&, const ResultPictures&) = default;
+};
+
+/// The key under which `counts` has volume tests by the depth of the pair, which no baseline holds.
+inline constexpr std::string_view tests_by_depth_key = "n_v at depth";
+bool is_of_trace(const CountChange& change);
+
+/// What came of one case.
+struct CaseResult {
+    std::string name;
+    Verdict verdict = Verdict::same;
+    std::string message;              ///< a sentence: what differs, or why it could not run
+    std::vector<std::string> lines;   ///< what changed in the terms of the field, a sentence each
+    std::vector<CountChange> counts;  ///< of the baseline, then those that only traces have
+    std::optional<IdDifference> ids;  ///< where ids were compared and differ
+    std::vector<std::string> owners;  ///< "node 412 of A, level 7", ... of the ids' changes
+    std::optional<ImageDifference> colors;  ///< where colors were compared and differ; of a case
+                                            ///< that is the same: within the tolerance
+    ColorTolerance tolerance;
+    int variant = 0;  ///< which accepted picture it was compared with: the first is 1; 0: none
+    ResultPictures picture, id_picture;
+    std::string reproduce;            ///< a command
+    std::string update;               ///< a command
+    std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
+    std::string trace_difference;     ///< how the traces differ, as lines of text
+    std::string diff;                 ///< a command, which compares the kept traces
+    double seconds = 0;
+
+    friend bool operator==(const CaseResult&, const CaseResult&) = default;
+};
+
+/// Whether its colors differ, but not beyond the tolerance that the case declares.
+bool is_tolerated(const CaseResult& result);
+
+/// The files that it names: pictures and traces, beside results.json.
+std::vector<std::string> files_of(const CaseResult& result);
+
+/// What came of a suite, or of a shard of it.
+struct SuiteResult {
+    std::string suite;  ///< path of the file with the cases
+    std::vector<std::pair<std::string, std::string>> environment;  ///< versions: name and value
+    std::vector<CaseResult> cases;                                 ///< in the order of the suite
+    std::string shard;                                             ///< "2/3"; empty: all
+    std::string incomplete;  ///< what of the run is missing: a sentence; empty: nothing
+
+    friend bool operator==(const SuiteResult&, const SuiteResult&) = default;
+};
+
+/// Whether a case failed, or the run is incomplete.
+bool has_failed(const SuiteResult& result);
+
+/// The result as JSON, from which result_of makes an equal one. It has every field, null where
+/// there is nothing; a box is [left, top, right, bottom], and `beyond` ends with its last entry
+/// that is not 0. Texts that are not UTF-8 stay as they are: dump it with
+/// nlohmann::json::error_handler_t::replace.
+nlohmann::ordered_json result_json(const SuiteResult& result);
+
+/// The result that such JSON says. Throws InputError, naming `path` and the place in it, where a
+/// field is missing, unknown, of another type or out of range.
+SuiteResult result_of(const nlohmann::json& json, const std::string& path);
+
+}  // namespace scb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "render/files/image.h"
+
+namespace scb {
+
+/// A pixel that has another color than before.
+struct PixelChange {
+    int x = 0, y = 0;  ///< from the left, from the top
+    Rgba8 before, after;
+
+    /// What was added to red, green, blue, alpha.
+    std::array<int, 4> by() const;
+    /// The largest of them, without its sign.
+    int most() const;
+};
+
+/// The pixels that differ most, at most `listed`; ties in the order of rows from the top. Both
+/// pictures of one size.
+std::vector<PixelChange> worst_pixels(const Image& before, const Image& after, std::size_t listed);
+
+}  // namespace scb

@@ -1,0 +1,220 @@
+#include "golden/report/html_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <cstdio>
+#include <kainjow/mustache.hpp>
+#include <set>
+#include <string_view>
+
+#include "golden/compare/number_words.h"
+#include "golden/report/report_pictures.h"
+#include "golden/report/report_tables.h"
+#include "golden/report/report_values.h"
+#include "golden/suite/shell_word.h"
+#include "render/gl/embedded.h"
+
+SCB_DECLARE_EMBEDDED(report_html)
+SCB_DECLARE_EMBEDDED(report_css)
+SCB_DECLARE_EMBEDDED(report_js)
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using kainjow::mustache::data;
+using kainjow::mustache::mustache;
+using report::flag;
+using words::counted;
+using words::grouped;
+
+constexpr std::array verdicts = {
+    Verdict::different,     Verdict::size_differs, Verdict::missing_baseline, Verdict::new_output,
+    Verdict::could_not_run, Verdict::same,         Verdict::skipped,
+};
+
+/// A longer text is folded away.
+constexpr std::size_t most_open_lines = 8;
+
+/// For ids of elements and the links to them.
+std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
+    std::string anchor = "case-";
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        anchor += plain ? c : '_';
+    }
+    const std::string first = anchor;
+    for (int i = 2; !taken.insert(anchor).second; ++i) anchor = first + "~" + std::to_string(i);
+    return anchor;
+}
+
+/// The update command without the name, for the page to put several names behind it; empty where
+/// there is none.
+std::string update_prefix(const CaseResult& result) {
+    const std::string name = " " + shell_word(result.name);
+    if (!result.update.ends_with(name)) return "";
+    return result.update.substr(0, result.update.size() - name.size());
+}
+
+std::string seconds_text(double seconds) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), seconds < 10 ? "%.2f s" : "%.0f s", seconds);
+    return text.data();
+}
+
+void set_commands(data& values, const CaseResult& result) {
+    data commands(data::type::list);
+    const auto add = [&](const char* title, const std::string& text) {
+        if (text.empty()) return;
+        data command;
+        command["title"] = title;
+        command["text"] = text;
+        commands << command;
+    };
+    add("Reproduce", result.reproduce);
+    add("Compare the traces", result.diff);
+    add("Update, if the change is right", result.update);
+    values["has_commands"] = flag(!commands.is_empty_list());
+    values.set("commands", commands);
+}
+
+data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::string>& anchors) {
+    data values;
+    values["name"] = result.name;
+    values["anchor"] = anchor_of(result.name, anchors);
+    values["verdict"] = std::string(verdict_name(result.verdict));
+    values["message"] = result.message;
+    values["has_message"] = flag(!result.message.empty());
+    values["seconds"] = seconds_text(result.seconds);
+    values["variant"] = std::to_string(result.variant);
+    values["has_variant"] = flag(result.variant > 1);
+    data lines(data::type::list);
+    for (const std::string& line : result.lines) {
+        data entry;
+        entry["line"] = line;
+        lines << entry;
+    }
+    values["has_lines"] = flag(!result.lines.empty());
+    values.set("lines", lines);
+
+    const auto trace_lines = static_cast<std::size_t>(
+        std::count(result.trace_difference.begin(), result.trace_difference.end(), '\n'));
+    values["trace"] = result.trace_difference;
+    values["has_short_trace"] = flag(trace_lines > 0 && trace_lines <= most_open_lines);
+    values["has_long_trace"] = flag(trace_lines > most_open_lines);
+    values["trace_words"] = counted(trace_lines, "line", "lines");
+
+    const data sets = report::pictures_of(result, folder);
+    values["has_pictures"] = flag(!sets.is_empty_list());
+    values["two_sets"] = flag(sets.list_value().size() > 1);
+    values.set("sets", sets);
+
+    report::set_tables(values, result, folder);
+    set_commands(values, result);
+    const std::string prefix = update_prefix(result);
+    values["can_update"] = flag(!prefix.empty());
+    values["update_prefix"] = prefix;
+    values["update_name"] = shell_word(result.name);
+    return values;
+}
+
+/// Cases that need one line only: passed or skipped.
+data brief_of(const CaseResult& result) {
+    data values;
+    values["name"] = result.name;
+    values["message"] = result.message;
+    values["has_message"] =
+        flag(result.verdict == Verdict::skipped ? !result.message.empty() : false);
+    values["variant"] = std::to_string(result.variant);
+    values["has_variant"] = flag(result.variant > 1);
+    values["is_tolerated"] = flag(is_tolerated(result));
+    if (is_tolerated(result))
+        values["tolerated"] = counted(result.colors->pixels, "pixel differs", "pixels differ") +
+                              ", by up to " + std::to_string(result.colors->largest) + " of 255";
+    return values;
+}
+
+void set_header(data& values, const SuiteResult& result, std::size_t failures) {
+    const std::size_t all = result.cases.size();
+    values["failed"] = flag(has_failed(result));
+    values["incomplete"] = result.incomplete;
+    values["has_incomplete"] = flag(!result.incomplete.empty());
+    if (all == 0)
+        values["headline"] = "No cases were run";
+    else if (failures > 0)
+        values["headline"] = grouped(failures) + " of " + counted(all, "case", "cases") + " failed";
+    else
+        values["headline"] = counted(all, "case", "cases") +
+                             (result.incomplete.empty() ? ", none failed" : ", but not all");
+    values["suite"] = result.suite;
+    values["shard"] = result.shard;
+    values["has_shard"] = flag(!result.shard.empty());
+    data chips(data::type::list);
+    for (const Verdict verdict : verdicts) {
+        const auto n = std::count_if(result.cases.begin(), result.cases.end(),
+                                     [&](const CaseResult& c) { return c.verdict == verdict; });
+        if (n == 0) continue;
+        data chip;
+        chip["verdict"] = std::string(verdict_name(verdict));
+        chip["n"] = grouped(static_cast<std::uint64_t>(n));
+        chips << chip;
+    }
+    values.set("chips", chips);
+    data environment(data::type::list);
+    for (const auto& [name, value] : result.environment) {
+        data entry;
+        entry["name"] = name;
+        entry["value"] = value;
+        environment << entry;
+    }
+    values["has_environment"] = flag(!result.environment.empty());
+    values.set("environment", environment);
+}
+
+}  // namespace
+
+std::string report_html(const SuiteResult& result, const fs::path& folder) {
+    data failures(data::type::list), passed(data::type::list), skipped(data::type::list);
+    std::set<std::string> anchors;
+    std::size_t failed = 0, same = 0, left_out = 0;
+    for (const Verdict verdict : verdicts)
+        for (const CaseResult& c : result.cases) {
+            if (c.verdict != verdict) continue;
+            if (is_failure(verdict)) {
+                failures << failure_of(c, folder, anchors);
+                ++failed;
+            } else if (verdict == Verdict::skipped) {
+                skipped << brief_of(c);
+                ++left_out;
+            } else {
+                passed << brief_of(c);
+                ++same;
+            }
+        }
+    data values;
+    values["style"] = std::string(SCB_EMBEDDED(report_css));
+    values["script"] = std::string(SCB_EMBEDDED(report_js));
+    set_header(values, result, failed);
+    values["has_failures"] = flag(failed > 0);
+    values["many_failures"] = flag(failed > 1);
+    values["failures_words"] = counted(failed, "failure", "failures");
+    values.set("failures", failures);
+    values["has_passed"] = flag(same > 0);
+    const auto tolerated = static_cast<std::size_t>(
+        std::count_if(result.cases.begin(), result.cases.end(), is_tolerated));
+    values["passed_words"] =
+        counted(same, "case is", "cases are") + " the same" +
+        (tolerated > 0 ? ", " + grouped(tolerated) + " of them within the tolerance" : "");
+    values.set("passed", passed);
+    values["has_skipped"] = flag(left_out > 0);
+    values["skipped_words"] = counted(left_out, "case was", "cases were") + " skipped";
+    values.set("skipped", skipped);
+    mustache html{std::string(SCB_EMBEDDED(report_html))};
+    assert(html.is_valid() && "the template is part of the program");
+    return html.render(values);
+}
+
+}  // namespace scb

@@ -1,0 +1,64 @@
+#include "golden/report/report_folder.h"
+
+#include "golden/report/html_report.h"
+#include "golden/suite/files_equal.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/text/file_bytes.h"
+#include "scenes/text/json_reader.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+void clear_report(const fs::path& folder) {
+    const std::string list = (folder / "results.json").string();
+    std::error_code ignored;
+    if (!fs::exists(list, ignored)) return;
+    SuiteResult old;
+    try {
+        old = result_of(parse_json(read_text_file(list, std::size_t{1} << 30), list), list);
+    } catch (const InputError&) {
+        return;  // whatever it is, it does not say which files are a report's
+    }
+    for (const CaseResult& c : old.cases)
+        for (const std::string& name : files_of(c))
+            if (fs::path(name).filename() == name) fs::remove(folder / name, ignored);
+    fs::remove(folder / "report.html", ignored);
+    fs::remove(list, ignored);
+}
+
+/// The place of a file of the report. Not a pipe: it would wait for a reader.
+fs::path place_of(const fs::path& folder, const fs::path& name) {
+    const fs::path place = folder / name;
+    std::error_code ignored;
+    if (fs::exists(place, ignored) && !is_there(place))
+        throw OutputError(place.string() +
+                          ": there is something of that name that is no file; remove it, or name "
+                          "another folder with --report.");
+    return place;
+}
+
+}  // namespace
+
+void write_report_folder(const SuiteResult& result, const fs::path& folder, const fs::path& work) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw OutputError(folder.string() + ": this folder cannot be made (" + error.message() +
+                          "); name another with --report.");
+    clear_report(folder);
+    for (const fs::directory_entry& entry : fs::directory_iterator(work))
+        write_file_whole(place_of(folder, entry.path().filename()),
+                         file_bytes(entry.path().string()));
+    write_file_whole(place_of(folder, "report.html"), report_html(result, work));
+    write_file_whole(place_of(folder, "results.json"), results_json(result));
+}
+
+std::string results_json(const SuiteResult& result) {
+    using Json = nlohmann::ordered_json;
+    return result_json(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace scb

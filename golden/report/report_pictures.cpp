@@ -1,0 +1,159 @@
+#include "golden/report/report_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "golden/compare/id_picture.h"
+#include "golden/report/base64.h"
+#include "golden/report/report_values.h"
+#include "render/files/image_file.h"
+#include "scb/error.h"
+
+namespace scb::report {
+namespace {
+
+namespace fs = std::filesystem;
+using kainjow::mustache::data;
+
+struct Png {
+    std::vector<std::uint8_t> bytes;
+    int width = 0, height = 0;
+};
+
+/// The bytes of a PNG file, or nothing where it is none.
+std::optional<Png> png_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    Png png;
+    png.bytes.assign(std::istreambuf_iterator<char>(file), {});
+    constexpr std::string_view start("\x89PNG\r\n\x1a\n", 8);
+    // The size stands in the first chunk, which has a fixed place.
+    if (png.bytes.size() < 24 ||
+        !std::equal(start.begin(), start.end(), png.bytes.begin(),
+                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }))
+        return std::nullopt;
+    const auto number = [&](std::size_t at) {
+        std::uint32_t n = 0;
+        for (std::size_t i = at; i < at + 4; ++i) n = n << 8 | png.bytes[i];
+        return static_cast<int>(std::min<std::uint32_t>(n, 1u << 20));
+    };
+    png.width = number(16);
+    png.height = number(20);
+    if (png.width == 0 || png.height == 0) return std::nullopt;
+    return png;
+}
+
+Png png_of(const Image& image) { return {encode_png(image), image.width, image.height}; }
+
+struct Pane {
+    const char* kind;   ///< also of the styles and the script
+    const char* title;  ///< what people read
+    std::string path;   ///< empty: there is none
+    std::optional<Png> png;
+};
+
+std::vector<Pane> panes_of(const ResultPictures& pictures, const fs::path& folder, bool ids) {
+    std::vector<Pane> panes{{"baseline", "baseline", pictures.baseline, {}},
+                            {"candidate", "new", pictures.candidate, {}},
+                            {"difference", "difference", pictures.difference, {}}};
+    for (Pane& pane : panes)
+        if (!pane.path.empty()) pane.png = png_file(folder / pane.path);
+    if (!ids) return panes;
+    std::array<std::optional<IdImage>, 2> owners;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!panes[i].png) continue;
+        try {
+            owners[i] = unpack_ids(read_png(folder / panes[i].path));
+            panes[i].png = png_of(shown_ids(*owners[i]));
+        } catch (const InputError&) {
+            panes[i].png.reset();
+        }
+    }
+    if (panes[2].path.empty() && owners[0] && owners[1] && owners[0]->width == owners[1]->width &&
+        owners[0]->height == owners[1]->height)
+        panes[2].png = png_of(shown_id_difference(*owners[0], *owners[1]));
+    return panes;
+}
+
+struct PictureSet {
+    const char* id;     ///< also of the styles and the script
+    const char* title;  ///< of the button that shows it
+    const ResultPictures& pictures;
+    PixelBox box;
+};
+
+/// Appends a picture in its versions, if there is any.
+void append_pictures(data& sets, const PictureSet& set, const CaseResult& result,
+                     const fs::path& folder) {
+    const bool ids = std::string_view(set.id) == "ids";
+    const std::vector<Pane> panes = panes_of(set.pictures, folder, ids);
+    int width = 0, height = 0;
+    for (const Pane& pane : panes)
+        if (pane.png) {
+            width = std::max(width, pane.png->width);
+            height = std::max(height, pane.png->height);
+        }
+    data figures(data::type::list);
+    bool any = false;
+    for (const Pane& pane : panes) {
+        if (pane.path.empty() && !pane.png) continue;
+        any = true;
+        data figure;
+        figure["kind"] = pane.kind;
+        figure["pane"] = pane.title;
+        figure["has_image"] = flag(pane.png.has_value());
+        figure["path"] = pane.path;
+        figure["alt"] =
+            std::string(ids ? "who owns each pixel of " : "") + result.name + ", " + pane.title;
+        // Every version is drawn at one scale, also where the sizes differ.
+        if (pane.png) {
+            figure["url"] = "data:image/png;base64," + base64(pane.png->bytes);
+            figure["width"] = std::to_string(pane.png->width);
+            figure["height"] = std::to_string(pane.png->height);
+            figure["size"] =
+                std::to_string(pane.png->width) + " × " + std::to_string(pane.png->height);
+            figure["share"] = percent(pane.png->width, width);
+        }
+        figures << figure;
+    }
+    if (!any) return;
+    data entry;
+    entry["set"] = set.id;
+    entry["set_title"] = set.title;
+    entry["set_note"] =
+        ids ? "Each thing has a color of its own; these are not the picture's colors." : "";
+    entry["has_set_note"] = flag(ids);
+    entry["set_width"] = std::to_string(std::max(width, 1));
+    entry["set_height"] = std::to_string(std::max(height, 1));
+    entry["comparable"] = flag(panes[0].png && panes[1].png);
+    entry["box"] = box_numbers(set.box);
+    entry["has_box"] = flag(!set.box.empty() && width > 0);
+    entry["box_left"] = percent(set.box.left, width);
+    entry["box_top"] = percent(set.box.top, height);
+    entry["box_width"] = percent(set.box.right - set.box.left, width);
+    entry["box_height"] = percent(set.box.bottom - set.box.top, height);
+    entry["first"] = flag(sets.is_empty_list());
+    entry.set("figures", figures);
+    sets << entry;
+}
+
+}  // namespace
+
+data pictures_of(const CaseResult& result, const fs::path& folder) {
+    data sets(data::type::list);
+    append_pictures(
+        sets,
+        {"colors", "picture", result.picture, result.colors ? result.colors->box : PixelBox{}},
+        result, folder);
+    append_pictures(sets,
+                    {"ids", "ids", result.id_picture, result.ids ? result.ids->box : PixelBox{}},
+                    result, folder);
+    return sets;
+}
+
+}  // namespace scb::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "golden/compare/result.h"
+
+namespace scb {
+
+/// The first counts that differ, with their values, a line each: "frames/100/n_v: 20,627 -> 20,630
+/// (+3)"; then one that says how many more there are.
+std::vector<std::string> count_lines(const CaseResult& result, std::size_t most = 10);
+
+/// What a case has to say below its message, in a terminal as in the logs of CI: the first counts
+/// that differ, then its lines. All as plain_text.
+std::vector<std::string> result_lines(const CaseResult& result);
+
+}  // namespace scb

@@ -1,0 +1,85 @@
+#include "golden/run/check_cases.h"
+
+#include <optional>
+
+#include "golden/run/failure_lines.h"
+#include "golden/run/for_each_in_threads.h"
+#include "golden/suite/baseline.h"
+#include "golden/suite/files_equal.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keeps both traces beside the report.
+void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
+    const auto keep = [&](const fs::path& folder, const char* kind) {
+        const fs::path from = case_files(folder, result.name).trace;
+        if (!is_there(from)) return;
+        std::error_code error;
+        const std::string name = result.name + "." + kind + ".scbtrace";
+        fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
+        if (!error) result.traces.push_back(name);
+    };
+    keep(folders.baselines, "baseline");
+    keep(folders.candidates, "new");
+}
+
+struct CheckedCase {
+    CaseResult result;
+    bool lacked_gl = false;
+};
+
+/// Nothing where it was stopped.
+std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenCheck& check) {
+    const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
+    if (run.stopped) return std::nullopt;
+    CheckedCase checked{{}, run.lacked_gl};
+    CaseResult& result = checked.result;
+    if (run.ran) {
+        result = compare_case(golden, check.folders);
+    } else {
+        result.name = golden.name;
+        result.verdict = run.skipped ? Verdict::skipped : Verdict::could_not_run;
+        result.message = run.message;
+    }
+    result.seconds = run.seconds;
+    if (result.verdict == Verdict::different) {
+        const bool before = is_there(case_files(check.folders.baselines, golden.name).trace);
+        const std::string trouble =
+            before || check.traces ? record_trace(golden, check.settings, check.folders.candidates)
+                                   : "";
+        if (!trouble.empty())
+            result.lines.push_back("The trace of this run could not be recorded: " + trouble);
+    }
+    return checked;
+}
+
+}  // namespace
+
+bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
+    const CaseFiles made = case_files(folders.candidates, golden.name);
+    return is_there(made.meta) && is_there(made.counts) &&
+           (!golden.colors || is_there(made.image)) && (!golden.ids || is_there(made.ids));
+}
+
+CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
+    std::vector<std::optional<CheckedCase>> done(check.cases.size());
+    for_each_in_threads(
+        check.cases.size(), check.jobs,
+        [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
+    // Not in the threads: meshes may be read for it, which is tried in a forked process first.
+    CheckedCases all;
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        if (!done[i]) continue;
+        all.lacked_gl += done[i]->lacked_gl;
+        CaseResult& result = all.results.emplace_back(std::move(done[i]->result));
+        if (result.verdict != Verdict::different) continue;
+        add_lines(result, check.cases[i], check.settings, check.folders);
+        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
+    }
+    return all;
+}
+
+}  // namespace scb

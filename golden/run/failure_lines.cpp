@@ -1,0 +1,113 @@
+#include "golden/run/failure_lines.h"
+
+#include <algorithm>
+#include <map>
+
+#include "golden/compare/mesh_difference.h"
+#include "golden/compare/number_words.h"
+#include "golden/run/pixel_owners.h"
+#include "golden/run/trace_lines.h"
+#include "golden/suite/baseline.h"
+#include "render/files/image_file.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+/// More do not help a reader.
+constexpr std::size_t most_things = 10;
+
+std::string pixels(std::size_t count) { return words::counted(count, "pixel", "pixels"); }
+
+/// "Node 412 of A, level 7 (id 413),", as the tables call it too.
+std::string subject(const std::string& name, std::uint32_t id) {
+    if (name.empty()) return "Id " + std::to_string(id);
+    std::string text = name;
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+    return text + " (id " + std::to_string(id) + ")";
+}
+
+std::string line_of(const IdChange& change, const std::string& name) {
+    const std::string who = subject(name, change.id);
+    if (change.after == 0) return who + " is missing: " + pixels(change.before) + ".";
+    if (change.before == 0) return who + " is new: " + pixels(change.after) + ".";
+    // As many as it lost it has got elsewhere.
+    if (change.before == change.after)
+        return who + " has " + pixels(change.after) + " as before, " +
+               words::grouped(change.moved / 2) + " of them elsewhere.";
+    return who + " had " + pixels(change.before) + " and has " + words::grouped(change.after) + ".";
+}
+
+void add_id_lines(CaseResult& result, const Owners& owners) {
+    for (const IdChange& change : result.ids->changes) {
+        result.owners.push_back(owners.name(change.id));
+        if (result.owners.size() <= most_things)
+            result.lines.push_back(line_of(change, result.owners.back()));
+    }
+    if (result.owners.size() > most_things)
+        result.lines.push_back(words::counted(result.owners.size() - most_things,
+                                              "more thing has other pixels.",
+                                              "more things have other pixels."));
+}
+
+/// Things whose pixels have other colors where the ids are the same.
+void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const Owners& owners) {
+    const CaseFiles made = case_files(folders.candidates, result.name);
+    const std::vector<std::filesystem::path> accepted =
+        accepted_images(folders.baselines, result.name);
+    const Image before = read_png(accepted[static_cast<std::size_t>(result.variant) - 1]),
+                after = read_png(made.image);
+    const IdImage ids = unpack_ids(read_png(made.ids));
+    if (ids.width != after.width || ids.height != after.height) return;
+    std::map<std::uint32_t, std::size_t> changed;
+    for (int y = 0; y < after.height; ++y)
+        for (int x = 0; x < after.width; ++x)
+            if (!(pixel(before, x, y) == pixel(after, x, y))) ++changed[pixel(ids, x, y)];
+    std::vector<std::pair<std::uint32_t, std::size_t>> most(changed.begin(), changed.end());
+    std::stable_sort(most.begin(), most.end(),
+                     [](const auto& x, const auto& y) { return x.second > y.second; });
+    for (std::size_t i = 0; i < most.size() && i < most_things; ++i)
+        result.lines.push_back((most[i].first == 0
+                                    ? "The background, or text and figures,"
+                                    : subject(owners.name(most[i].first), most[i].first)) +
+                               " has other colors: " + pixels(most[i].second) + ".");
+    if (most.size() > most_things)
+        result.lines.push_back(words::counted(most.size() - most_things,
+                                              "more thing has other colors.",
+                                              "more things have other colors."));
+}
+
+/// Says in front which meshes are others; false where none is.
+bool says_meshes(CaseResult& result, const ComparisonFolders& folders) {
+    try {
+        const std::string meshes = mesh_sentences(case_files(folders.baselines, result.name).meta,
+                                                  case_files(folders.candidates, result.name).meta);
+        if (meshes.empty()) return false;
+        result.message = meshes + " " + result.message;
+        return true;
+    } catch (const InputError& error) {
+        // Of a file that is not compared: the others still tell.
+        result.lines.push_back(error.what());
+        return false;
+    }
+}
+
+}  // namespace
+
+void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
+               const ComparisonFolders& folders) {
+    if (result.verdict != Verdict::different) return;
+    const bool other_meshes = says_meshes(result, folders);
+    try {
+        const bool same_meshes = add_trace_lines(result, folders, !other_meshes) && !other_meshes;
+        if (!result.ids && !(result.colors && golden.ids)) return;
+        const Owners owners(golden, settings, folders.candidates / (result.name + ".index.json"),
+                            same_meshes);
+        if (result.ids) add_id_lines(result, owners);
+        if (result.colors && golden.ids) add_color_lines(result, folders, owners);
+    } catch (const InputError& error) {
+        result.lines.push_back(error.what());
+    }
+}
+
+}  // namespace scb

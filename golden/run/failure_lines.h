@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/compare/comparison.h"
+#include "golden/run/run_case.h"
+
+namespace scb {
+
+/// What changed in the terms of the field, a sentence each: what the traces tell; then the nodes,
+/// triangles and pairs that appeared, vanished, or have other pixels or colors. Also gives the
+/// things of its ids their names, and says first in its message which meshes are others.
+void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
+               const ComparisonFolders& folders);
+
+}  // namespace scb

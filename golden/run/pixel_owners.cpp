@@ -1,0 +1,65 @@
+#include "golden/run/pixel_owners.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/query/scene_options.h"
+#include "scb/error.h"
+#include "scenes/scene/scene_hierarchies.h"
+#include "scenes/text/json_reader.h"
+
+namespace scb {
+
+using Json = nlohmann::json;
+
+Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
+               const std::filesystem::path& index, bool same_meshes)
+    : levels_(same_meshes) {
+    const Json document = parse_json(read_text_file(index.string()), index.string());
+    try {
+        SceneOptions options;
+        options.names = golden.scene;
+        options.models_dir = settings.models;
+        const Scene scene = options.load();
+        const std::vector<MeshTopology> topologies = build_topologies(scene);
+        for (const Body& body : scene.bodies)
+            depths_[body.name] = node_depths(*topologies[body.mesh].topology);
+        add_ranges(document);
+    } catch (const InputError&) {
+        // Then things have numbers only.
+    } catch (const Json::exception&) {
+    }
+}
+
+std::string Owners::name(std::uint32_t id) const {
+    for (const IdRange& range : ranges_) {
+        if (id < range.first || id - range.first >= range.count) continue;
+        const std::uint32_t number = id - range.first;
+        std::string text = range.what + " " + std::to_string(number);
+        if (!range.body.empty()) text += " of " + range.body;
+        const auto depths = depths_.find(range.body);
+        if (levels_ && range.what == "node" && depths != depths_.end() &&
+            number < depths->second.size())
+            text += ", level " + std::to_string(depths->second[number]);
+        return text;
+    }
+    return "";
+}
+
+void Owners::add_ranges(const Json& index) {
+    const Json& drawn = index.at("files").at(0);
+    if (index.contains("ids"))
+        for (const Json& range : index["ids"])
+            ranges_.push_back(
+                {range.at("what"), range.at("body"), range.at("first"), range.at("count")});
+    if (drawn.contains("pair_ids"))
+        ranges_.push_back(
+            {"pair", "", drawn["pair_ids"].at("first"), drawn["pair_ids"].at("count")});
+    if (!drawn.contains("bodies")) return;
+    for (const Json& body : drawn["bodies"]) {
+        const std::string name = body.at("body");
+        ranges_.push_back(
+            {"node", name, body.at("first_id"), static_cast<std::uint32_t>(depths_[name].size())});
+    }
+}
+
+}  // namespace scb

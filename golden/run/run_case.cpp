@@ -1,0 +1,184 @@
+#include "golden/run/run_case.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/exit_status.h"
+#include "golden/suite/baseline.h"
+#include "golden/suite/case_counts.h"
+#include "golden/suite/files_equal.h"
+#include "golden/suite/shell_word.h"
+#include "render/files/child_process.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/scene/builtin.h"
+#include "scenes/text/file_bytes.h"
+#include "scenes/text/json_reader.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+struct ChildEnd {
+    std::optional<ProcessEnd> end;  ///< nothing where it took too long or was stopped
+    bool stopped = false;
+    std::string printed, last_line;
+};
+
+ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
+    std::vector<std::string> words = settings.runner;
+    words.insert(words.end(), {settings.program, "--quiet"});
+    if (!settings.mutation.empty()) words.insert(words.end(), {"--mutation", settings.mutation});
+    words.insert(words.end(), command.begin(), command.end());
+    const UnnamedFile unused;
+    ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
+    ChildEnd result;
+    result.end = child.wait(settings.patience, settings.stopped);
+    result.stopped = !result.end && settings.stopped();
+    result.printed = child.printed();
+    result.last_line = child.last_line();
+    return result;
+}
+
+std::string ended_with(int status) { return "It ended with status " + std::to_string(status); }
+
+/// Why it did not do what it should; empty where it did. `inspect` ends with 1 where it has found
+/// wrong rejections, which are what the case is about.
+std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings, bool is_inspect) {
+    if (child.stopped) return "It was interrupted.";
+    if (!child.end)
+        return "It took longer than " + std::to_string(settings.patience.count()) +
+               " seconds and was ended.";
+    if (child.end->by_signal)
+        return "It was ended by signal " + std::to_string(child.end->code) + ".";
+    const int status = child.end->code;
+    if (status == exit_done || (status == exit_different && is_inspect)) return "";
+    constexpr std::string_view start = "scb: error: ";
+    std::string said = child.last_line;
+    if (said.starts_with(start)) said.erase(0, start.size());
+    return said.empty() ? ended_with(status) + "." : said;
+}
+
+/// Whether the scene is a built-in one whose meshes are not here.
+bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
+    const BuiltinScene* scene = find_builtin(golden.scene[0]);
+    return scene != nullptr && !missing_mesh_file(*scene, settings.models).empty();
+}
+
+std::string meta_text(const GoldenCase& golden, const Json& document) {
+    Json meta = {{"command", typed(command_of(in_own_folder(golden), "DIR"))}};
+    for (const char* key : {"bodies", "versions"})
+        if (document.contains(key)) meta[key] = document[key];
+    return meta.dump(2) + "\n";
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+        throw OutputError(to.string() + ": cannot be written (" + error.message() +
+                          "); see that the disk has room.");
+}
+
+/// The picture of a case among those that index.json has: of `inspect` the summary, behind which
+/// those of pairs of nodes follow; of others there must be no more than one.
+const Json& only_picture(const GoldenCase& golden, const Json& index) {
+    const Json& drawn = index.at("files");
+    if (golden.run == GoldenRun::inspect) return drawn.at(0);
+    if (drawn.size() != 1)
+        throw InputError("It draws " + std::to_string(drawn.size()) +
+                         " pictures, and a case is of one; name one frame, one volume and" +
+                         (golden.run == GoldenRun::levels ? " one level with `--levels`"
+                                                          : " leave out what makes more") +
+                         ", and make a case of each.");
+    return drawn.at(0);
+}
+
+/// Takes over what the command has left in `made`.
+void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& made,
+               const fs::path& folder) {
+    const CaseFiles files = case_files(folder, golden.name);
+    Json document;
+    if (has_picture(golden.run)) {
+        const fs::path index = made / "index.json";
+        if (!is_there(index))
+            throw InputError(ended_with(child.end->code) + " and has made no index.json.");
+        document = parse_json(read_text_file(index.string()), index.string());
+        const Json& drawn = only_picture(golden, document);
+        move_file(made / drawn.at("file").get<std::string>(), files.image);
+        if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
+        move_file(index, folder / (golden.name + ".index.json"));
+    } else {
+        document = parse_json(child.printed, "the output of the case");
+    }
+    write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
+    write_file_whole(files.meta, meta_text(golden, document));
+}
+
+/// The option must win over SCB_MODELS, which a run would find in its environment.
+void add_models(std::vector<std::string>& command, const GoldenRunSettings& settings) {
+    if (!settings.models.empty()) command.insert(command.end(), {"--models", settings.models});
+}
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,
+                      const fs::path& folder) {
+    const Clock::time_point start = Clock::now();
+    GoldenRunEnd result;
+    if (lacks_meshes(golden, settings)) {
+        result.skipped = true;
+        result.message = "The meshes of " + golden.scene[0] +
+                         " are not here; name their folder with --models or SCB_MODELS.";
+        return result;
+    }
+    const fs::path made = fs::absolute(folder) / (golden.name + ".made");
+    try {
+        std::vector<std::string> command = command_of(in_own_folder(golden), made);
+        add_models(command, settings);
+        if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
+        const ChildEnd child = run_child(settings, command);
+        result.message = trouble(child, settings, golden.run == GoldenRun::inspect);
+        result.stopped = child.stopped;
+        result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
+        if (result.message.empty()) take_over(golden, child, made, folder);
+        result.ran = result.message.empty();
+    } catch (const InputError& error) {
+        result.message = error.what();
+    } catch (const Json::exception& error) {
+        result.message = (has_picture(golden.run) ? "Its index.json is not as it should be: "
+                                                  : "What it prints is not as it should be: ") +
+                         std::string(error.what());
+    }
+    std::error_code ignored;
+    fs::remove_all(made, ignored);
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
+                         const fs::path& folder) {
+    if (golden.run == GoldenRun::levels) return "";
+    const CaseFiles files = case_files(folder, golden.name);
+    const std::string counts = files.counts.string(),
+                      frame = only_frame(parse_json(read_text_file(counts), counts));
+    if (frame.empty()) return "";
+    std::vector<std::string> command =
+        trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
+    add_models(command, settings);
+    return trouble(run_child(settings, command), settings, false);
+}
+
+std::string typed(const std::vector<std::string>& command) {
+    std::string text = "scb";
+    for (const std::string& word : command) text += " " + shell_word(word);
+    return text;
+}
+
+}  // namespace scb

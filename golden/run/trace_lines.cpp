@@ -1,0 +1,74 @@
+#include "golden/run/trace_lines.h"
+
+#include <algorithm>
+#include <map>
+
+#include "golden/suite/baseline.h"
+#include "scenes/traces/trace_diff_text.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::json;
+
+const TraceNames names = {"baseline", "new run"};
+
+/// Volume tests by the depth of the pair, frame by frame.
+Json tests_by_depth(const std::filesystem::path& trace) {
+    TraceInput input(trace.string());
+    Json counts = Json::object();
+    while (const TraceFrame* frame = input.reader.next()) {
+        std::map<int, std::int64_t> tests;
+        for (const VolumeTest& test : frame->events.volume_tests)
+            ++tests[test.depth_a + test.depth_b];
+        for (const auto& [depth, count] : tests)
+            counts["frames"][std::to_string(frame->frame)][std::string(tests_by_depth_key)]
+                  [std::to_string(depth)] = count;
+    }
+    return counts;
+}
+
+/// Lines of a text as one.
+std::string joined(const std::string& text) {
+    std::string line;
+    for (const char c : text)
+        if (c != '\n')
+            if (c != ' ' || !line.ends_with(' ')) line += c;
+    return line;
+}
+
+std::vector<std::string> conclusions(const TraceDiff& d, bool names_meshes) {
+    std::vector<std::string> lines;
+    for (const FieldDifference& field : d.asked)
+        if (names_meshes || !field.name.starts_with("mesh of "))
+            lines.push_back("Another " + field.name + ": " + field.a + " before, " + field.b +
+                            " now.");
+    if (const std::string lost = lost_pairs_text(d, names); !lost.empty())
+        lines.push_back(lost + ".");
+    if (d.first)
+        lines.push_back("They part first at " + joined(words_of(*d.first, d.bodies, names)));
+    return lines;
+}
+
+}  // namespace
+
+bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool names_meshes) {
+    const std::filesystem::path before = case_files(folders.baselines, result.name).trace,
+                                after = case_files(folders.candidates, result.name).trace;
+    std::error_code ignored;
+    if (!std::filesystem::exists(before, ignored) || !std::filesystem::exists(after, ignored))
+        return true;
+    TraceInput a(before.string()), b(after.string());
+    const TraceDiff d = diff(
+        a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
+        [&] { return b.reader.next(); });
+    for (CountChange& change : counts_difference(tests_by_depth(before), tests_by_depth(after)))
+        result.counts.push_back(std::move(change));
+    if (d.equal()) return true;
+    for (std::string& line : conclusions(d, names_meshes)) result.lines.push_back(std::move(line));
+    result.trace_difference = trace_diff_text(d, names);
+    return d.nodes_comparable;
+}
+
+}  // namespace scb

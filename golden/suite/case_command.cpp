@@ -1,0 +1,112 @@
+#include "golden/suite/case_command.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "scenes/scene/builtin.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What of a query a trace records; each has a value.
+constexpr std::string_view recorded_arguments[] = {"--pose",      "--growth",  "--margin",
+                                                   "--threshold", "--descent", "--bodies",
+                                                   "--max-pairs", "--level"};
+
+void add_option(std::vector<std::string>& command, const char* option, const std::string& value) {
+    if (value.empty()) return;
+    command.emplace_back(option);
+    command.push_back(value);
+}
+
+/// The file of that name in the folder.
+std::string in_folder(const fs::path& folder, const std::string& name) {
+    const std::string path = (folder / name).lexically_normal().string();
+    // A leading dash reads as an option.
+    return path.starts_with('-') ? "./" + path : path;
+}
+
+std::string scene_from_here(const std::string& name, const fs::path& folder,
+                            const fs::path& models) {
+    if (find_builtin(name) != nullptr) return name;
+    std::error_code ignored;
+    const bool in_models = !models.empty() && !fs::exists(folder / name, ignored) &&
+                           fs::exists(models / name, ignored);
+    return in_folder(in_models ? models : folder, name);
+}
+
+/// Arguments may name a file too, a camera.
+std::string argument_from_here(const std::string& word, const fs::path& folder) {
+    const std::size_t start = word.starts_with("--") ? word.find('=') + 1 : 0;
+    const std::string file = word.substr(start);
+    std::error_code ignored;
+    if (!file.ends_with(".json") || !fs::is_regular_file(folder / file, ignored)) return word;
+    return word.substr(0, start) + in_folder(folder, file);
+}
+
+}  // namespace
+
+std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& folder) {
+    const std::string name(golden_run_name(golden.run));
+    std::vector<std::string> command;
+    if (golden.run != GoldenRun::inspect && golden.run != GoldenRun::collide)
+        command.emplace_back("render");
+    command.push_back(name);
+    command.insert(command.end(), golden.scene.begin(), golden.scene.end());
+    add_option(command, golden.run == GoldenRun::levels ? "--frame" : "--frames", golden.frames);
+    add_option(command, "--volume", golden.volume);
+    add_option(command, "--test", golden.test);
+    command.insert(command.end(), golden.arguments.begin(), golden.arguments.end());
+    if (!has_picture(golden.run)) {
+        command.emplace_back("--json");
+        return command;
+    }
+    add_option(command, "--size", golden.size.empty() ? "320x240" : golden.size);
+    if (has_ids(golden.run)) {
+        add_option(command, "--samples", "1");
+        command.emplace_back("--ids");
+    }
+    if (golden.run == GoldenRun::levels) command.emplace_back("--no-sheet");
+    if (golden.run == GoldenRun::inspect) add_option(command, "--top", "1");
+    add_option(command, "--jobs", "1");
+    add_option(command, "-o", folder.string());
+    return command;
+}
+
+std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::string& frame,
+                                          const fs::path& file) {
+    std::vector<std::string> command = {"trace"};
+    command.insert(command.end(), golden.scene.begin(), golden.scene.end());
+    add_option(command, "--frames", frame);
+    add_option(command, "--volume", golden.volume);
+    add_option(command, "--test", golden.test);
+    for (std::size_t i = 0; i < golden.arguments.size(); ++i) {
+        const std::string& word = golden.arguments[i];
+        const bool alone = word.find('=') == std::string::npos;
+        if (std::find(std::begin(recorded_arguments), std::end(recorded_arguments),
+                      word.substr(0, word.find('='))) == std::end(recorded_arguments))
+            continue;
+        command.push_back(word);
+        if (alone && i + 1 < golden.arguments.size()) command.push_back(golden.arguments[++i]);
+    }
+    add_option(command, "-o", file.string());
+    return command;
+}
+
+GoldenCase in_own_folder(GoldenCase golden) {
+    golden.scene = golden.own_scene;
+    golden.arguments = golden.own_arguments;
+    return golden;
+}
+
+GoldenCase seen_from_here(GoldenCase golden, const fs::path& folder, const fs::path& models) {
+    golden.scene = golden.own_scene;
+    for (std::string& name : golden.scene) name = scene_from_here(name, folder, models);
+    golden.arguments = golden.own_arguments;
+    for (std::string& word : golden.arguments) word = argument_from_here(word, folder);
+    return golden;
+}
+
+}  // namespace scb

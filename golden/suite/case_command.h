@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/suite/suite.h"
+
+namespace scb {
+
+/// The command line of a case after `scb`: writes into `folder`, or prints JSON where it makes no
+/// picture.
+std::vector<std::string> command_of(const GoldenCase& golden, const std::filesystem::path& folder);
+
+/// The command line that records the trace of that frame of the case's query.
+std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::string& frame,
+                                          const std::filesystem::path& file);
+
+/// The case as its command line is in the folder of the suite, wherever that is.
+GoldenCase in_own_folder(GoldenCase golden);
+
+/// The case as its command line is here: files of the suite are in `folder`, which is that of the
+/// suite, or else in that of models.
+GoldenCase seen_from_here(GoldenCase golden, const std::filesystem::path& folder,
+                          const std::filesystem::path& models);
+
+}  // namespace scb

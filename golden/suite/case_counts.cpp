@@ -1,0 +1,111 @@
+#include "golden/suite/case_counts.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What the elements of a list are called after; empty where they have no names.
+std::string name_of(const Json& element) {
+    for (const char* key : {"frame", "body", "depth"})
+        if (element.contains(key))
+            return element[key].is_string() ? element[key].get<std::string>() : element[key].dump();
+    if (!element.contains("test") || !element["test"].is_string()) return "";
+    const std::string test = element["test"];
+    return element.contains("threshold") ? test + " " + element["threshold"].dump() : test;
+}
+
+/// Where pixels' ids begin, and what else are numbers but no counts.
+bool is_no_count(const std::string& key) {
+    constexpr std::string_view keys[] = {"first_id", "pair_ids", "frame", "depth_of_pair", "test"};
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
+}
+
+/// Nothing where there are no counts in it, as in all but objects, lists, integers and truths.
+std::optional<Json> counts_in(const Json& value, const std::string& place);
+
+std::int64_t hash_count(const Json& hash, const std::string& place) {
+    constexpr int dropped_bits = 64 - 53;
+    const std::string text = hash.is_string() ? hash.get<std::string>() : "";
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    if (text.size() != 16 || std::from_chars(text.data(), end, value, 16).ptr != end)
+        throw InputError(place + " is no hash of 16 hexadecimal digits; was it made by this scb?");
+    return static_cast<std::int64_t>(value >> dropped_bits);
+}
+
+std::optional<Json> counts_in_list(const Json& list, const std::string& place) {
+    Json counts = Json::object();
+    for (const Json& element : list) {
+        if (!element.is_object()) return std::nullopt;
+        const std::string name = name_of(element);
+        if (name.empty() || counts.contains(name))
+            throw InputError(
+                place +
+                (name.empty() ? " has an element without a name" : " has " + name + " twice") +
+                ", so its counts cannot be told apart; make a case of each.");
+        counts[name] = counts_in(element, place + "/" + name).value_or(Json::object());
+    }
+    return counts;
+}
+
+std::optional<Json> counts_in_object(const Json& object, const std::string& place) {
+    Json counts = Json::object();
+    for (const auto& [key, inner] : object.items()) {
+        if (is_no_count(key)) continue;
+        const std::string inner_place = place + "/" + key;
+        if (key == "pairs_hash") {
+            counts[key] = hash_count(inner, inner_place);
+        } else if (std::optional<Json> found = counts_in(inner, inner_place)) {
+            counts[key] = std::move(*found);
+        }
+    }
+    if (counts.empty()) return std::nullopt;
+    return counts;
+}
+
+std::optional<Json> counts_in(const Json& value, const std::string& place) {
+    if (value.is_boolean()) return Json(value.get<bool>() ? 1 : 0);
+    if (value.is_number_integer()) return value;
+    std::optional<Json> counts;
+    if (value.is_array()) counts = counts_in_list(value, place);
+    if (value.is_object()) counts = counts_in_object(value, place);
+    if (counts && counts->empty()) return std::nullopt;
+    return counts;
+}
+
+}  // namespace
+
+Json case_counts(GoldenRun run, const Json& document) {
+    Json counts = Json::object();
+    const auto take = [&](const char* from, const char* to) {
+        if (!document.is_object() || !document.contains(from))
+            throw InputError(std::string("There is no `") + from +
+                             "` in what it made, whose counts are compared; was it made by this "
+                             "scb?");
+        counts[to] = counts_in(document[from], from).value_or(Json::object());
+    };
+    if (run == GoldenRun::inspect) {
+        for (const char* key : {"frames", "sum", "depths", "other_tests"}) take(key, key);
+    } else {
+        take(has_picture(run) ? "files" : "frames", "frames");
+    }
+    if (counts["frames"].empty())
+        throw InputError("It made no counts of any frame, so nothing would be compared.");
+    return counts;
+}
+
+std::string only_frame(const Json& counts) {
+    const auto frames = counts.find("frames");
+    if (frames == counts.end() || !frames->is_object() || frames->size() != 1) return "";
+    return frames->begin().key();
+}
+
+}  // namespace scb

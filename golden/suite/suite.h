@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "golden/compare/image_difference.h"
+
+namespace scb {
+
+/// What a case makes: the commands of scb.
+enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide };
+
+/// "levels", "pairs", ...
+std::string_view golden_run_name(GoldenRun run);
+
+/// Whether it makes a picture; whether that has ids.
+bool has_picture(GoldenRun run);
+bool has_ids(GoldenRun run);
+
+/// One thing that must not change.
+struct GoldenCase {
+    std::string name;  ///< letters, digits, '_' and '-'; baselines are named after it
+    GoldenRun run = GoldenRun::levels;
+    std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
+    std::string frames;                  ///< --frame of levels, --frames of the others; empty: none
+    std::string volume, test;            ///< --volume, --test; empty: none
+    std::string size;                    ///< of pictures, WIDTHxHEIGHT
+    std::vector<std::string> arguments;  ///< more of the command line
+    /// The scene and arguments as the suite has them: files are relative to its folder, while those
+    /// above can be opened from here.
+    std::vector<std::string> own_scene, own_arguments;
+    bool counts = true, ids = true, colors = true;  ///< what is compared
+    ColorTolerance tolerance;
+};
+
+/// The cases of a file, in its order.
+struct Suite {
+    std::filesystem::path file;
+    std::vector<GoldenCase> cases;
+};
+
+/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for whatever is
+/// unknown, missing or out of range, for a name or a preset that is there twice, for no cases, for
+/// arguments that a case must not have (where it writes, what it prints), for a picture of several
+/// frames or volumes, and for a comparison or a tolerance of what the run does not make.
+Suite load_suite(const std::filesystem::path& file);
+
+}  // namespace scb

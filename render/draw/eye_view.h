@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/gl/gl_program.h"
+#include "render/view/camera.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// A pane's camera as the shaders need it. Lengths are divided by the far distance, so that single
+/// precision serves scenes of any size; all that is done here is done in double precision.
+struct EyeView {
+    Camera camera;
+    double unit = 1;        ///< world length of one unit of eye space: the far distance
+    double near_plane = 0;  ///< in eye units; the far plane is at 1
+    double half_width =
+        0;  ///< of the view: at depth 1 (perspective) or anywhere (orthographic), eye units
+    double half_height = 0;
+    PixelRect target;  ///< of the pane in the render target, origin at the bottom left
+    int scale = 1;     ///< render target pixels per pixel of the picture, in x and y
+};
+
+/// `picture_height` in pixels; `scale` is 1 or 2. Asserts that the pane's rectangle is not empty.
+EyeView make_eye_view(const Pane& pane, int picture_height, int scale);
+
+/// A world point in eye space, in eye units.
+Vec3 to_eye_units(const EyeView& view, const Vec3& point);
+
+/// A world direction in eye space.
+Vec3 rotate_to_eye(const EyeView& view, const Vec3& direction);
+
+/// Sets the uniforms of shaders/eye.glsl in a program that is in use.
+void set_eye_uniforms(const GlProgram& program, const EyeView& view);
+
+}  // namespace scb

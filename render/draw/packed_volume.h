@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "render/draw/eye_view.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// A volume as shaders/volume.vert reads it: five texels of four words. 0: its rectangle on the
+/// screen (left, bottom, right, top in normalised device coordinates); 1 to 3: its shape in eye
+/// space; 4: color and id.
+struct PackedVolume {
+    bool is_box;
+    std::array<std::uint32_t, 20> words;
+};
+
+/// Nothing where the volume is outside the view, or has no size.
+std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& view);
+
+}  // namespace scb

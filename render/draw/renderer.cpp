@@ -1,0 +1,215 @@
+#include "render/draw/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "render/draw/eye_view.h"
+#include "render/draw/mesh_painter.h"
+#include "render/draw/outline.h"
+#include "render/draw/overlay_painter.h"
+#include "render/draw/resolve.h"
+#include "render/draw/segment_painter.h"
+#include "render/draw/volume_painter.h"
+#include "render/gl/render_target.h"
+#include "scb/error.h"
+
+namespace scb {
+
+namespace {
+
+// Rows of a picture that are read back at a time: their samples stay in the cache.
+constexpr int rows_at_a_time = 16;
+
+/// Of a render target's side.
+int largest_side(const Gl& gl) {
+    std::array<GLint, 2> viewport{};
+    GLint texture = 0;
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    return std::min({viewport[0], viewport[1], texture});
+}
+
+/// Render target pixels per pixel of the picture, in x and y.
+int scale_of(int samples) { return samples == 4 ? 2 : 1; }
+
+std::string size_text(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+void check(const Picture& picture, int limit) {
+    const int w = picture.width, h = picture.height;
+    if (picture.samples != 1 && picture.samples != 4)
+        throw InputError("A picture has 1 or 4 samples a pixel, not " +
+                         std::to_string(picture.samples) + ".");
+    if (w < 1 || h < 1)
+        throw InputError("A picture of " + size_text(w, h) + " pixels is empty; give it a size.");
+    if (w > limit || h > limit)
+        throw InputError("A picture of " + size_text(w, h) + " pixels is too large; with " +
+                         std::to_string(picture.samples) +
+                         " samples a pixel no side may be longer than " + std::to_string(limit) +
+                         " pixels.");
+    for (const Pane& pane : picture.panes) {
+        const PixelRect& v = pane.viewport;
+        // Subtracted, not added: the sum of two large numbers would overflow.
+        if (v.x < 0 || v.y < 0 || v.width < 1 || v.height < 1 || v.width > w - v.x ||
+            v.height > h - v.y)
+            throw InputError("A pane of " + size_text(v.width, v.height) + " pixels at (" +
+                             std::to_string(v.x) + ", " + std::to_string(v.y) +
+                             ") does not lie inside the picture of " + size_text(w, h) + ".");
+    }
+}
+
+void clear(const Gl& gl, Rgba8 background) {
+    const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255; };
+    const std::array<float, 4> color{channel(background.r), channel(background.g),
+                                     channel(background.b), 1};
+    const std::array<GLuint, 4> no_id{};
+    const float far_depth = 1;
+    gl.ClearBufferfv(GL_COLOR, 0, color.data());
+    gl.ClearBufferuiv(GL_COLOR, 1, no_id.data());
+    gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    const Gl& gl;
+    int limit;
+    MeshPainter meshes;
+    VolumePainter volumes;
+    SegmentPainter segments;
+    OverlayPainter overlay;
+    std::optional<RenderTarget> drawn;     // at the resolution of the samples
+    std::optional<RenderTarget> overlaid;  // at that of the picture, top row first: for the overlay
+    std::vector<std::uint32_t> samples;    // these two are kept for their memory
+    std::vector<std::uint32_t> row;
+
+    explicit Parts(const Gl& functions)
+        : gl(functions),
+          limit(largest_side(gl)),
+          meshes(gl),
+          volumes(gl),
+          segments(gl),
+          overlay(gl) {}
+
+    void fit_target(std::optional<RenderTarget>& target, int width, int height, bool with_depth) {
+        if (target && target->width() == width && target->height() == height) return;
+        target.reset();
+        target.emplace(gl, width, height, with_depth);
+    }
+
+    void draw_pane(const Pane& pane, const Picture& picture, int scale) {
+        const EyeView view = make_eye_view(pane, picture.height, scale);
+        const Rgba8 background = pane.background.value_or(picture.background);
+        gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
+        gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
+        // The first one is clear if it has the picture's background. (With a scissor this is not
+        // for nothing: quads are drawn.)
+        if (&pane != &picture.panes.front() || background != picture.background)
+            clear(gl, background);
+        for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
+        volumes.draw_opaque(pane.volumes, view);
+        segments.draw(pane.segments, view, false);
+        for (const MeshDraw& mesh : pane.meshes) meshes.draw_shown_through(mesh, view, background);
+        volumes.draw_translucent(pane.volumes, view);
+        segments.draw(pane.segments, view, true);
+    }
+
+    /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. Not
+    /// by a shader, which on llvmpipe takes a fifth of the processor time of a whole picture.
+    template <typename Resolve>
+    void read_resolved(GLenum attachment, GLenum format, GLenum type, int scale, void* pixels,
+                       Resolve resolve) {
+        const int width = drawn->width() / scale, height = drawn->height() / scale;
+        const std::size_t words =
+            static_cast<std::size_t>(scale) * static_cast<std::size_t>(drawn->width());  // per row
+        samples.resize(rows_at_a_time * words);
+        row.resize(static_cast<std::size_t>(width));
+        auto* bytes = static_cast<std::uint8_t*>(pixels);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, drawn->framebuffer());
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+        gl.ReadBuffer(attachment);
+        for (int top = 0; top < height; top += rows_at_a_time) {
+            const int rows = std::min(rows_at_a_time, height - top);
+            gl.ReadPixels(0, scale * (height - top - rows), drawn->width(), scale * rows, format,
+                          type, samples.data());
+            for (int i = rows - 1; i >= 0; --i) {
+                resolve(samples.data() + static_cast<std::size_t>(i) * words, scale, row);
+                std::memcpy(bytes, row.data(), 4 * row.size());
+                bytes += 4 * row.size();
+            }
+        }
+    }
+
+    Rendering read_back(int scale, bool with_ids) {
+        const int width = drawn->width() / scale, height = drawn->height() / scale;
+        const std::size_t pixels =
+            static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        Rendering result{{width, height, std::vector<std::uint8_t>(4 * pixels)}, std::nullopt};
+        read_resolved(GL_COLOR_ATTACHMENT0, GL_RGBA, GL_UNSIGNED_BYTE, scale,
+                      result.image.rgba.data(), resolve_colors);
+        if (!with_ids) return result;
+        result.ids = IdImage{width, height, std::vector<std::uint32_t>(pixels)};
+        read_resolved(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT, scale,
+                      result.ids->ids.data(), resolve_ids);
+        return result;
+    }
+
+    void paint_over(Image& image, const Overlay& figures) {
+        fit_target(overlaid, image.width, image.height, false);
+        gl.BindTexture(GL_TEXTURE_2D, overlaid->colors());
+        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA,
+                         GL_UNSIGNED_BYTE, image.rgba.data());
+        gl.BindFramebuffer(GL_FRAMEBUFFER, overlaid->framebuffer());
+        overlay.paint(figures, image.width, image.height);
+        gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
+        gl.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      image.rgba.data());
+    }
+};
+
+Renderer::Renderer(const Context& context) : parts_(std::make_unique<Parts>(context.gl())) {}
+
+Renderer::~Renderer() = default;
+
+MeshHandle Renderer::upload(const Mesh& mesh) { return parts_->meshes.upload(mesh); }
+
+void Renderer::release(MeshHandle handle) { parts_->meshes.release(handle); }
+
+int Renderer::largest_size(int samples) const { return parts_->limit / scale_of(samples); }
+
+Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool with_ids) {
+    const Gl& gl = parts_->gl;
+    const int scale = scale_of(picture.samples);
+    check(picture, largest_size(picture.samples));
+    parts_->fit_target(parts_->drawn, scale * picture.width, scale * picture.height, true);
+
+    gl.BindFramebuffer(GL_FRAMEBUFFER, parts_->drawn->framebuffer());
+    gl.Disable(GL_SCISSOR_TEST);
+    clear(gl, picture.background);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    for (const Pane& pane : picture.panes) parts_->draw_pane(pane, picture, scale);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_SCISSOR_TEST);
+
+    const bool outlined = std::any_of(picture.panes.begin(), picture.panes.end(),
+                                      [](const Pane& pane) { return !pane.outline.ids.empty(); });
+    Rendering result = parts_->read_back(scale, with_ids || outlined);
+    for (const Pane& pane : picture.panes)
+        if (!pane.outline.ids.empty())
+            draw_outline(result.image, *result.ids, pane.viewport, pane.outline);
+    if (!with_ids) result.ids.reset();
+    if (overlay) parts_->paint_over(result.image, *overlay);
+    if (gl.GetError() != GL_NO_ERROR)
+        throw DrawError("The OpenGL library could not draw a picture of " +
+                        size_text(picture.width, picture.height) +
+                        " pixels; it may be out of memory.");
+    return result;
+}
+
+}  // namespace scb

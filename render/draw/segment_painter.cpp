@@ -1,0 +1,98 @@
+#include "render/draw/segment_painter.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "render/gl/embedded.h"
+
+SCB_DECLARE_EMBEDDED(eye_glsl)
+SCB_DECLARE_EMBEDDED(segment_vert)
+SCB_DECLARE_EMBEDDED(segment_frag)
+
+namespace scb {
+
+namespace {
+
+struct Corner {
+    std::array<float, 3> position;
+    Rgba8 color;
+    std::uint32_t id;
+};
+
+/// A point on the screen: x, y in pixels of the render target from its middle, and the distance
+/// from the eye.
+struct ScreenPoint {
+    double x, y, depth;
+};
+
+ScreenPoint to_screen(const Vec3& eye, const EyeView& view) {
+    const double depth = -eye[2];
+    const double divisor =
+        (view.camera.orthographic ? 1 : depth) * view.half_height * 2 / view.target.height;
+    return {eye[0] / divisor, eye[1] / divisor, depth};
+}
+
+void append(std::vector<Corner>& corners, const Segment& segment, const EyeView& view) {
+    Vec3 a = to_eye_units(view, segment.from), b = to_eye_units(view, segment.to);
+    if (a[2] > b[2]) std::swap(a, b);  // a is the farther end
+    const double limit = -view.near_plane;
+    if (a[2] > limit) return;
+    if (b[2] > limit) b = a + (limit - a[2]) / (b[2] - a[2]) * (b - a);
+
+    const ScreenPoint p = to_screen(a, view), q = to_screen(b, view);
+    const double half = segment.width * view.scale / 2;
+    double dx = q.x - p.x, dy = q.y - p.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    // Seen end on, a segment is a dot; the ends reach out by half the width, so that joints close.
+    dx = length > 0 ? dx / length * half : half;
+    dy = length > 0 ? dy / length * half : 0;
+    const auto corner = [&](const ScreenPoint& at, double along, double across) {
+        const double x = at.x + along * dx - across * dy, y = at.y + along * dy + across * dx;
+        corners.push_back(
+            {{static_cast<float>(2 * x / view.target.width),
+              static_cast<float>(2 * y / view.target.height), static_cast<float>(at.depth)},
+             segment.color,
+             segment.id});
+    };
+    corner(p, -1, -1), corner(q, 1, -1), corner(q, 1, 1);
+    corner(p, -1, -1), corner(q, 1, 1), corner(p, -1, 1);
+}
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace
+
+SegmentPainter::SegmentPainter(const Gl& gl)
+    : gl_(gl),
+      program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(segment_vert)},
+               {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(segment_frag)}),
+      attributes_(gl),
+      buffer_(gl) {
+    gl_.BindVertexArray(attributes_.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
+                            offset(offsetof(Corner, position)));
+    gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner),
+                            offset(offsetof(Corner, color)));
+    gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, id)));
+    for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
+}
+
+void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& view, bool on_top) {
+    std::vector<Corner> corners;
+    for (const Segment& segment : segments)
+        if (segment.on_top == on_top) append(corners, segment, view);
+    if (corners.empty()) return;
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
+                   corners.data(), GL_STREAM_DRAW);
+    program_.use();
+    set_eye_uniforms(program_, view);
+    gl_.BindVertexArray(attributes_.name());
+    if (on_top) gl_.Disable(GL_DEPTH_TEST);
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+    if (on_top) gl_.Enable(GL_DEPTH_TEST);
+}
+
+}  // namespace scb

@@ -1,0 +1,135 @@
+#include "render/draw/volume_painter.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "render/draw/packed_volume.h"
+#include "render/gl/embedded.h"
+
+SCB_DECLARE_EMBEDDED(eye_glsl)
+SCB_DECLARE_EMBEDDED(light_glsl)
+SCB_DECLARE_EMBEDDED(volume_glsl)
+SCB_DECLARE_EMBEDDED(volume_vert)
+SCB_DECLARE_EMBEDDED(scb_frag)
+SCB_DECLARE_EMBEDDED(obb_frag)
+
+namespace scb {
+
+namespace {
+
+constexpr std::size_t texels_per_volume = 5;
+constexpr std::size_t words_per_volume = 4 * texels_per_volume;
+
+std::size_t largest_batch(const Gl& gl) {
+    GLint texels = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    // And the vertex numbers, 12 for a volume, must fit into an int.
+    return std::min<std::size_t>(static_cast<std::size_t>(texels) / texels_per_volume, 1u << 24);
+}
+
+}  // namespace
+
+VolumePainter::VolumePainter(const Gl& gl)
+    : gl_(gl),
+      scb_program_(gl, {SCB_EMBEDDED(volume_vert)},
+                   {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
+                    SCB_EMBEDDED(scb_frag)}),
+      obb_program_(gl, {SCB_EMBEDDED(volume_vert)},
+                   {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
+                    SCB_EMBEDDED(obb_frag)}),
+      no_attributes_(gl),
+      buffer_(gl),
+      texture_(gl),
+      batch_limit_(largest_batch(gl)) {}
+
+void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view) {
+    std::vector<const VolumeInstance*> opaque;
+    for (const VolumeInstance& volume : volumes)
+        if (volume.color.a == 255) opaque.push_back(&volume);
+    // Batches by program; the depth test makes the order of no account.
+    std::stable_partition(opaque.begin(), opaque.end(), [](const VolumeInstance* volume) {
+        return !std::holds_alternative<Obb>(volume->volume);
+    });
+    pack_all(opaque, view);
+    draw(view, Sides::nearest);
+}
+
+void VolumePainter::draw_translucent(const std::vector<VolumeInstance>& volumes,
+                                     const EyeView& view) {
+    struct Entry {
+        double backward;  // coordinate of the center: the farthest is the lowest
+        const VolumeInstance* volume;
+    };
+    std::vector<Entry> entries;
+    for (const VolumeInstance& volume : volumes)
+        if (volume.color.a > 0 && volume.color.a < 255)
+            entries.push_back({to_eye_units(view, center(volume.volume))[2], &volume});
+    if (entries.empty()) return;
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.backward, a.volume->id) < std::tie(b.backward, b.volume->id);
+    });
+    std::vector<const VolumeInstance*> sorted;
+    for (const Entry& entry : entries) sorted.push_back(entry.volume);
+    pack_all(sorted, view);
+
+    gl_.DepthMask(GL_FALSE);
+    gl_.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw(view, Sides::back_then_front);
+    gl_.Disable(GL_BLEND);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+    gl_.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw(view, Sides::nearest);
+    gl_.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
+                             const EyeView& view) {
+    texels_.clear();
+    runs_.clear();
+    uploaded_batch_.reset();
+    std::size_t count = 0;
+    for (const VolumeInstance* volume : volumes) {
+        const std::optional<PackedVolume> packed = pack(*volume, view);
+        if (!packed) continue;
+        const Shape shape = packed->is_box ? Shape::obb : Shape::scb;
+        if (runs_.empty() || runs_.back().shape != shape || count % batch_limit_ == 0)
+            runs_.push_back({shape, count, 0});
+        texels_.insert(texels_.end(), packed->words.begin(), packed->words.end());
+        ++runs_.back().count;
+        ++count;
+    }
+}
+
+void VolumePainter::draw(const EyeView& view, Sides sides) {
+    gl_.BindVertexArray(no_attributes_.name());
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    for (const Run& run : runs_) {
+        upload(run.first / batch_limit_);
+        const GlProgram& program = run.shape == Shape::scb ? scb_program_ : obb_program_;
+        program.use();
+        set_eye_uniforms(program, view);
+        program.set("volumes", 0);
+        program.set("sides", static_cast<int>(sides));
+        const std::size_t corners = 6 * static_cast<std::size_t>(sides);
+        gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
+                       static_cast<GLsizei>(corners * run.count));
+    }
+}
+
+void VolumePainter::upload(std::size_t batch) {
+    if (uploaded_batch_ == batch) return;
+    const std::size_t first = batch * batch_limit_ * words_per_volume;
+    const std::size_t count = std::min(texels_.size() - first, batch_limit_ * words_per_volume);
+    gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)),
+                   texels_.data() + first, GL_STREAM_DRAW);
+    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffer_.name());
+    uploaded_batch_ = batch;
+}
+
+}  // namespace scb

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/draw/eye_view.h"
+#include "render/gl/gl_program.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
+/// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
+/// levels have thousands of volumes of a few pixels each.
+class VolumePainter {
+  public:
+    explicit VolumePainter(const Gl& gl);
+
+    /// Those with alpha 255, by depth.
+    void draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view);
+
+    /// Those with alpha below 255: colors from far to near, then depth and ids of the nearest
+    /// surfaces.
+    void draw_translucent(const std::vector<VolumeInstance>& volumes, const EyeView& view);
+
+  private:
+    enum class Shape { scb, obb };
+    enum class Sides { nearest = 1, back_then_front = 2 };
+
+    /// Volumes of one shape that follow each other in texels_.
+    struct Run {
+        Shape shape;
+        std::size_t first;
+        std::size_t count;
+    };
+
+    void pack_all(const std::vector<const VolumeInstance*>& volumes, const EyeView& view);
+    /// What was packed last, in its order.
+    void draw(const EyeView& view, Sides sides);
+    void upload(std::size_t batch);
+
+    const Gl& gl_;
+    GlProgram scb_program_;
+    GlProgram obb_program_;
+    GlVertexArray no_attributes_;
+    GlBuffer buffer_;
+    GlTexture texture_;
+    std::size_t batch_limit_;  // volumes that the buffer may hold at a time; no run crosses a batch
+    std::optional<std::size_t> uploaded_batch_;
+    std::vector<std::uint32_t> texels_;  // these two are kept for their memory
+    std::vector<Run> runs_;
+};
+
+}  // namespace scb

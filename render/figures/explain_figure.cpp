@@ -1,0 +1,204 @@
+#include "render/figures/explain_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/trigonometry.h"
+#include "render/figures/explain_layout.h"
+#include "render/figures/explain_verdict.h"
+#include "render/overlay/figure_layout.h"
+#include "render/overlay/scales.h"
+#include "render/overlay/smooth_line.h"
+#include "render/plots/section_plot.h"
+#include "render/plots/slack_chart.h"
+#include "render/view/fit_camera.h"
+
+namespace scb {
+namespace {
+
+double radius_of(const AnyVolume& volume) {
+    return std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
+}
+
+/// The disc of the plane between two disjoint volumes, in A's frame, beside the smaller one.
+Scb separating_disc(const ExplainFigure& figure) {
+    const ContactProof& proof = figure.found->proof;
+    const Vec3 a = center(figure.a), b = center(figure.b), d = proof.direction;
+    const double radius_a = radius_of(figure.a), radius_b = radius_of(figure.b),
+                 height = reach(figure.a, d) + proof.margin / 2;
+    const Vec3 beside = radius_a < radius_b ? a : b,
+               middle = beside + (height - dot(d, beside)) * d;
+    const double radius = 1.2 * std::min(radius_a, radius_b);
+    return {middle, radius > 0 ? radius : proof.margin / 4, d, 0, 0};
+}
+
+/// What the camera has to hold, in the world.
+std::vector<AnyVolume> held(const ExplainFigure& figure) {
+    std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
+                                      placed(figure.b, figure.to_world)};
+    if (figure.found->proof.contact == Contact::disjoint)
+        volumes.emplace_back(placed(separating_disc(figure), figure.to_world));
+    return volumes;
+}
+
+Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect& view, int unit) {
+    const Theme& theme = *figure.theme;
+    const ContactProof& proof = figure.found->proof;
+    Pane pane;
+    pane.viewport = view;
+    pane.camera = camera;
+    const std::vector<AnyVolume> volumes = held(figure);
+    const double opacity = figure.triangles ? 0.3 : 0.45;
+    pane.volumes = {{volumes[0], with_opacity(body_a_color, opacity), 1},
+                    {volumes[1], with_opacity(body_b_color, opacity), 2}};
+    if (figure.triangles) {
+        pane.meshes.assign(figure.triangles->begin(), figure.triangles->end());
+        pane.meshes[0].color = body_a_color;
+        pane.meshes[1].color = body_b_color;
+        for (MeshDraw& mesh : pane.meshes) mesh.edges = true;
+    }
+    if (proof.contact == Contact::disjoint) {
+        pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
+        const Scb& disc = std::get<Scb>(volumes[2]);
+        const Vec3 half_gap = proof.margin / 2 * disc.n;
+        pane.segments.push_back({disc.c - half_gap, disc.c + half_gap, theme.accent, 3,
+                                 std::max(3.0, unit / 6.0), true});
+    }
+    return pane;
+}
+
+SectionPlane plane_of(const ExplainFigure& figure) {
+    const ContactProof& proof = figure.found->proof;
+    return section_plane(
+        figure.a, figure.b, shown_step(figure),
+        proof.contact == Contact::overlapping ? std::optional(proof.point) : std::nullopt);
+}
+
+/// The point of both, also where something hides it.
+void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
+                       const PixelRect& view, int unit) {
+    const ContactProof& proof = figure.found->proof;
+    if (proof.contact != Contact::overlapping) return;
+    const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + proof.point)),
+               at = project(camera, point, view.width, view.height);
+    const ScreenPosition position{view.x + at[0], view.y + at[1]};
+    const int reach = unit / 2;
+    if (!(position.x >= view.x + reach && position.x <= view.x + view.width - reach &&
+          position.y >= view.y + reach && position.y <= view.y + view.height - reach))
+        return;
+    draw_smooth_line(overlay, std::array{position}, figure.theme->background, unit * 0.8);
+    draw_smooth_line(overlay, std::array{position}, figure.theme->text, unit * 0.5);
+}
+
+/// Squares about what is too small to be seen.
+void mark_small(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
+                const PixelRect& view, int unit) {
+    const Rgba8 colors[] = {body_a_color, body_b_color};
+    std::size_t side = 0;
+    for (const AnyVolume* volume : {&figure.a, &figure.b}) {
+        const Vec3 at = center(placed(*volume, figure.to_world));
+        const double scale = pixels_per_unit(camera, at, view.height),
+                     radius = radius_of(*volume) * scale;
+        const int thickness = std::max(2, unit / 8);
+        if (!(radius > unit / 2.0))
+            if (const auto square = marker_of(view, camera, at, unit / scale))
+                overlay.frame(*square, colors[side], thickness);
+        if (!(radius > 1))
+            if (const auto dot = marker_of(view, camera, at, thickness / scale))
+                overlay.rectangle(*dot, colors[side]);
+        ++side;
+    }
+}
+
+void draw_caption(Overlay& overlay, const PixelRect& box, const std::string& text, Rgba8 color,
+                  const std::string& remark, const Theme& theme, int unit) {
+    const TextStyle bold{unit, FontWeight::bold, color};
+    const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
+    overlay.rectangle({box.x, box.y, box.width, 1}, theme.border);
+    overlay.text(box.x, box.y + unit / 4, fitted_text(overlay, text, bold, box.width), bold);
+    overlay.text(box.x, box.y + unit * 3 / 2, fitted_text(overlay, remark, faint, box.width),
+                 faint);
+}
+
+void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
+    const Theme& theme = *figure.theme;
+    const OverlapStep& step = shown_step(figure);
+    const ContactProof& proof = figure.found->proof;
+    const bool wrong = figure.found->answer == Answer::false_negative;
+    SectionPlot plot;
+    plot.a = figure.a;
+    plot.b = figure.b;
+    plot.step = step;
+    plot.plane = plane_of(figure);
+    plot.gap_color = wrong ? theme.warning : step.separates ? theme.accent : theme.faint_text;
+    if (proof.contact == Contact::overlapping) plot.common_point = proof.point;
+    const int caption = layout.caption_height();
+    PixelRect box = layout.section;
+    box.y += caption;
+    box.height -= caption;
+    const bool zoomed = draw_section_plot(overlay, box, plot, theme, layout.unit);
+    const std::string line = step.line > 0 ? "line " + std::to_string(step.line) + ": " : "",
+                      text = (step.separates ? "" : "closest, ") + line + step.formula;
+    draw_caption(overlay, layout.section, text, wrong ? theme.warning : theme.text,
+                 plot.plane.words + (zoomed ? "; a detail" : ""), theme, layout.unit);
+}
+
+}  // namespace
+
+Camera explain_camera(const ExplainFigure& figure, double aspect) {
+    const SectionPlane plane = plane_of(figure);
+    const SinCos azimuth = sin_cos_degrees(28), elevation = sin_cos_degrees(14);
+    const Vec3 level = azimuth.cos * plane.front + azimuth.sin * plane.right,
+               back = elevation.cos * level + elevation.sin * plane.up;
+    Vec3 right = cross(plane.up, back);
+    right /= std::sqrt(squared_norm(right));
+    Mat3 axes;
+    axes.col(0) = transform_direction(figure.to_world, right);
+    axes.col(1) = transform_direction(figure.to_world, cross(back, right));
+    axes.col(2) = transform_direction(figure.to_world, back);
+    const std::vector<AnyVolume> volumes = held(figure);
+    CameraFit fit;
+    fit.aspect = aspect;
+    fit.margin = 0.06;
+    fit.orthographic = figure.orthographic;
+    return fit_camera(axes, support_of(volumes), fit);
+}
+
+Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay) {
+    const ExplainLayout layout = explain_layout(width, height, figure);
+    const Theme& theme = *figure.theme;
+    const PixelRect view = layout.view_box();
+    const Camera camera = figure.camera.value_or(explain_camera(figure, aspect_of(view)));
+    Picture picture{width, height, samples, theme.background, {}};
+    overlay.begin();
+    FigureLayout heading;
+    heading.unit = layout.unit;
+    heading.heading = layout.heading;
+    draw_heading(overlay, heading, theme, figure.title, figure.subtitle);
+    const ContactProof& proof = figure.found->proof;
+    draw_caption(overlay, layout.view, "exact: " + exact_words(proof), theme.text,
+                 proof.contact == Contact::disjoint
+                     ? "the disc is between the two; across it, the gap"
+                 : proof.contact == Contact::overlapping ? "the dot is a point of both"
+                                                         : "neither apart nor in each other",
+                 theme, layout.unit);
+    // Below the view, where the subject never is.
+    draw_scale_bar(overlay, layout.view.x + layout.unit / 2, layout.view.y + layout.view.height,
+                   view.width / 4,
+                   pixels_per_unit(camera, center(placed(figure.a, figure.to_world)), view.height),
+                   {theme, layout.unit});
+    mark_small(overlay, figure, camera, view, layout.unit);
+    mark_common_point(overlay, figure, camera, view, layout.unit);
+    if (layout.section.width > 0) draw_section(overlay, figure, layout);
+    draw_slack_chart(
+        overlay, layout.steps,
+        {&figure.found->steps,
+         figure.found->answer == Answer::false_negative ? theme.warning : theme.accent},
+        theme, layout.unit);
+    draw_verdict(overlay, layout.verdict, figure, layout.unit);
+    picture.panes.push_back(pane_of(figure, camera, view, layout.unit));
+    return picture;
+}
+
+}  // namespace scb

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "core/explain/pair_explanation.h"
+#include "render/view/any_volume.h"
+#include "render/view/palette.h"
+#include "render/view/picture.h"
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+class Overlay;
+
+/// One overlap test as a picture, a live version of the paper's Figures 7 and 9: both volumes with
+/// what proves the exact verdict; the step that decided, or came closest, in a plane that shows it
+/// (not of boxes); the slack of all steps; the answer.
+struct ExplainFigure {
+    std::string title;
+    std::string subtitle;
+    std::array<std::string, 2> names;  ///< "A 412"
+    VolumeKind kind{};
+    AnyVolume a, b;  ///< in A's frame
+    /// What the volumes bound, where that is known: in the world; their colors are set.
+    std::optional<std::array<MeshDraw, 2>> triangles;
+    OverlapOptions options;
+    std::string but;  ///< said behind "the test is right": what is wrong nevertheless; may be empty
+    const PairExplanation* found = nullptr;
+    Pose to_world;                 ///< from A's frame, for the camera
+    std::optional<Camera> camera;  ///< in the world; else explain_camera's
+    bool orthographic = false;     ///< that one
+    const Theme* theme = &light_theme;
+};
+
+/// A camera from which the step's plane is seen from the front, but a little from the side and from
+/// above, fitted to both volumes.
+Camera explain_camera(const ExplainFigure& figure, double aspect);
+
+Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay);
+
+}  // namespace scb

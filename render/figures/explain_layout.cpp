@@ -1,0 +1,58 @@
+#include "render/figures/explain_layout.h"
+
+#include <algorithm>
+
+#include "render/figures/explain_verdict.h"
+#include "render/overlay/figure_layout.h"
+#include "render/plots/slack_chart.h"
+
+namespace scb {
+
+PixelRect ExplainLayout::view_box() const {
+    const int caption = caption_height(), below = 2 * unit;
+    return {view.x, view.y + caption, view.width, std::max(1, view.height - caption - below)};
+}
+
+ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure) {
+    const FigureLayout whole = figure_layout(width, height);
+    ExplainLayout layout;
+    const int unit = layout.unit = whole.unit, margin = whole.heading.x, gap = unit;
+    layout.heading = whole.heading;
+    const int top = whole.heading.y + whole.heading.height;
+    const PixelRect all = {margin, top, width - 2 * margin, height - margin - top};
+    const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
+              verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
+    const int below = std::min(std::max(chart, verdict), all.height * 9 / 20);
+    // Boxes have no section, and small pictures no room for one.
+    const bool section = !std::holds_alternative<Obb>(figure.a) &&
+                         (whole.portrait || all.height - std::max(chart, verdict) > 12 * unit);
+    if (whole.portrait) {
+        const int verdict_height = std::min(verdict, all.height / 5),
+                  chart_height = std::min(chart, all.height / 3),
+                  views = all.height - verdict_height - chart_height - 2 * gap;
+        layout.view = {all.x, all.y, all.width, section ? (views - gap / 2) / 2 : views};
+        if (section)
+            layout.section = {all.x, all.y + views - layout.view.height, all.width,
+                              layout.view.height};
+        layout.steps = {all.x, all.y + views + gap, all.width, chart_height};
+        layout.verdict = {all.x, all.y + all.height - verdict_height, all.width, verdict_height};
+    } else if (!section) {
+        const int column = std::min(all.width / 2, 26 * unit);
+        layout.view = {all.x, all.y, all.width - column - gap, all.height};
+        const int x = all.x + all.width - column,
+                  chart_height = std::min(chart, all.height * 7 / 10);
+        layout.steps = {x, all.y, column, chart_height};
+        const int y = all.y + chart_height + gap;
+        layout.verdict = {x, y, column, all.y + all.height - y};
+    } else {
+        const int views = all.height - below - gap / 2, half = (all.width - gap) / 2;
+        layout.view = {all.x, all.y, half, views};
+        layout.section = {all.x + all.width - half, all.y, half, views};
+        const int right = std::min(all.width * 2 / 5, 20 * unit), y = all.y + all.height - below;
+        layout.steps = {all.x, y, all.width - right - 3 * gap / 2, below};
+        layout.verdict = {all.x + all.width - right, y, right, below};
+    }
+    return layout;
+}
+
+}  // namespace scb

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/figures/explain_figure.h"
+
+namespace scb {
+
+/// Where the parts of a picture of an explanation lie.
+struct ExplainLayout {
+    int unit = 20;  ///< size of body text, pixels
+    PixelRect heading;
+    PixelRect view, section;  ///< with their captions above them; no section of boxes
+    PixelRect steps, verdict;
+
+    static constexpr int caption_lines = 2;
+    int caption_height() const { return caption_lines * unit * 5 / 4 + unit / 4; }
+    /// The view of the scene, without its caption and the scale bar below it.
+    PixelRect view_box() const;
+};
+ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure);
+
+}  // namespace scb

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/explain_figure.h"
+#include "render/overlay/font_face.h"
+
+namespace scb {
+
+/// The step that a figure shows: the one that decided, or came closest.
+const OverlapStep& shown_step(const ExplainFigure& figure);
+
+/// "disjoint, 0.0123 apart".
+std::string exact_words(const ContactProof& proof);
+
+/// A line of what a figure concludes.
+struct VerdictLine {
+    std::string text;
+    Rgba8 color;
+    FontWeight weight = FontWeight::regular;
+    std::optional<Rgba8> swatch{};
+};
+
+/// How the test ended, what is so, what the answer is worth; the two volumes; the other tests.
+std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure);
+
+/// Draws them into the rectangle, wrapped; what does not fit is left out.
+void draw_verdict(Overlay& overlay, const PixelRect& box, const ExplainFigure& figure, int unit);
+
+}  // namespace scb

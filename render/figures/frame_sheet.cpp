@@ -1,0 +1,141 @@
+#include "render/figures/frame_sheet.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+namespace {
+
+/// Details with a dot between them, as many as there is room for.
+std::string fitted_details(Overlay& overlay, const std::vector<std::string>& details,
+                           const TextStyle& style, int width) {
+    std::string text;
+    for (const std::string& detail : details) {
+        const std::string longer = text.empty() ? detail : text + " · " + detail;
+        if (overlay.measure(longer, style).width > width) break;
+        text = longer;
+    }
+    return text;
+}
+
+/// Under the title. Returns the y below it.
+int draw_legend(Overlay& overlay, const FrameSheet& sheet, int y) {
+    const int unit = sheet.layout.unit, right = sheet.layout.width - sheet_margin;
+    if (sheet.scale) {
+        PanelScale scale = *sheet.scale;
+        if (sheet.scales_differ) scale.ticks = {{0, "0"}, {1, "end of the picture's scale"}};
+        const PixelRect box = {sheet_margin, y, std::min(24 * unit, right - sheet_margin),
+                               4 * unit};
+        return draw_side_panel(overlay, box, *sheet.theme, unit, {scale});
+    }
+    int x = sheet_margin;
+    for (const PanelKey& key : sheet.keys) {
+        const TextStyle style{unit, FontWeight::regular, sheet.theme->text};
+        const int width = unit * 5 / 4 + overlay.measure(key.text, style).width + unit / 4;
+        if (x > sheet_margin && x + width > right) {
+            x = sheet_margin;
+            y += unit * 5 / 4;
+        }
+        draw_side_panel(overlay, {x, y, width, 2 * unit}, *sheet.theme, unit, {key});
+        x += width + unit * 3 / 2;
+    }
+    return y + unit * 5 / 4;
+}
+
+/// Title and legend. Returns their height.
+int draw_heading(Overlay& overlay, const FrameSheet& sheet) {
+    FigureLayout frame;
+    frame.unit = sheet.layout.unit;
+    const int title = title_size(frame.unit);
+    frame.heading = {sheet_margin, sheet_margin, sheet.layout.width - 2 * sheet_margin, title};
+    draw_heading(overlay, frame, *sheet.theme, sheet.title, sheet.subtitle);
+    return draw_legend(overlay, sheet, sheet_margin + title + frame.unit / 2) + frame.unit * 3 / 4;
+}
+
+void draw_captions(Overlay& overlay, const FrameSheet& sheet, const FrameSheetCell& cell, int x) {
+    const Theme& theme = *sheet.theme;
+    const int unit = sheet.layout.unit, width = sheet.layout.view_width;
+    const TextStyle bold{unit, FontWeight::bold, theme.text};
+    const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
+    const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
+    const int y = unit / 4;
+    overlay.rectangle({x, 0, width, 1}, theme.border);
+    std::vector<std::string> details = cell.details;
+    if (sheet.scales_differ) details.insert(details.begin(), "scale to " + cell.scale_end);
+    if (overlay.measure(cell.caption, bold).width + unit +
+            overlay.measure(cell.value, right).width <=
+        width)
+        overlay.text(x + width, y, cell.value, right);
+    else
+        details.insert(details.begin(), cell.value);
+    overlay.text(x, y, fitted_text(overlay, cell.caption, bold, width), bold);
+    overlay.text(x, y + unit * 5 / 4, fitted_details(overlay, details, faint, width), faint);
+}
+
+void place(const Image& view, Image& image, int x, int y) {
+    const std::size_t bytes = 4 * static_cast<std::size_t>(view.width);
+    for (int row = 0; row < view.height; ++row) {
+        const std::size_t to =
+            static_cast<std::size_t>(y + row) * static_cast<std::size_t>(image.width) +
+            static_cast<std::size_t>(x);
+        std::memcpy(&image.rgba[4 * to], &view.rgba[static_cast<std::size_t>(row) * bytes], bytes);
+    }
+}
+
+}  // namespace
+
+void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel) {
+    const auto add = [&](Rgba8 color, const std::string& text) {
+        const auto same = [&](const PanelKey& key) {
+            return key.color == color && key.text == text;
+        };
+        if (std::none_of(sheet.keys.begin(), sheet.keys.end(), same))
+            sheet.keys.push_back({color, text});
+    };
+    for (const PanelItem& item : panel) {
+        if (const auto* key = std::get_if<PanelKey>(&item)) add(key->color, key->text);
+        if (const auto* row = std::get_if<PanelLegendRow>(&item)) add(row->color, row->text);
+        if (const auto* row = std::get_if<PanelRow>(&item))
+            for (std::size_t i = 0; i < row->swatches.size(); ++i)
+                if (row->swatches[i]) add(*row->swatches[i], row->label + " " + row->values[i]);
+        if (const auto* scale = std::get_if<PanelScale>(&item)) {
+            sheet.scales_differ |= sheet.scale && sheet.scale->ticks != scale->ticks;
+            sheet.scale = *scale;
+        }
+    }
+}
+
+std::string scale_end(const std::vector<PanelItem>& panel) {
+    for (const PanelItem& item : panel)
+        if (const auto* scale = std::get_if<PanelScale>(&item))
+            return scale->ticks.empty() ? "" : scale->ticks.back().second;
+    return "";
+}
+
+Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay) {
+    const FrameSheetLayout& layout = sheet.layout;
+    Picture strip{layout.width, 0, 1, sheet.theme->background, {}};
+    overlay.begin();
+    strip.height = draw_heading(overlay, sheet);
+    Image image = renderer.draw(strip, &overlay).image;
+    strip.height = layout.cell_height();
+    const auto columns = static_cast<std::size_t>(layout.columns);
+    for (std::size_t first = 0; first < sheet.cells.size(); first += columns) {
+        const std::span cells =
+            std::span(sheet.cells).subspan(first, std::min(columns, sheet.cells.size() - first));
+        overlay.begin();
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            draw_captions(overlay, sheet, cells[i], layout.x(static_cast<int>(i)));
+        Image band = renderer.draw(strip, &overlay).image;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            place(cells[i].view, band, layout.x(static_cast<int>(i)), layout.view_y());
+        image.rgba.insert(image.rgba.end(), band.rgba.begin(), band.rgba.end());
+        image.height += band.height;
+    }
+    return image;
+}
+
+}  // namespace scb

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/draw/renderer.h"
+#include "render/figures/frame_sheet_layout.h"
+#include "render/overlay/overlay.h"
+#include "render/overlay/side_panel.h"
+
+namespace scb {
+
+/// One picture of a sequence.
+struct FrameSheetCell {
+    std::string caption;               ///< in bold, above the view
+    std::string value;                 ///< the number that matters most
+    std::vector<std::string> details;  ///< as many as there is room for
+    std::string scale_end;             ///< shown where the pictures' scales differ
+    Image view;                        ///< of the layout's size
+};
+
+/// A contact sheet of the pictures of a sequence.
+struct FrameSheet {
+    FrameSheetLayout layout;
+    const Theme* theme = &light_theme;
+    std::string title, subtitle;
+    std::vector<PanelKey> keys;       ///< what colors mean in any of the pictures
+    std::optional<PanelScale> scale;  ///< instead of keys
+    bool scales_differ = false;
+    std::vector<FrameSheetCell> cells;
+};
+
+/// What the panel of a picture of the sequence says of colors: adds the keys that are new, or the
+/// scale.
+void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel);
+
+/// The label at the upper end of the panel's scale; empty where it has none.
+std::string scale_end(const std::vector<PanelItem>& panel);
+
+/// Draws the sheet, strip by strip, as a sheet can be many times as large as a picture.
+Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay);
+
+}  // namespace scb

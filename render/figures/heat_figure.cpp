@@ -1,0 +1,86 @@
+#include "render/figures/heat_figure.h"
+
+#include <algorithm>
+
+#include "render/view/palette.h"
+
+namespace scb {
+namespace {
+
+constexpr std::array<std::string_view, 2> names = {"volumes", "triangles"};
+
+}  // namespace
+
+std::string_view heat_of_name(HeatOf of) { return names[static_cast<std::size_t>(of)]; }
+
+std::optional<HeatOf> heat_of_of(std::string_view name) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return static_cast<HeatOf>(i);
+    return std::nullopt;
+}
+
+Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
+             std::optional<std::uint32_t> scale_end) {
+    Heat heat;
+    heat.of = of;
+    for (std::size_t side = 0; side < 2; ++side) {
+        heat.counts[side] =
+            triangle_heat(frame.events, topology_of(*bodies[side].hierarchy), side, of);
+        for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
+    }
+    double end = 10;
+    while (end < heat.most) end *= 10;
+    constexpr int most_ticks = 6;
+    heat.scale = log_axis(1, scale_end ? static_cast<double>(std::max(2u, *scale_end)) : end,
+                          most_ticks, true);
+    return heat;
+}
+
+Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
+    Pane pane;
+    for (std::size_t side = 0; side < 2; ++side) {
+        MeshDraw mesh = mesh_draw(bodies[side], {});
+        for (const std::uint32_t count : heat.counts[side])
+            mesh.triangle_colors.push_back(viridis(axis_position(heat.scale, count)));
+        pane.meshes.push_back(std::move(mesh));
+    }
+    return pane;
+}
+
+PanelItem heat_key(const Heat& heat) {
+    PanelScale scale{
+        heat.of == HeatOf::volumes ? "volume tests of a triangle" : "triangle tests of a triangle",
+        {}};
+    for (const AxisTick& tick : heat.scale.ticks)
+        if (!tick.label.empty())
+            scale.ticks.emplace_back(axis_position(heat.scale, tick.value), tick.label);
+    return scale;
+}
+
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
+                                  const Heat& heat) {
+    std::vector<PanelItem> items;
+    items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
+    items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
+    items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
+    items.emplace_back(PanelHeading{""});
+    PanelRow body{"body", {}, {}, true}, most{"most tests", {}}, none{"untested", {}};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::vector<std::uint32_t>& counts = heat.counts[side];
+        body.values.push_back(bodies[side].name);
+        most.values.push_back(count_text(*std::max_element(counts.begin(), counts.end())));
+        none.values.push_back(
+            count_text(static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0u))));
+    }
+    items.emplace_back(std::move(body));
+    items.emplace_back(std::move(most));
+    items.emplace_back(std::move(none));
+    items.emplace_back(PanelHeading{""});
+    items.push_back(heat_key(heat));
+    items.emplace_back(PanelNote{heat.of == HeatOf::volumes
+                                     ? "tests of two volumes, one of which holds the triangle"
+                                     : "tests of the triangle against one of the other body"});
+    return items;
+}
+
+}  // namespace scb

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/analysis/trace.h"
+#include "core/analysis/triangle_heat.h"
+#include "render/figures/query_body.h"
+#include "render/figures/scene_figure.h"
+#include "render/plots/plot_axis.h"
+
+namespace scb {
+
+std::string_view heat_of_name(HeatOf of);
+std::optional<HeatOf> heat_of_of(std::string_view name);
+
+/// In how many tests each triangle of both bodies took part, and the scale of its colors.
+struct Heat {
+    HeatOf of = HeatOf::volumes;
+    std::array<std::vector<std::uint32_t>, 2> counts;
+    std::uint32_t most = 0;  ///< of both bodies
+    PlotAxis scale;          ///< logarithmic, with a place for 0
+};
+
+/// `scale_end`: the count at the upper end of the scale; else the power of ten that holds all,
+/// which seldom changes from frame to frame.
+Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
+             std::optional<std::uint32_t> scale_end);
+
+/// Both meshes, each triangle in viridis by its count.
+Pane heat_pane(const QueryBodies& bodies, const Heat& heat);
+
+/// The scale of its colors.
+PanelItem heat_key(const Heat& heat);
+
+/// Its numbers and its scale.
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
+                                  const Heat& heat);
+
+}  // namespace scb

@@ -1,0 +1,186 @@
+#include "render/figures/level_figure.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/overlay/side_panel.h"
+
+namespace scb {
+namespace {
+
+// Whether the thickness is but rounding noise.
+bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
+
+std::string ratio_text(const VolumeStatistics& s) {
+    return is_flat(s)           ? "0"
+           : s.diameter_sum > 0 ? number_text(s.mean_thickness() / s.mean_diameter())
+                                : "–";
+}
+
+std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers& numbers) {
+    const bool by_body = figure.style.colors.by == ColorBy::body;
+    std::vector<PanelItem> items;
+    // One column per body where they fit, else the sums.
+    std::vector<const VolumeStatistics*> columns;
+    PanelRow names{"body", {}, {}, true}, triangles{"triangles", {}};
+    if (figure.bodies.size() <= 2) {
+        for (std::size_t b = 0; b < figure.bodies.size(); ++b) {
+            columns.push_back(&numbers.bodies[b]);
+            names.values.push_back(figure.bodies[b].name);
+            names.swatches.push_back(by_body ? std::optional(category_color(b)) : std::nullopt);
+            triangles.values.push_back(count_text(figure.bodies[b].triangles));
+        }
+    } else {
+        columns.push_back(&numbers.all);
+        names.values.push_back("all " + std::to_string(figure.bodies.size()));
+        names.swatches.push_back(std::nullopt);
+        std::uint64_t sum = 0;
+        for (const LevelBody& body : figure.bodies) sum += body.triangles;
+        triangles.values.push_back(count_text(sum));
+    }
+    const auto row = [&](const char* label, auto value_of, bool strong = false) {
+        PanelRow r{label, {}, {}, strong};
+        for (const VolumeStatistics* s : columns) r.values.push_back(value_of(*s));
+        items.emplace_back(std::move(r));
+    };
+    items.emplace_back(std::move(names));
+    items.emplace_back(std::move(triangles));
+    row(
+        "volumes", [](const VolumeStatistics& s) { return count_text(s.volumes); }, true);
+    row("leaves", [](const VolumeStatistics& s) { return count_text(s.leaves); });
+    row("mean d", [](const VolumeStatistics& s) { return number_text(s.mean_diameter()); });
+    row("mean τ", [](const VolumeStatistics& s) { return thickness_text(s); });
+    row("τ / d", ratio_text);
+    row("Σ area", [](const VolumeStatistics& s) { return number_text(s.area); });
+    row("Σ volume", [](const VolumeStatistics& s) { return volume_text(s); });
+    if (figure.bodies.size() > 2 && by_body) items.emplace_back(PanelHeading{""});
+    if (figure.bodies.size() > 2 && by_body)
+        for (std::size_t b = 0; b < figure.bodies.size(); ++b)
+            items.emplace_back(PanelKey{category_color(b), figure.bodies[b].name});
+    if (const std::optional<PanelScale> scale = legend_of(figure.style.colors)) {
+        items.emplace_back(PanelHeading{""});
+        items.emplace_back(*scale);
+    }
+    const bool boxes = std::holds_alternative<Hierarchy<Obb>>(*figure.bodies[0].hierarchy);
+    items.emplace_back(PanelNote{boxes ? "d: diagonal, τ: shortest side"
+                                       : "d = 2r, τ = e − f; lengths in units of the mesh"});
+    return items;
+}
+
+}  // namespace
+
+std::string thickness_text(const VolumeStatistics& s) {
+    return is_flat(s) ? "0" : number_text(s.mean_thickness());
+}
+
+std::string volume_text(const VolumeStatistics& s) {
+    return is_flat(s) ? "0" : number_text(s.volume);
+}
+
+LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
+    LevelNumbers numbers;
+    for (const LevelBody& body : bodies) {
+        numbers.bodies.push_back(std::visit(
+            [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); },
+            *body.hierarchy));
+        numbers.all.add(numbers.bodies.back());
+    }
+    return numbers;
+}
+
+Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels) {
+    std::vector<Support> parts;
+    for (const LevelBody& body : bodies) {
+        std::vector<std::uint32_t> nodes;
+        for (const int level : levels) {
+            const std::vector<std::uint32_t> cover =
+                level_cover(topology_of(*body.hierarchy), level);
+            nodes.insert(nodes.end(), cover.begin(), cover.end());
+        }
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        parts.push_back([&body, nodes = std::move(nodes)](const Vec3& direction) {
+            const Vec3 local = rotate(body.pose.rotation.transpose(), direction);
+            const double reach = std::visit(
+                [&](const auto& h) {
+                    double most = -std::numeric_limits<double>::infinity();
+                    for (const std::uint32_t node : nodes)
+                        most = std::max(most, dot(center(h.volumes[node]), local) +
+                                                  extent(h.volumes[node], local));
+                    return most;
+                },
+                *body.hierarchy);
+            return reach + dot(body.pose.translation, direction);
+        });
+    }
+    return support_of_all(std::move(parts));
+}
+
+Pane level_pane(const PixelRect& viewport, const Camera& camera,
+                const std::vector<LevelBody>& bodies, int level, const LevelStyle& style) {
+    Pane pane;
+    pane.viewport = viewport;
+    pane.camera = camera;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const LevelBody& body = bodies[b];
+        if (style.mesh) {
+            MeshDraw mesh;
+            mesh.mesh = body.mesh;
+            mesh.pose = body.pose;
+            mesh.color = style.theme->mesh;
+            mesh.edges = style.mesh_edges;
+            pane.meshes.push_back(std::move(mesh));
+        }
+        if (style.opacity <= 0) continue;
+        const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
+        std::visit(
+            [&](const auto& h) {
+                const std::uint32_t none = 0xffffffffu;
+                std::uint32_t drawn = none;
+                for (const std::uint32_t node : level_cover(*h.topology, level)) {
+                    const auto& volume = h.volumes[node];
+                    // Duplicate triangles have the same leaf: one of a run of equal ones is all
+                    // that can be seen.
+                    if (drawn != none && identical(volume, h.volumes[drawn])) continue;
+                    drawn = node;
+                    const Rgba8 color = volume_color(style.colors, volume, depths[node], b, node);
+                    pane.volumes.push_back({placed(volume, body.pose),
+                                            with_opacity(color, style.opacity),
+                                            body.first_id + node});
+                }
+            },
+            *body.hierarchy);
+    }
+    return pane;
+}
+
+Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay) {
+    const FigureLayout layout = figure_layout(width, height);
+    const Theme& theme = *figure.style.theme;
+    Picture picture{width, height, samples, theme.background, {}};
+    picture.panes.push_back(
+        level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
+
+    overlay.begin();
+    draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
+    const int below =
+        draw_side_panel(overlay, layout.panel, theme, layout.unit,
+                        panel_items(figure, level_numbers(figure.bodies, figure.level)));
+    draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
+
+    if (!figure.detail) return picture;
+    const std::optional<PixelRect> square = detail_square(layout, below);
+    if (!square) return picture;
+    picture.panes.push_back(
+        level_pane(*square, figure.detail->camera, figure.bodies, figure.level, figure.style));
+    const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
+    overlay.text(square->x, square->y - small_size(layout.unit) * 5 / 4,
+                 "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
+    overlay.frame(*square, theme.accent, std::max(1, layout.unit / 10));
+    if (const auto marker =
+            marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
+        overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
+    return picture;
+}
+
+}  // namespace scb

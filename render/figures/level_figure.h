@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/volume_colors.h"
+#include "render/overlay/figure_layout.h"
+#include "render/view/fit_camera.h"
+#include "render/view/picture.h"
+#include "scb/any_hierarchy.h"
+#include "scb/level_cover.h"
+
+namespace scb {
+
+/// A body as the pictures of levels need it, at one frame. What it points to is owned elsewhere.
+struct LevelBody {
+    std::string name;
+    std::uint64_t triangles = 0;
+    MeshHandle mesh;
+    Pose pose;
+    const AnyHierarchy* hierarchy = nullptr;
+    std::uint32_t first_id = 1;  ///< node i has the id first_id + i
+};
+
+/// How volumes and meshes look.
+struct LevelStyle {
+    ColorScale colors;
+    double opacity = 1;       ///< of the volumes; translucent below 1, none at 0
+    bool mesh = false;        ///< draw the bodies' meshes too
+    bool mesh_edges = false;  ///< with their edges
+    const Theme* theme = &light_theme;
+};
+
+/// A part of the scene that a smaller view magnifies.
+struct Detail {
+    Camera camera;  ///< for a square view
+    Vec3 center = Vec3::Zero();
+    double radius = 1;
+};
+
+/// A cover in numbers, per body and in all.
+struct LevelNumbers {
+    std::vector<VolumeStatistics> bodies;
+    VolumeStatistics all;
+};
+LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
+
+/// Mean thickness and summed volume for a reader: 0 where they are but rounding noise.
+std::string thickness_text(const VolumeStatistics& statistics);
+std::string volume_text(const VolumeStatistics& statistics);
+
+/// The support of all that pictures of these levels show: the volumes of their covers, which
+/// contain the meshes. The bodies must outlive the result.
+Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
+
+/// The view of a level: its volumes (see level_cover; of several equal ones that follow each other,
+/// the first) and, where the style says so, the meshes.
+Pane level_pane(const PixelRect& viewport, const Camera& camera,
+                const std::vector<LevelBody>& bodies, int level, const LevelStyle& style);
+
+/// All that one picture of a level says.
+struct LevelFigure {
+    std::string title;
+    std::string subtitle;
+    std::vector<LevelBody> bodies;
+    int level = 0;
+    LevelStyle style;
+    Camera camera;               ///< for the view of figure_layout(width, height)
+    Vec3 center = Vec3::Zero();  ///< of the scene, where the scale bar holds
+    std::optional<Detail> detail;
+};
+
+/// Composes the picture and its overlay: view, numbers, legend, magnified detail.
+Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay);
+
+}  // namespace scb

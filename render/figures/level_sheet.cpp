@@ -1,0 +1,137 @@
+#include "render/figures/level_sheet.h"
+
+#include <algorithm>
+
+#include "render/overlay/side_panel.h"
+
+namespace scb {
+namespace {
+
+constexpr int most_columns = 5;
+constexpr int margin = sheet_margin;
+
+// Title and keys.
+constexpr int heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
+
+int cell_height(const LevelSheetLayout& layout) {
+    return layout.view_height + layout.detail_size + 4 * layout.unit;
+}
+
+}  // namespace
+
+LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail) {
+    const int count = static_cast<int>(levels), rows = static_cast<int>(volumes);
+    LevelSheetLayout layout;
+    const auto lay_out = [&](int columns, int view_width) {
+        static_cast<SheetGrid&>(layout) = sheet_grid(count, columns, view_width);
+        layout.view_height = view_width * (with_detail ? 5 : 6) / 8;
+        layout.detail_size = with_detail ? view_width * 9 / 20 : 0;
+        layout.height = heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
+        return fits(layout);
+    };
+    const int columns = std::min(count, most_columns);
+    const int roomy = roomy_view_width(columns);
+    // As tall as twice its width is tall enough.
+    for (int wider = most_columns; wider <= 2 * most_columns; ++wider)
+        if (lay_out(std::min(count, wider), roomy) && layout.height <= 2 * layout.width)
+            return layout;
+    for (int view_width = roomy; view_width >= 160; view_width -= 20)
+        for (int wider = most_columns; wider <= count + most_columns; wider += 2)
+            if (lay_out(std::min(count, wider), view_width)) return layout;
+    return layout;
+}
+
+Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
+    const std::size_t levels = sheet.rows.front().size();
+    const LevelSheetLayout layout =
+        level_sheet_layout(sheet.rows.size(), levels, sheet.detail.has_value());
+    const Theme& theme = *sheet.style.theme;
+    const int unit = layout.unit;
+    Picture picture{layout.width, layout.height, samples, theme.background, {}};
+    overlay.begin();
+
+    FigureLayout frame;
+    frame.unit = unit;
+    frame.heading = {margin, margin, layout.width - 2 * margin, title_size(unit)};
+    draw_heading(overlay, frame, theme, sheet.title, sheet.subtitle);
+
+    // Keys in one line under the heading: bodies by color, or the scale.
+    const int key_y = margin + title_size(unit) + unit / 2;
+    if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
+        draw_side_panel(overlay, {margin, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
+    } else {
+        int x = margin;
+        const auto& bodies = sheet.rows.front().front().bodies;
+        const TextStyle style{unit, FontWeight::regular, theme.text};
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            const std::string text =
+                "body " + bodies[b].name + ", " + count_text(bodies[b].triangles) + " triangles";
+            const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
+            if (x + width > layout.width - 6 * unit && b + 1 < bodies.size()) {
+                overlay.text(x, key_y, "and " + std::to_string(bodies.size() - b) + " more", style);
+                break;
+            }
+            draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit,
+                            {PanelKey{category_color(b), text}});
+            x += width;
+        }
+    }
+
+    const int first_y = heading_height(unit);
+    for (std::size_t r = 0; r < sheet.rows.size(); ++r)
+        for (std::size_t c = 0; c < levels; ++c) {
+            const LevelSheetCell& cell = sheet.rows[r][c];
+            const int band = static_cast<int>(c) / layout.columns,
+                      column = static_cast<int>(c) % layout.columns;
+            const int x = layout.x(column);
+            const int y =
+                first_y + (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) *
+                              cell_height(layout);
+            const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
+
+            overlay.rectangle({x, y - unit / 4, layout.view_width, 1}, theme.border);
+            const TextStyle bold{unit, FontWeight::bold, theme.text};
+            std::string counts;
+            for (const VolumeStatistics& v : numbers.bodies)
+                counts += (counts.empty() ? "" : " + ") + count_text(v.volumes);
+            if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
+            counts += counts == "1" ? " volume" : " volumes";
+            const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
+            const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
+            const int room = layout.view_width - overlay.measure(counts, right).width - unit;
+            std::string second = "mean d " + number_text(numbers.all.mean_diameter()) +
+                                 ", mean τ " + thickness_text(numbers.all) + ", Σ volume " +
+                                 volume_text(numbers.all);
+            if (overlay.measure(cell.caption, bold).width <= room)
+                overlay.text(x + layout.view_width, y, counts, right);
+            else
+                second = counts;  // a narrow cell: the counts matter most
+            overlay.text(x, y, fitted_text(overlay, cell.caption, bold, layout.view_width), bold);
+            overlay.text(x, y + unit * 5 / 4,
+                         fitted_text(overlay, second, faint, layout.view_width), faint);
+
+            const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
+            picture.panes.push_back(
+                level_pane(view, sheet.camera, cell.bodies, cell.level, sheet.style));
+            if (!sheet.detail) {
+                if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
+                continue;
+            }
+            const PixelRect square{x + (layout.view_width - layout.detail_size) / 2,
+                                   view.y + view.height, layout.detail_size, layout.detail_size};
+            picture.panes.push_back(
+                level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
+            overlay.frame(square, theme.accent, 2);
+            if (const auto marker =
+                    marker_of(view, sheet.camera, sheet.detail->center, sheet.detail->radius)) {
+                overlay.frame(*marker, theme.accent, 2);
+            }
+            overlay.text(square.x + square.width + unit / 2,
+                         square.y + square.height - small_size(unit) * 5 / 4,
+                         number_text(2 * sheet.detail->radius) + " wide", faint);
+            if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
+        }
+    return picture;
+}
+
+}  // namespace scb

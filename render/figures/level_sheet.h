@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/level_figure.h"
+#include "render/overlay/sheet_grid.h"
+
+namespace scb {
+
+/// One row or column of a sheet: what is compared.
+struct LevelSheetCell {
+    std::string caption;  ///< above the cell
+    std::vector<LevelBody> bodies;
+    int level = 0;
+};
+
+/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
+/// one camera and one scale.
+struct LevelSheet {
+    std::string title;
+    std::string subtitle;
+    std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
+    LevelStyle style;
+    Camera camera;  ///< for the aspect of LevelSheetLayout
+    Vec3 center = Vec3::Zero();
+    std::optional<Detail> detail;
+};
+
+/// The pixels of a sheet. Cells shrink, and more stand side by side, where there are many, so that
+/// a sheet can always be drawn.
+struct LevelSheetLayout : SheetGrid {
+    int view_height = 0, detail_size = 0;
+};
+LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail);
+
+Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
+
+}  // namespace scb

@@ -1,0 +1,154 @@
+#include "render/figures/pairs_figure.h"
+
+#include <algorithm>
+
+#include "core/geometry/triangle_segment.h"
+#include "render/plots/ending_colors.h"
+
+namespace scb {
+namespace {
+
+constexpr double leaf_opacity = 0.3;
+
+bool stops_at_level(const TraceHeader& header) { return header.options.stop_level >= 0; }
+
+/// The indices on one side of a list of pairs, ascending, each once.
+std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::size_t side) {
+    std::vector<std::uint32_t> indices;
+    for (const IndexPair& pair : pairs) indices.push_back(side == 0 ? pair.a : pair.b);
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
+}
+
+/// The leaves that overlapped, though their triangles are apart.
+std::vector<IndexPair> apart_leaves(const TraceFrame& frame) {
+    std::vector<IndexPair> leaves;
+    for (const TriangleTest& test : frame.events.triangle_tests)
+        if (!test.intersect) leaves.push_back(frame.events.volume_tests[test.after].nodes);
+    return leaves;
+}
+
+void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
+                 Rgba8 color) {
+    for (const std::uint32_t node : nodes)
+        pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
+}
+
+void add_keys(std::vector<PanelItem>& items, const PairsStyle& style) {
+    items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
+    if (style.leaves)
+        items.emplace_back(
+            PanelKey{ending_color(Ending::triangles_apart, *style.theme), "leaves that overlap"});
+}
+
+}  // namespace
+
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFrame& frame,
+                                      std::uint32_t first_id) {
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < frame.found.pairs.size(); ++i) {
+        const IndexPair pair = frame.found.pairs[i];
+        // In A's frame, where the triangles were tested.
+        const auto meet = triangles_intersection(
+            corners(*bodies[0].mesh, pair.a),
+            transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pair.b)));
+        if (!meet) continue;
+        segments.push_back({transform_point(bodies[0].pose, meet->a),
+                            transform_point(bodies[0].pose, meet->b), Rgba8{},
+                            first_id + static_cast<std::uint32_t>(i)});
+    }
+    return segments;
+}
+
+Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+                const PairsStyle& style, std::uint32_t first_pair_id) {
+    Pane pane;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const QueryBody& body = bodies[side];
+        MeshDraw mesh = mesh_draw(body, dimmed_body_color(side, *style.theme));
+        if (!stops_at_level(header)) {
+            mesh.triangle_colors.assign(body.mesh->triangles.size(), mesh.color);
+            mesh.shown_through = side_of(frame.found.pairs, side);
+            for (const std::uint32_t triangle : mesh.shown_through)
+                mesh.triangle_colors[triangle] = body_color(side);
+        }
+        pane.meshes.push_back(std::move(mesh));
+        if (stops_at_level(header))
+            add_volumes(pane, body, side_of(frame.found.pairs, side),
+                        with_opacity(body_color(side), leaf_opacity));
+        else if (style.leaves)
+            add_volumes(
+                pane, body, side_of(apart_leaves(frame), side),
+                with_opacity(ending_color(Ending::triangles_apart, *style.theme), leaf_opacity));
+    }
+    if (stops_at_level(header)) return pane;
+    // A thin line where a body hides it, a strong one where it can be seen.
+    for (Segment& segment : contact_segments(bodies, frame, first_pair_id)) {
+        segment.color = style.theme->text;
+        segment.width = 3;
+        pane.segments.push_back(segment);
+        segment.width = 1;
+        segment.on_top = true;
+        pane.segments.push_back(segment);
+    }
+    return pane;
+}
+
+std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                   const TraceFrame& frame, const PairsStyle& style) {
+    const Collision& found = frame.found;
+    std::vector<PanelItem> items;
+    items.emplace_back(
+        PanelRow{"body", {bodies[0].name, bodies[1].name}, {body_color(0), body_color(1)}, true});
+    items.emplace_back(PanelRow{"triangles",
+                                {count_text(bodies[0].mesh->triangles.size()),
+                                 count_text(bodies[1].mesh->triangles.size())}});
+    const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
+    items.emplace_back(PanelRow{stops_at_level(header) ? "nodes" : "in pairs",
+                                {count_text(of_a.size()), count_text(of_b.size())}});
+    items.emplace_back(PanelHeading{""});
+    items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
+    items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
+    items.emplace_back(PanelRow{"N_p", {count_text(found.n_p)}});
+    items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});
+    items.emplace_back(PanelHeading{""});
+    if (stops_at_level(header)) {
+        items.emplace_back(PanelNote{"volumes of level " +
+                                     std::to_string(header.options.stop_level) + " that overlap"});
+        return items;
+    }
+    add_keys(items, style);
+    items.emplace_back(
+        PanelNote{"strong: triangles that intersect; " +
+                  std::string(style.leaves ? "leaves are shown where their triangles do not"
+                                           : "leaf volumes are left out")});
+    return items;
+}
+
+std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
+                                    const PairsStyle& style) {
+    std::vector<PanelItem> items;
+    for (std::size_t side = 0; side < 2; ++side)
+        items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
+    if (!stops_at_level(header)) add_keys(items, style);
+    return items;
+}
+
+std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
+                                      const TraceFrame& frame) {
+    std::vector<AnyVolume> region;
+    for (const IndexPair& pair : frame.found.pairs)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::uint32_t index = side == 0 ? pair.a : pair.b;
+            if (stops_at_level(header)) {
+                region.push_back(volume_of(bodies[side], index));
+                continue;
+            }
+            for (const Vec3& corner : corners(*bodies[side].mesh, index))
+                region.push_back(Ball{transform_point(bodies[side].pose, corner), 0});
+        }
+    return region;
+}
+
+}  // namespace scb

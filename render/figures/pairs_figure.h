@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/analysis/trace.h"
+#include "render/figures/query_body.h"
+#include "render/figures/scene_figure.h"
+
+namespace scb {
+
+/// What pictures of a query's result show.
+struct PairsStyle {
+    bool leaves = true;  ///< the leaf volumes that overlapped
+    const Theme* theme = &light_theme;
+};
+
+/// The segments in which the pairs of triangles meet, in the world; one per pair, in their order.
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFrame& frame,
+                                      std::uint32_t first_id);
+
+/// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
+/// the segments in which they meet; and, translucent, the volumes of leaves that overlapped though
+/// their triangles do not intersect. Of a query that stopped at a level: the volumes of the pairs
+/// of nodes. `first_pair_id` is the id of the first pair's segment.
+Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+                const PairsStyle& style, std::uint32_t first_pair_id);
+
+/// Its numbers and legend.
+std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                   const TraceFrame& frame, const PairsStyle& style);
+
+/// What its colors mean.
+std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
+                                    const PairsStyle& style);
+
+/// The points that a camera which follows the contact has to show: the corners of the triangles
+/// that intersect, or the centers of nodes. Empty without contact.
+std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
+                                      const TraceFrame& frame);
+
+}  // namespace scb

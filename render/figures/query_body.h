@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "render/view/fit_camera.h"
+#include "render/view/palette.h"
+#include "render/view/picture.h"
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+/// One of the two bodies of a query as pictures need it, at one frame. What it points to is owned
+/// elsewhere.
+struct QueryBody {
+    std::string name;
+    const Mesh* mesh = nullptr;
+    const AnyHierarchy* hierarchy = nullptr;
+    MeshHandle handle;
+    Pose pose;                            ///< from the body's frame to the world's
+    std::uint32_t first_node_id = 1;      ///< node i has the id first_node_id + i
+    std::uint32_t first_triangle_id = 1;  ///< triangle i has the id first_triangle_id + i
+};
+using QueryBodies = std::array<QueryBody, 2>;
+
+/// A node's volume, in the world.
+AnyVolume volume_of(const QueryBody& body, std::uint32_t node);
+
+/// Blue for A, orange for B, as in every picture of bodies; and the same for a mesh that is not the
+/// subject.
+Rgba8 body_color(std::size_t side);
+Rgba8 dimmed_body_color(std::size_t side, const Theme& theme);
+
+/// The body's mesh in that color, with ids.
+MeshDraw mesh_draw(const QueryBody& body, Rgba8 color);
+
+}  // namespace scb

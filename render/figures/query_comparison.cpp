@@ -1,0 +1,154 @@
+#include "render/figures/query_comparison.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "render/figures/heat_figure.h"
+#include "render/plots/ending_colors.h"
+
+namespace scb {
+namespace {
+
+constexpr int number_rows = 6, scale_rows = 4;
+
+/// "+432", "−17", "±0": an exact difference.
+std::string difference_text(std::uint64_t from, std::uint64_t to) {
+    if (from == to) return "±0";
+    return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
+}
+
+/// Whether a node's number means the same node in both.
+bool nodes_comparable(const ComparedQueries& queries) {
+    return queries[0].header->split == queries[1].header->split;
+}
+
+/// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
+void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
+                 const PairsOfOne& only_here) {
+    const auto counts = [&](std::size_t side) {
+        const Collision& found = queries[side].frame->found;
+        return std::array<std::uint64_t, 4>{found.pairs.size(), found.n_v, found.n_p, found.n_u};
+    };
+    const std::array<std::uint64_t, 4> first = counts(0), second = counts(1);
+    constexpr std::array<const char*, 4> names = {"pairs", "N_v", "N_p", "N_u"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        views[0].numbers.emplace_back(PanelRow{names[i], {count_text(first[i]), ""}, {}, i == 0});
+        views[1].numbers.emplace_back(PanelRow{
+            names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        views[side].numbers.emplace_back(PanelRow{
+            "only here", {count_text(only_here[side].size()), ""}, {}, !only_here[side].empty()});
+        if (views[side].outlined)
+            views[side].numbers.emplace_back(
+                PanelRow{"outlined", {count_text(*views[side].outlined), ""}});
+    }
+}
+
+/// Outlines differences, and adds the numbers.
+void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
+             const PairsOfOne& only_here, const Theme& theme) {
+    const QueryBodies& bodies = queries[0].bodies;
+    assert(bodies[0].first_triangle_id > bodies[1].first_node_id &&
+           "the ids of triangles are behind those of nodes");
+    const std::uint32_t first_id = nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id;
+    std::optional<std::size_t> outlined = outline_differences(views, first_id, theme);
+    // Nodes alone.
+    if (!nodes_comparable(queries) && views[0].pane.meshes.empty()) outlined.reset();
+    for (ComparedView& view : views) view.outlined = outlined;
+    add_numbers(views, queries, only_here);
+}
+
+}  // namespace
+
+PairsOfOne pairs_of_one(const ComparedQueries& queries) {
+    const std::vector<IndexPair>&a = queries[0].frame->found.pairs,
+          &b = queries[1].frame->found.pairs;
+    PairsOfOne result;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result[0]));
+    std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(result[1]));
+    return result;
+}
+
+std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
+                                           const PairsOfOne& only_here, const PairsStyle& style,
+                                           std::uint32_t first_pair_id) {
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
+        views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, style,
+                                      first_pair_id + static_cast<std::uint32_t>(before));
+        views[side].legend = pairs_legend(query.bodies, *query.header, style);
+    }
+    compare(views, queries, only_here, *style.theme);
+    if (queries[0].header->options.stop_level >= 0) return views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        for (Segment& segment : contact_segments(query.bodies, *query.frame, 0)) {
+            const IndexPair pair = query.frame->found.pairs[segment.id];
+            if (!std::binary_search(only_here[side].begin(), only_here[side].end(), pair)) continue;
+            segment.id = 0;
+            segment.color = style.theme->accent;
+            segment.width = 3;
+            segment.on_top = true;
+            for (ComparedView& view : views) view.pane.segments.push_back(segment);
+        }
+        views[side].legend.emplace_back(
+            PanelKey{style.theme->accent, "where only one found pairs"});
+    }
+    return views;
+}
+
+std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
+                                                const PairsOfOne& only_here,
+                                                const RejectionsStyle& style) {
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ComparedQuery& query = queries[side];
+        const TestTree tree = test_tree(*query.header, *query.frame);
+        const Fronts fronts = fronts_of(query.bodies, *query.frame, tree, style);
+        views[side].pane = rejections_pane(query.bodies, fronts, style);
+        views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
+        if (style.by == FrontColor::share) views[side].legend.push_back(front_color_key(style));
+    }
+    compare(views, queries, only_here, *style.theme);
+    return views;
+}
+
+std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
+                                          const PairsOfOne& only_here, HeatOf of,
+                                          std::optional<std::uint32_t> scale_end,
+                                          const Theme& theme) {
+    std::array<Heat, 2> heats;
+    for (std::size_t side = 0; side < 2; ++side)
+        heats[side] = heat_of(queries[side].bodies, *queries[side].frame, of, scale_end);
+    const std::size_t larger = heats[1].most > heats[0].most ? 1 : 0;
+    heats[1 - larger].scale = heats[larger].scale;
+    std::array<ComparedView, 2> views;
+    for (std::size_t side = 0; side < 2; ++side) {
+        views[side].pane = heat_pane(queries[side].bodies, heats[side]);
+        views[side].legend = {heat_key(heats[side])};
+    }
+    compare(views, queries, only_here, theme);
+    return views;
+}
+
+ComparisonRows compared_pairs_rows() { return {number_rows, 5}; }
+
+ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
+                                        const RejectionsStyle& style) {
+    std::size_t groups = 0;
+    for (const TraceHeader* header : {&a, &b})
+        groups = std::max(
+            groups,
+            ending_groups(endings_of(header->volume, header->options), *style.theme).size());
+    // The heading, which stands off.
+    const int key = style.by == FrontColor::share ? scale_rows : 0;
+    return {number_rows, static_cast<int>(groups) + 2 + key};
+}
+
+ComparisonRows compared_heat_rows() { return {number_rows, scale_rows}; }
+
+}  // namespace scb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/analysis/triangle_heat.h"
+#include "render/figures/comparison_figure.h"
+#include "render/figures/pairs_figure.h"
+#include "render/figures/rejections_figure.h"
+
+namespace scb {
+
+/// One of two queries that are compared: of the same bodies at the same poses.
+struct ComparedQuery {
+    QueryBodies bodies;  ///< with the ids of the other's, those of triangles behind all of nodes
+    const TraceHeader* header = nullptr;
+    const TraceFrame* frame = nullptr;
+};
+using ComparedQueries = std::array<ComparedQuery, 2>;
+
+/// The pairs that only one of them found: [0] the first, [1] the second; sorted.
+using PairsOfOne = std::array<std::vector<IndexPair>, 2>;
+PairsOfOne pairs_of_one(const ComparedQueries& queries);
+
+/// What pairs_figure, rejections_figure and heat_figure show of each, with the counts of both and
+/// the differences of the second's; what their views show differently is outlined: but no nodes,
+/// where hierarchies divide them by other splits. Cameras, captions and remarks are left open.
+/// Pairs that only one of them found are lines of their own in both views. Heat has one scale for
+/// both. The segments of the first query's pairs have the ids from `first_pair_id`, those of the
+/// second's follow.
+std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
+                                           const PairsOfOne& only_here, const PairsStyle& style,
+                                           std::uint32_t first_pair_id);
+std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
+                                                const PairsOfOne& only_here,
+                                                const RejectionsStyle& style);
+std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
+                                          const PairsOfOne& only_here, HeatOf of,
+                                          std::optional<std::uint32_t> scale_end,
+                                          const Theme& theme);
+
+/// What the panels of these need at most, whatever the frame.
+ComparisonRows compared_pairs_rows();
+ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
+                                        const RejectionsStyle& style);
+ComparisonRows compared_heat_rows();
+
+}  // namespace scb

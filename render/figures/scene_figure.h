@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/overlay/figure_layout.h"
+#include "render/overlay/scales.h"
+#include "render/overlay/side_panel.h"
+
+namespace scb {
+
+/// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i.
+struct PanelChart {
+    std::string title;
+    std::vector<std::vector<BarPart>> rows;
+};
+
+/// A ball in the scene around which a square is drawn, over everything.
+struct SceneMarker {
+    Vec3 center = Vec3::Zero();
+    double radius = 0;
+};
+
+/// A picture with one view of the scene: heading, view, panel of numbers, scale bar.
+struct SceneFigure {
+    std::string title;
+    std::string subtitle;
+    Pane pane;                   ///< its viewport is set by compose()
+    Vec3 center = Vec3::Zero();  ///< where the scale bar holds
+    std::vector<PanelItem> panel;
+    PanelChart chart;  ///< below the panel, where there is room
+    std::vector<SceneMarker> markers;
+    std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
+    const Theme* theme = &light_theme;
+};
+
+Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay);
+
+}  // namespace scb

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/overlay/overlay.h"
+#include "render/plots/ending_colors.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// How the paths of a traversal ended, frame by frame, as one stacked bar for each: which stage of
+/// the overlap test earns its operations (Table 1 of the paper).
+struct StagesFigure {
+    std::string title;
+    std::string subtitle;
+    std::vector<EndingGroup> groups;   ///< from the bottom of a bar to its top
+    std::vector<int> frames;           ///< ascending
+    std::vector<EndingCounts> counts;  ///< one for each frame
+    double least_top = 0;  ///< the axis reaches this far at least: the same for figures compared
+    const Theme* theme = &light_theme;
+};
+
+/// The paths of the frame that has the most: where the axis ends without least_top.
+double most_paths(const StagesFigure& figure);
+
+/// Composes the picture: the bars, and their means per frame in a panel. Where there are more
+/// frames than pixels, a bar is the mean of those that fall on it.
+Picture compose(const StagesFigure& figure, int width, int height, Overlay& overlay);
+
+}  // namespace scb

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "core/analysis/trace.h"
+#include "render/overlay/overlay.h"
+#include "render/plots/depth_matrix_plot.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// Where the traversal of one frame spent itself, in the domain of pairs: without a camera.
+struct TraversalFigure {
+    std::string title;
+    std::string subtitle;
+    MatrixMeasure measure = MatrixMeasure::tests;
+    bool matrix = true;  ///< volume tests by depth of A and depth of B
+    bool icicle = true;  ///< the recursion: width is tests, color is outcome
+    const Theme* theme = &light_theme;
+};
+
+/// Composes the figure of a frame, with its counts and the legend of outcomes: the picture has no
+/// panes, all is in the overlay. Matrix and icicle stand side by side, or above each other where
+/// the picture is taller than wide. A tiny picture has neither legend nor notes.
+Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
+                int width, int height, Overlay& overlay);
+
+}  // namespace scb

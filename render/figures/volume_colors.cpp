@@ -1,0 +1,106 @@
+#include "render/figures/volume_colors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/logarithm.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb {
+namespace {
+
+constexpr std::array<std::string_view, 4> names = {"body", "depth", "radius", "thickness"};
+
+// Lighter or darker by up to a tenth, the same for a node in every picture.
+Rgba8 varied(Rgba8 color, std::uint32_t node) {
+    const double t = static_cast<double>((node * 2654435761u) >> 16) / 65535.0 * 2 - 1;
+    return t > 0 ? mix(color, {255, 255, 255}, 0.16 * t) : mix(color, {0, 0, 0}, -0.12 * t);
+}
+
+}  // namespace
+
+std::string_view color_by_name(ColorBy by) { return names[static_cast<std::size_t>(by)]; }
+
+std::optional<ColorBy> color_by_of(std::string_view name) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return static_cast<ColorBy>(i);
+    return std::nullopt;
+}
+
+template <Volume V>
+double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
+    const double d = diameter(volume);
+    switch (scale.by) {
+        case ColorBy::depth:
+            return scale.deepest == 0 ? 0 : static_cast<double>(depth) / scale.deepest;
+        case ColorBy::radius:
+            return d > 0
+                       ? std::clamp(1 + binary_logarithm(d / scale.root_diameter) / radius_halvings,
+                                    0.0, 1.0)
+                       : 0;
+        // Most volumes of a deep level are nearly flat: the square root parts them.
+        case ColorBy::thickness:
+            return d > 0 ? std::sqrt(thickness(volume) / d) : 0;
+        case ColorBy::body:
+            break;
+    }
+    return 0;
+}
+
+template <Volume V>
+Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
+                   std::uint32_t node) {
+    if (scale.by == ColorBy::body) return varied(category_color(body), node);
+    return viridis(color_magnitude(scale, volume, depth));
+}
+
+std::optional<PanelScale> legend_of(const ColorScale& scale) {
+    switch (scale.by) {
+        case ColorBy::depth: {
+            PanelScale legend{"color: level of the node", {}};
+            const int step = scale.deepest <= 6 ? 1 : (scale.deepest + 5) / 6;
+            for (int level = 0; level <= scale.deepest; level += step)
+                legend.ticks.emplace_back(
+                    scale.deepest == 0 ? 0 : static_cast<double>(level) / scale.deepest,
+                    std::to_string(level));
+            return legend;
+        }
+        case ColorBy::radius: {
+            PanelScale legend{"color: d / " + number_text(scale.root_diameter) + " (the root's)",
+                              {}};
+            for (int halvings = radius_halvings; halvings >= 0; halvings -= 3)
+                legend.ticks.emplace_back(
+                    1 - static_cast<double>(halvings) / radius_halvings,
+                    halvings == 0 ? "1" : "1/" + std::to_string(1 << halvings));
+            return legend;
+        }
+        case ColorBy::thickness: {
+            PanelScale legend{"color: τ / d (0 flat, 1 ball)", {}};
+            for (const auto& [ratio, label] :
+                 {std::pair{0.0, "0"}, {0.05, "0.05"}, {0.2, "0.2"}, {0.5, "0.5"}, {1.0, "1"}})
+                legend.ticks.emplace_back(std::sqrt(ratio), label);
+            return legend;
+        }
+        case ColorBy::body:
+            break;
+    }
+    return std::nullopt;
+}
+
+double largest_root(const std::vector<AnyHierarchy>& hierarchies) {
+    double largest = 0;
+    for (const AnyHierarchy& hierarchy : hierarchies)
+        largest = std::max(
+            largest, std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
+    return largest;
+}
+
+template double color_magnitude(const ColorScale&, const Scb&, int);
+template double color_magnitude(const ColorScale&, const Ball&, int);
+template double color_magnitude(const ColorScale&, const Obb&, int);
+template Rgba8 volume_color(const ColorScale&, const Scb&, int, std::size_t, std::uint32_t);
+template Rgba8 volume_color(const ColorScale&, const Ball&, int, std::size_t, std::uint32_t);
+template Rgba8 volume_color(const ColorScale&, const Obb&, int, std::size_t, std::uint32_t);
+
+}  // namespace scb

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "render/overlay/side_panel.h"
+#include "render/view/palette.h"
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+/// What the color of a volume tells.
+enum class ColorBy {
+    body,    ///< which body it belongs to, in the categories of the palette, with slight variations
+             ///< so that neighbours part
+    depth,   ///< its level, viridis from the root to the deepest level
+    radius,  ///< its diameter against the largest root's, viridis on a scale of halvings
+    thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole
+                ///< ball), on a square-root scale
+};
+
+std::string_view color_by_name(ColorBy by);
+std::optional<ColorBy> color_by_of(std::string_view name);
+
+/// The scale that the pictures of a run share.
+struct ColorScale {
+    ColorBy by = ColorBy::body;
+    int deepest = 0;           ///< for depth
+    double root_diameter = 1;  ///< for radius
+};
+
+/// How many halvings the scale of `radius` spans.
+inline constexpr int radius_halvings = 12;
+
+template <Volume V>
+double color_magnitude(const ColorScale& scale, const V& volume, int depth);
+
+template <Volume V>
+Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
+                   std::uint32_t node);
+
+/// The largest diameter of the hierarchies' roots.
+double largest_root(const std::vector<AnyHierarchy>& hierarchies);
+
+/// The scale as a legend, or nothing where the colors are categories.
+std::optional<PanelScale> legend_of(const ColorScale& scale);
+
+}  // namespace scb

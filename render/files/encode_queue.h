@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/files/image.h"
+#include "render/files/work_queue.h"
+
+namespace scb {
+
+/// Encodes pictures as PNG and writes them beside the drawing, with the order, the bounds and the
+/// errors (OutputError) of a WorkQueue.
+class EncodeQueue {
+  public:
+    explicit EncodeQueue(std::size_t capacity = 4, std::size_t threads = 1,
+                         std::size_t byte_capacity = std::size_t{256} << 20)
+        : queue_(capacity, threads, byte_capacity) {}
+
+    /// Takes the picture over.
+    void push(std::filesystem::path path, Image image);
+    void push(std::filesystem::path path, IdImage image);
+
+    /// Waits until everything is written.
+    void finish() { queue_.finish(); }
+
+  private:
+    WorkQueue queue_;
+};
+
+}  // namespace scb

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "render/files/child_process.h"
+#include "render/files/image.h"
+#include "render/files/work_queue.h"
+
+namespace scb {
+
+/// The program that makes videos.
+inline constexpr const char* video_program = "ffmpeg";
+
+/// A video of pictures of one size, H.264 in an MP4 file, made beside the drawing by the program
+/// ffmpeg, which has to be on PATH. The same pictures always give the same bytes (with the same
+/// ffmpeg and x264). All functions throw OutputError where ffmpeg or the file system fails.
+class VideoFile {
+  public:
+    /// `background` fills the column or the row that is added where a side is odd, which the format
+    /// does not know. `patience`: after which time without taking anything ffmpeg has failed.
+    /// Also throws std::system_error, where the system gives no thread to feed it.
+    VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
+              Rgba8 background, std::chrono::seconds patience = std::chrono::seconds(20));
+    /// Without finish() nothing is written.
+    ~VideoFile();
+
+    /// Takes over the next frame, which has the video's size. Memory stays flat: blocks while
+    /// ffmpeg is behind.
+    void push(Image image);
+    std::size_t frames() const { return frames_; }
+
+    /// Writes the file, whole or not at all, of one frame or more. Waits for ffmpeg, which has ten
+    /// times the patience to end once it has taken all frames.
+    void finish();
+
+  private:
+    [[noreturn]] void fail(std::optional<ProcessEnd> end) const;
+
+    std::filesystem::path path_;
+    int width_, height_;
+    std::chrono::seconds patience_;
+    UnnamedFile encoded_;
+    ChildProcess encoder_;
+    std::size_t frames_ = 0;
+    WorkQueue queue_;  ///< ends first: it writes to the encoder
+};
+
+}  // namespace scb

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "render/gl/gl.h"
+
+namespace scb {
+
+struct ContextPlatform;
+
+/// Where the OpenGL context comes from: Mesa's OSMesa library (removed from Mesa 25.1 on), or EGL
+/// without a surface (EGL_MESA_platform_surfaceless). Neither needs a display or a GPU.
+enum class GlBackend { osmesa, egl };
+
+/// "osmesa" or "egl".
+std::string_view to_string(GlBackend backend);
+
+/// The back end of that name, or nothing.
+std::optional<GlBackend> gl_backend_from_string(std::string_view name);
+
+/// Whether this program was built with the back end.
+bool is_compiled_in(GlBackend backend);
+
+/// The environment has no usable OpenGL: `what()` is one sentence that says what is missing. A
+/// program that meets it exits with status 77.
+struct GlError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The OpenGL library was there, but could not draw: out of memory, a shader it refuses, an error
+/// of its own. `what()` is one sentence. A program that meets it exits with status 3.
+struct DrawError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What draws the pictures. Nothing here depends on the CPU.
+struct GlInfo {
+    std::string backend;   ///< "osmesa" or "egl"
+    std::string version;   ///< of OpenGL, such as "4.5"
+    std::string mesa;      ///< such as "22.3.6"; empty where it is not Mesa
+    std::string llvm;      ///< such as "15.0.6"; empty where the renderer has none
+    std::string renderer;  ///< such as "llvmpipe"
+};
+
+/// An OpenGL 3.3 core context (or later) that can draw into framebuffer objects only. It is current
+/// in the thread that made it; several may exist, each used by one thread at a time.
+///
+/// Before the first one, the environment gets
+/// - `GALLIUM_DRIVER=llvmpipe`, whatever it was: the other software renderers draw other pixels,
+///   and OSMesa crashes on a name it does not know;
+/// - `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (where unset), so that pixels do not depend on
+///   whether the CPU has fused multiply-add;
+/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each where unset): what goes
+/// wrong
+///   is said by the exception, not by warnings on the standard error stream.
+class Context {
+  public:
+    /// Throws GlError where the back end is not compiled in, or gives no such context.
+    explicit Context(GlBackend backend);
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    /// Makes this the context of the calling thread; needed only where a program has several.
+    void make_current() const;
+
+    const Gl& gl() const { return gl_; }
+    const GlInfo& info() const { return info_; }
+
+  private:
+    std::unique_ptr<ContextPlatform> platform_;
+    Gl gl_;
+    GlInfo info_;
+};
+
+}  // namespace scb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/gl/gl_object.h"
+
+namespace scb {
+
+/// A framebuffer of its own: colors (RGBA8), ids (R32UI), and depth (32 bits, float) where it is
+/// drawn into.
+class RenderTarget {
+  public:
+    /// Throws DrawError where the OpenGL library cannot draw into such a framebuffer.
+    RenderTarget(const Gl& gl, int width, int height, bool with_depth);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    GLuint framebuffer() const { return framebuffer_.name(); }
+    GLuint colors() const { return colors_.name(); }
+    GLuint ids() const { return ids_.name(); }
+
+  private:
+    int width_;
+    int height_;
+    GlTexture colors_;
+    GlTexture ids_;
+    GlTexture depth_;
+    GlFramebuffer framebuffer_;
+};
+
+}  // namespace scb

@@ -1,0 +1,164 @@
+#include "render/overlay/figure_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render/overlay/scales.h"
+
+namespace scb {
+
+FigureLayout figure_layout(int width, int height) {
+    FigureLayout layout;
+    const int unit = layout.unit = text_unit(width, height);
+    const int margin = std::min({unit, width / 24, height / 24});
+    const int heading = std::min(height / 4, title_size(unit) + unit / 2);
+    const int top = margin + heading;
+    layout.heading = {margin, margin, width - 2 * margin, heading};
+    layout.portrait = height > width;
+    if (layout.portrait) {
+        const int panel = std::min(height / 3, 14 * unit * 5 / 4);
+        const int rows = std::min(15 * unit, width - 2 * margin);
+        layout.panel = {margin, height - margin - panel, rows, panel};
+        layout.view = {margin, top, width - 2 * margin, std::max(1, layout.panel.y - margin - top)};
+    } else {
+        const int panel = std::min(width * 2 / 5, 15 * unit);
+        layout.panel = {width - margin - panel, top, panel, height - top - margin};
+        layout.view = {margin, top, std::max(1, width - 3 * margin - panel),
+                       std::max(1, height - top - margin)};
+    }
+    return layout;
+}
+
+std::optional<PixelRect> detail_square(const FigureLayout& layout, int below) {
+    const PixelRect& panel = layout.panel;
+    const int caption = layout.unit * 9 / 4;
+    PixelRect square{panel.x, below + caption, 0, 0};
+    square.width = std::min(panel.width, panel.y + panel.height - square.y);
+    if (layout.portrait) {
+        const int right = layout.view.x + layout.view.width;
+        square = {panel.x + panel.width + 2 * layout.unit, panel.y + caption / 2, 0, 0};
+        square.width = std::min(right - square.x, panel.y + panel.height - square.y);
+        square.x = right - square.width;
+    }
+    square.height = square.width;
+    if (square.width < 4 * layout.unit) return std::nullopt;
+    return square;
+}
+
+void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
+                  std::string_view title, std::string_view subtitle) {
+    const int unit = layout.unit;
+    const PixelRect& box = layout.heading;
+    const TextStyle title_style{title_size(unit), FontWeight::bold, theme.text};
+    const TextStyle subtitle_style{unit, FontWeight::regular, theme.faint_text};
+    const std::string shown = fitted_text(overlay, title, title_style, box.width);
+    overlay.text(box.x, box.y, shown, title_style);
+    const int used = overlay.measure(shown, title_style).width + unit;
+    const std::string remark = fitted_text(overlay, subtitle, subtitle_style, box.width - used);
+    // Both on one base line.
+    overlay.text(box.x + used, box.y + (title_size(unit) - unit) * 4 / 5, remark, subtitle_style);
+}
+
+std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style,
+                        int width) {
+    std::string shown(text);
+    if (overlay.measure(shown, style).width <= width) return shown;
+    while (!shown.empty()) {
+        // Whole characters: bytes 10xxxxxx continue one.
+        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0) == 0x80)
+            shown.pop_back();
+        if (!shown.empty()) shown.pop_back();
+        const std::string cut = shown + "…";
+        if (overlay.measure(cut, style).width <= width) return cut;
+    }
+    return shown;
+}
+
+std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
+                                      const TextStyle& style, int width) {
+    std::vector<std::string> lines;
+    std::string line;
+    const auto flush = [&] {
+        if (!line.empty()) lines.push_back(line);
+        line.clear();
+    };
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        const std::string longer =
+            line.empty() ? std::string(word) : line + " " + std::string(word);
+        if (overlay.measure(longer, style).width <= width) {
+            line = longer;
+        } else {
+            flush();
+            line = fitted_text(overlay, word, style, width);
+        }
+    }
+    flush();
+    return lines;
+}
+
+void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
+                    const Theme& theme, int unit) {
+    const double scale = pixels_per_unit(camera, at, view.height);
+    if (!(scale > 0) || !std::isfinite(scale)) return;
+    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2, view.width / 5,
+                   scale, {theme, unit});
+}
+
+void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,
+                 const Theme& theme, int unit) {
+    if (remark.empty()) return;
+    const TextStyle style{unit, FontWeight::bold, theme.accent};
+    const std::string text = fitted_text(overlay, remark, style, view.width);
+    const TextSize size = overlay.measure(text, style);
+    overlay.rectangle({view.x, view.y, std::min(view.width, size.width + unit / 4), size.height},
+                      theme.panel);
+    overlay.text(view.x, view.y, text, style);
+}
+
+std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
+                                   double radius) {
+    if (!(-to_eye(camera, center)[2] > 0)) return std::nullopt;
+    const Vec3 at = project(camera, center, view.width, view.height);
+    const double reach = radius * pixels_per_unit(camera, center, view.height);
+    if (!(at[0] - reach >= 0 && at[1] - reach >= 0 && at[0] + reach <= view.width &&
+          at[1] + reach <= view.height))
+        return std::nullopt;
+    const int side = std::max(3, static_cast<int>(std::lround(2 * reach)));
+    return PixelRect{view.x + static_cast<int>(std::lround(at[0] - reach)),
+                     view.y + static_cast<int>(std::lround(at[1] - reach)), side, side};
+}
+
+std::string number_text(double value, int digits) {
+    char text[48];
+    if (std::abs(value) >= 100 && std::abs(value) < 1e7 && digits <= 3)
+        return (value < 0 ? "-" : "") +
+               count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
+    // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end
+    // goes.
+    std::snprintf(text, sizeof text, "%#.*g", digits, value);
+    std::string result(text);
+    if (const std::size_t exponent = result.find('e'); exponent != std::string::npos) {
+        if (exponent > 0 && result[exponent - 1] == '.') result.erase(exponent - 1, 1);
+    } else if (result.back() == '.') {
+        result.pop_back();
+    }
+    return value == 0 ? "0" : result;
+}
+
+std::string count_text(std::uint64_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+std::string share_text(double part, double whole) {
+    if (!(whole > 0)) return "–";
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1f %%", 100 * part / whole);
+    return text;
+}
+
+}  // namespace scb

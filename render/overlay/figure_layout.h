@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/overlay/font_face.h"
+#include "render/overlay/overlay.h"
+#include "render/view/camera.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+/// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of
+/// numbers at its right, or below it where the picture is taller than wide. Nothing of the panel or
+/// the heading ever covers the view.
+struct FigureLayout {
+    int unit = 20;  ///< size of body text, pixels
+    PixelRect heading;
+    PixelRect view;
+    PixelRect panel;
+    bool portrait = false;  ///< the panel is below the view
+};
+
+FigureLayout figure_layout(int width, int height);
+
+/// Where a magnified detail can stand: below the panel's rows, which end at `below`, or beside
+/// them; nothing where there is no room.
+std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
+
+inline double aspect_of(const PixelRect& rect) {
+    return static_cast<double>(rect.width) / rect.height;
+}
+
+/// The title and, behind or below it, a line of smaller text.
+void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
+                  std::string_view title, std::string_view subtitle);
+
+/// The text, cut to what fits into `width` pixels, with an ellipsis where it was cut.
+std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width);
+
+/// The text in lines of at most that width, broken at spaces; a word that is wider is cut.
+std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
+                                      const TextStyle& style, int width);
+
+/// A length bar in the lower left corner of a view: what a round number of scene units spans at
+/// `at`.
+void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
+                    const Theme& theme, int unit);
+
+/// A sentence at the top left of a view, in the color of what to look at first, on a panel.
+void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,
+                 const Theme& theme, int unit);
+
+/// Where a ball about `center` appears in the view: the square around it, or nothing where it is
+/// behind the eye or outside.
+std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
+                                   double radius);
+
+/// A number of about `digits` digits for a reader: 20,480 or 0.0731 or 1.2e-05.
+std::string number_text(double value, int digits = 3);
+std::string count_text(std::uint64_t count);
+
+/// "43.8 %"; a dash where there is no whole.
+std::string share_text(double part, double whole);
+
+}  // namespace scb

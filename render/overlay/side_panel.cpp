@@ -1,0 +1,145 @@
+#include "render/overlay/side_panel.h"
+
+#include <algorithm>
+
+#include "render/overlay/figure_layout.h"
+#include "render/overlay/scales.h"
+
+namespace scb {
+namespace {
+
+struct PanelPainter {
+    Overlay& overlay;
+    const PixelRect& box;
+    const Theme& theme;
+    int unit;
+    int y;
+
+    int line_height() const { return unit * 5 / 4; }
+    bool fits(int height) const { return y + height <= box.y + box.height; }
+    TextStyle style(FontWeight weight, Rgba8 color, Align align = Align::left) const {
+        return {unit, weight, color, align};
+    }
+
+    int least(const PanelItem& item) const {
+        if (std::holds_alternative<PanelScale>(item)) return scale_height();
+        return std::holds_alternative<PanelNote>(item) ? small_size(unit) : line_height();
+    }
+    /// The height that the heading takes with the smallest thing that stands under it.
+    int least_below(const std::vector<PanelItem>& items, std::size_t heading) const {
+        const int own = line_height() + unit / 4;
+        std::size_t i = heading + 1;
+        if (i == items.size()) return own;
+        if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(items, i);
+        int smallest = least(items[i]);
+        for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
+            smallest = std::min(smallest, least(items[i]));
+        return own + smallest;
+    }
+    int gap() const { return y > box.y ? unit / 2 : 0; }
+    int scale_height() const { return line_height() + unit * 3 / 4 + small_size(unit) + unit / 2; }
+
+    void draw(const PanelHeading& heading) {
+        y += gap();
+        const TextStyle bold = style(FontWeight::bold, theme.text);
+        overlay.text(box.x, y, fitted_text(overlay, heading.text, bold, box.width), bold);
+        y += line_height();
+        overlay.rectangle({box.x, y, box.width, 1}, theme.border);
+        y += unit / 4;
+    }
+
+    void draw(const PanelRow& row) {
+        if (!fits(line_height())) return;
+        const FontWeight weight = row.strong ? FontWeight::bold : FontWeight::regular;
+        const TextStyle label = style(FontWeight::regular, theme.faint_text);
+        const TextStyle value = style(weight, theme.text, Align::right);
+        const auto columns = static_cast<int>(row.values.size());
+        // Labels take what one of at most three columns leaves.
+        const int label_width = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
+        overlay.text(box.x, y, fitted_text(overlay, row.label, label, label_width), label);
+        for (int c = 0; c < columns; ++c) {
+            const auto i = static_cast<std::size_t>(c);
+            const int right = box.x + label_width + (box.width - label_width) * (c + 1) / columns;
+            const int room = (box.width - label_width) / columns - unit / 4;
+            const bool swatch = i < row.swatches.size() && row.swatches[i].has_value();
+            // Names may be cut, numbers never: they are set smaller.
+            const bool number =
+                !row.values[i].empty() && row.values[i][0] >= '0' && row.values[i][0] <= '9';
+            TextStyle style_of_value = value;
+            const int limit = swatch ? room - unit * 5 / 4 : room;
+            while (number && style_of_value.size > 8 &&
+                   overlay.measure(row.values[i], style_of_value).width > limit)
+                --style_of_value.size;
+            const std::string text =
+                number ? row.values[i] : fitted_text(overlay, row.values[i], value, limit);
+            overlay.text(right, y + (unit - style_of_value.size) / 2, text, style_of_value);
+            if (swatch) {
+                const int x = right - overlay.measure(text, value).width - unit * 5 / 4;
+                overlay.rectangle({x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, *row.swatches[i]);
+            }
+        }
+        y += line_height();
+    }
+
+    void draw(const PanelKey& key) {
+        if (!fits(line_height())) return;
+        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, key.color);
+        const TextStyle text = style(FontWeight::regular, theme.text);
+        const int indent = unit * 5 / 4;
+        overlay.text(box.x + indent, y, fitted_text(overlay, key.text, text, box.width - indent),
+                     text);
+        y += line_height();
+    }
+
+    void draw(const PanelLegendRow& row) {
+        if (!fits(line_height())) return;
+        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, row.color);
+        const TextStyle text = style(FontWeight::regular, theme.text);
+        const TextStyle value = style(FontWeight::regular, theme.text, Align::right);
+        const TextStyle faint = style(FontWeight::regular, theme.faint_text, Align::right);
+        const int right = box.x + box.width, share = unit * 7 / 2, indent = unit * 5 / 4;
+        overlay.text(right, y, row.share, faint);
+        overlay.text(right - share, y, row.count, value);
+        const int room =
+            box.width - indent - share - overlay.measure(row.count, value).width - unit / 2;
+        overlay.text(box.x + indent, y, fitted_text(overlay, row.text, text, room), text);
+        y += line_height();
+    }
+
+    void draw(const PanelScale& scale) {
+        if (!fits(scale_height())) return;
+        std::vector<Tick> ticks;
+        for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
+        const PixelRect covered =
+            draw_color_bar(overlay, {box.x, y + line_height(), box.width, unit * 3 / 4}, viridis,
+                           scale.title, ticks, {theme, unit});
+        y = covered.y + covered.height + unit / 4;
+    }
+
+    void draw(const PanelNote& note) {
+        const int small = small_size(unit);
+        const TextStyle text{small, FontWeight::regular, theme.faint_text};
+        for (const std::string& line : wrapped_text(overlay, note.text, text, box.width)) {
+            if (!fits(small)) return;
+            overlay.text(box.x, y, line, text);
+            y += small * 5 / 4;
+        }
+    }
+};
+
+}  // namespace
+
+int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
+                    const std::vector<PanelItem>& items) {
+    PanelPainter painter{overlay, box, theme, unit, box.y};
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        // Things without their heading would be taken for those of the one above.
+        if (std::holds_alternative<PanelHeading>(items[i]) &&
+            !painter.fits(painter.gap() + painter.least_below(items, i)))
+            break;
+        std::visit([&](const auto& item) { painter.draw(item); }, items[i]);
+    }
+    return painter.y;
+}
+
+}  // namespace scb

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "render/overlay/overlay.h"
+
+namespace scb {
+
+/// A column of numbers beside a view: what can stand in it, from top to bottom.
+struct PanelHeading {
+    std::string text;
+};
+
+/// A row of cells: a label at the left, values at the right in equal columns.
+struct PanelRow {
+    std::string label;
+    std::vector<std::string> values;
+    std::vector<std::optional<Rgba8>> swatches = {};  ///< before each value; may be empty
+    bool strong = false;
+};
+
+/// A color and what it means.
+struct PanelKey {
+    Rgba8 color;
+    std::string text;
+};
+
+/// A color, what it means, how many there are and what share that is.
+struct PanelLegendRow {
+    Rgba8 color;
+    std::string text;
+    std::string count;
+    std::string share;
+};
+
+/// Viridis from 0 to 1 as a bar, with labels at places between 0 and 1 below it.
+struct PanelScale {
+    std::string title;
+    std::vector<std::pair<double, std::string>> ticks;
+};
+
+struct PanelNote {
+    std::string text;  ///< wrapped to the width
+};
+
+using PanelItem =
+    std::variant<PanelHeading, PanelRow, PanelKey, PanelLegendRow, PanelScale, PanelNote>;
+
+/// Draws the items into the box, top down; what does not fit any more is left out. A heading
+/// without room for anything of what stands under it ends the panel. Returns the y below the last
+/// one.
+int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
+                    const std::vector<PanelItem>& items);
+
+}  // namespace scb

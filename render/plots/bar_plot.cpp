@@ -1,0 +1,72 @@
+#include "render/plots/bar_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/overlay/figure_layout.h"
+#include "render/overlay/font_face.h"
+
+namespace scb {
+namespace {
+
+bool drawable(const PlotBar& bar) { return std::isfinite(bar.value) && bar.value >= 0; }
+
+}  // namespace
+
+PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& plot,
+                        const FigureStyle& style) {
+    const int unit = style.unit, small = small_size(unit), heading = unit * 5 / 4;
+    const TextStyle bold{unit, FontWeight::bold, style.theme.text};
+    const TextStyle faint{small, FontWeight::regular, style.theme.faint_text};
+    const TextStyle name{small, FontWeight::regular, style.theme.text};
+    const TextStyle number{small, FontWeight::bold, style.theme.text};
+    const bool empty = std::none_of(plot.bars.begin(), plot.bars.end(), drawable);
+
+    int names = 0, numbers = 0;
+    double largest = 0;
+    for (const PlotBar& bar : plot.bars) {
+        names = std::max(names, overlay.measure(bar.name, name).width);
+        numbers = std::max(numbers, overlay.measure(bar.number, number).width);
+        if (drawable(bar)) largest = std::max(largest, bar.value);
+    }
+    const int gap = unit / 2;
+    // A name may be cut, a number never.
+    names = std::min(names, rect.width * 9 / 20);
+    const int top = 2 * heading + unit / 4, count = std::max(1, static_cast<int>(plot.bars.size()));
+    PixelRect area{rect.x + names + gap, rect.y + top, rect.width - names - numbers - 2 * gap,
+                   rect.height - top};
+    // Bars far apart do not look like one figure.
+    const int row = std::min(area.height / count, 6 * unit);
+    if (area.width < 2 * unit || row < small + 1) return {rect.x, rect.y, 0, 0};
+    area.height = row * count;
+
+    overlay.text(rect.x, rect.y, fitted_text(overlay, plot.title, bold, rect.width), bold);
+    overlay.text(rect.x, rect.y + heading, fitted_text(overlay, plot.label, faint, rect.width),
+                 faint);
+    if (empty) {
+        TextStyle middle = faint;
+        middle.align = Align::center;
+        overlay.text(rect.x + rect.width / 2, area.y + (area.height - small) / 2,
+                     fitted_text(overlay, plot.empty_text, middle, rect.width), middle);
+        return area;
+    }
+    const int thickness = std::clamp(row * 3 / 5, 2, 5 * unit / 2);
+    for (int i = 0; i < static_cast<int>(plot.bars.size()); ++i) {
+        const PlotBar& bar = plot.bars[static_cast<std::size_t>(i)];
+        const int middle = area.y + i * row + row / 2, text = middle - small / 2;
+        TextStyle right = name;
+        right.align = Align::right;
+        overlay.text(area.x - gap, text, fitted_text(overlay, bar.name, name, names), right);
+        int length = 0;
+        if (drawable(bar) && largest > 0)
+            length = static_cast<int>(std::lround(bar.value / largest * area.width));
+        overlay.rectangle({area.x, middle - thickness / 2, length, thickness}, bar.color);
+        overlay.text(area.x + length + gap, text, bar.number, number);
+    }
+    // Where bars begin.
+    overlay.rectangle({area.x, area.y, std::max(1, unit / 20), area.height},
+                      style.theme.faint_text);
+    return area;
+}
+
+}  // namespace scb

@@ -1,0 +1,89 @@
+#include "render/plots/ending_colors.h"
+
+namespace scb {
+namespace {
+
+constexpr Rgba8 grey{0xAC, 0xAC, 0xAC}, blue{0x00, 0x72, 0xB2}, sky{0x56, 0xB4, 0xE9},
+    green{0x00, 0x9E, 0x73}, yellow{0xF0, 0xE4, 0x42}, vermillion{0xD5, 0x5E, 0x00},
+    purple{0xCC, 0x79, 0xA7};
+
+struct Look {
+    std::string_view label;
+    Rgba8 color;
+};
+
+Look look_of(Ending ending, const Theme& theme) {
+    switch (ending) {
+        case Ending::triangles_apart:
+            return {"triangles apart", purple};
+        case Ending::triangles_meet:
+            return {"triangles meet", vermillion};
+        case Ending::found:
+            return {"overlap", vermillion};
+        case Ending::left_over:
+            return {"left over", theme.left_over};
+    }
+    const auto stage = static_cast<Stage>(ending);
+    switch (stage) {
+        case Stage::overlapping:
+            break;
+        case Stage::ball_ball:
+            return {"ball A, ball B", grey};
+        case Stage::slab_ball:
+            return {"slab A, ball B", blue};
+        case Stage::ball_slab:
+            return {"ball A, slab B", sky};
+        case Stage::slab_cylinder:
+            return {"slab A, cylinder B", green};
+        case Stage::cylinder_slab:
+            return {"cylinder A, slab B", yellow};
+        case Stage::slab_a:
+            return {"normal of A", blue};
+        case Stage::slab_b:
+            return {"normal of B", sky};
+        case Stage::center_line:
+            return {"line of centers", green};
+        case Stage::axis_a0:
+        case Stage::axis_a1:
+        case Stage::axis_a2:
+            return {"faces of A", blue};
+        case Stage::axis_b0:
+        case Stage::axis_b1:
+        case Stage::axis_b2:
+            return {"faces of B", sky};
+        case Stage::axis_a0_b0:
+        case Stage::axis_a0_b1:
+        case Stage::axis_a0_b2:
+        case Stage::axis_a1_b0:
+        case Stage::axis_a1_b1:
+        case Stage::axis_a1_b2:
+        case Stage::axis_a2_b0:
+        case Stage::axis_a2_b1:
+        case Stage::axis_a2_b2:
+            return {"edges A × B", green};
+    }
+    return {"", grey};
+}
+
+}  // namespace
+
+std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings, const Theme& theme) {
+    std::vector<EndingGroup> groups;
+    for (const Ending ending : endings) {
+        const Look look = look_of(ending, theme);
+        if (groups.empty() || groups.back().label != look.label)
+            groups.push_back({look.label, look.color, {}});
+        groups.back().endings.push_back(ending);
+    }
+    return groups;
+}
+
+Rgba8 ending_color(Ending ending, const Theme& theme) { return look_of(ending, theme).color; }
+
+std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts) {
+    std::uint64_t sum = 0;
+    for (const Ending ending : group.endings) sum += counts[static_cast<std::size_t>(ending)];
+    return sum;
+}
+
+}  // namespace scb

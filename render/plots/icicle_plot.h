@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/analysis/trace.h"
+#include "render/overlay/scales.h"
+#include "render/plots/ending_colors.h"
+
+namespace scb {
+
+/// The color of pairs that were divided: pale, so that the endings stand out.
+Rgba8 divided_color(const Theme& theme);
+
+/// Draws a frame's recursion (see Icicle) as wide as the rectangle, the depth of a row's pairs at
+/// its left. Rectangles of divided pairs carry how many tests they cost, where there is room.
+/// Returns what is covered.
+PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
+                      const TestTree& tree, const std::vector<EndingGroup>& groups,
+                      const FigureStyle& style);
+
+}  // namespace scb

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "core/explain/contact_certificate.h"
+#include "render/plots/section_plane.h"
+#include "render/view/palette.h"
+#include "render/view/picture.h"
+
+namespace scb {
+
+class Overlay;
+
+/// A step of an overlap test of two slab cut balls or balls as a drawing, after Figures 7 and 9 of
+/// the paper: what the section plane cuts out of them, their balls, the planes of their slabs, the
+/// cylinder if there is one, and how far the step takes each to reach, in numbers.
+struct SectionPlot {
+    AnyVolume a, b;  ///< in A's frame; no boxes
+    OverlapStep step;
+    SectionPlane plane;
+    std::optional<Vec3> common_point{};  ///< from the center of A, where one is known
+    Rgba8 gap_color;                     ///< of what is between the two reaches
+
+    bool has_cylinder() const;
+    /// Whether the step measures B against A's slab.
+    bool measures_b() const;
+};
+
+/// Draws it into the rectangle and nothing outside of it. Where one of the two, or the gap
+/// between them, would be too small to see, the drawing shows its surroundings only; returns
+/// whether it does.
+bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlot& plot,
+                       const Theme& theme, int unit);
+
+}  // namespace scb

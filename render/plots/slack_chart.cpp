@@ -1,0 +1,130 @@
+#include "render/plots/slack_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/overlay/figure_layout.h"
+#include "render/plots/ending_colors.h"
+
+namespace scb {
+namespace {
+
+struct Row {
+    std::string name, number, note;
+    bool decides = false, faint = false;
+};
+
+std::string signed_text(double value) {
+    return (value > 0 ? "+" : value < 0 ? "−" : "") + number_text(std::abs(value));
+}
+
+std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
+    std::vector<Row> rows;
+    const std::optional<std::size_t> decisive = steps.decisive();
+    for (std::size_t i = 0; i < steps.steps.size(); ++i) {
+        const OverlapStep& step = steps.steps[i];
+        Row row;
+        if (step.line > 0) row.name = std::to_string(step.line) + "  ";
+        row.name += formulas ? step.formula : std::string(stage_name(step.stage));
+        // Nothing but rounding.
+        const bool vanishes = !step.skipped.empty() && std::abs(step.slack) <= 2 * steps.margin;
+        row.number = vanishes ? "–" : signed_text(step.slack);
+        row.decides = decisive == i;
+        row.faint = !step.skipped.empty() || (decisive && i > *decisive);
+        if (row.decides)
+            row.note = "rejects";
+        else if (!step.skipped.empty())
+            row.note = "not tried";
+        else if (row.faint && step.separates)
+            row.note = "would too";
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+int slack_line(int unit) { return small_size(unit) * 5 / 4; }
+
+int slack_chart_lines(const OverlapSteps& steps) {
+    return 1 + static_cast<int>(steps.steps.size());
+}
+
+void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart& chart,
+                      const Theme& theme, int unit) {
+    const int small = small_size(unit), line = slack_line(unit), gap = unit / 2;
+    const TextStyle name{small, FontWeight::regular, theme.text};
+    const TextStyle strong{small, FontWeight::bold, theme.text};
+    const TextStyle faint{small, FontWeight::regular, theme.faint_text};
+    const int swatch = small * 4 / 5, indent = swatch + small / 2;
+    const auto widest = [&](const std::vector<Row>& rows, std::string Row::*part) {
+        int width = 0;
+        for (const Row& row : rows)
+            for (const TextStyle& style : {name, strong})
+                width = std::max(width, overlay.measure(row.*part, style).width);
+        return width;
+    };
+    std::vector<Row> rows = rows_of(*chart.steps, true);
+    const int numbers = widest(rows, &Row::number), notes = widest(rows, &Row::note);
+    const int least = 6 * unit, fixed = indent + numbers + notes + 3 * gap;
+    int names = widest(rows, &Row::name);
+    if (fixed + names + least > rect.width) {
+        rows = rows_of(*chart.steps, false);
+        names = std::min(widest(rows, &Row::name), std::max(0, rect.width - fixed - least / 2));
+    }
+    const PixelRect area = {rect.x + indent + names + gap, rect.y + line,
+                            rect.width - fixed - names, rect.height - line};
+    if (area.width < 2 * unit || area.height < line) return;
+
+    // One scale for both sides, which share the width as they need it.
+    double low = 0, high = 0;
+    for (const OverlapStep& step : chart.steps->steps) {
+        low = std::max(low, -step.slack);
+        high = std::max(high, step.slack);
+    }
+    const double least_share = 0.2, share = low + high > 0 ? low / (low + high) : 0.5;
+    const int zero =
+        area.x +
+        static_cast<int>(std::lround(area.width * std::clamp(share, least_share, 1 - least_share)));
+    const double scale = std::min(low > 0 ? (zero - area.x) / low : HUGE_VAL,
+                                  high > 0 ? (area.x + area.width - zero) / high : HUGE_VAL);
+    TextStyle left = faint, right = faint;
+    left.align = Align::right;
+    const bool has_lines = std::any_of(chart.steps->steps.begin(), chart.steps->steps.end(),
+                                       [](const OverlapStep& step) { return step.line > 0; });
+    const int room = zero - 2 * gap - overlay.measure("short by", faint).width - rect.x;
+    overlay.text(
+        rect.x, rect.y,
+        fitted_text(overlay, has_lines ? "line, separates if" : "separates if", faint, room),
+        faint);
+    overlay.text(zero - gap, rect.y, "short by", left);
+    overlay.text(zero + gap, rect.y, "separates by", right);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const OverlapStep& step = chart.steps->steps[i];
+        const Row& row = rows[i];
+        const int y = area.y + static_cast<int>(i) * line;
+        if (y + line > rect.y + rect.height) break;
+        const TextStyle& style = row.decides ? strong : row.faint ? faint : name;
+        overlay.rectangle({rect.x, y + (small - swatch) / 2 + 1, swatch, swatch},
+                          ending_color(rejected_at(step.stage), theme));
+        overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
+        int length =
+            step.slack != 0 ? static_cast<int>(std::lround(std::abs(step.slack) * scale)) : 0;
+        // What is too short to see still has a side.
+        if (step.slack != 0) length = std::max(length, 2);
+        const Rgba8 color = with_opacity(step.separates ? chart.separating : theme.faint_text,
+                                         row.faint        ? 0.35
+                                         : step.separates ? 1
+                                                          : 0.7);
+        overlay.rectangle({step.slack > 0 ? zero : zero - length, y + 1, length, small - 1}, color);
+        TextStyle number = style;
+        number.align = Align::right;
+        overlay.text(area.x + area.width + gap + numbers, y, row.number, number);
+        overlay.text(area.x + area.width + 2 * gap + numbers, y, row.note, style);
+    }
+    overlay.rectangle({zero, area.y, std::max(1, unit / 20),
+                       std::min(area.height, static_cast<int>(rows.size()) * line)},
+                      theme.text);
+}
+
+}  // namespace scb

@@ -1,0 +1,35 @@
+#include "render/view/any_volume.h"
+
+namespace scb {
+
+AnyVolume placed(const AnyVolume& volume, const Pose& pose) {
+    return std::visit([&](const auto& v) { return AnyVolume(placed(v, pose)); }, volume);
+}
+
+Vec3 center(const AnyVolume& volume) {
+    struct Center {
+        Vec3 operator()(const Scb& v) const { return v.c; }
+        Vec3 operator()(const Ball& v) const { return v.center; }
+        Vec3 operator()(const Obb& v) const { return v.center; }
+    };
+    return std::visit(Center{}, volume);
+}
+
+double reach(const AnyVolume& volume, const Vec3& direction) {
+    const double offset = std::visit([&](const auto& v) { return extent(v, direction); }, volume);
+    return dot(center(volume), direction) + offset;
+}
+
+bool identical(const Scb& a, const Scb& b) {
+    return a.c == b.c && a.r == b.r && a.n == b.n && a.e == b.e && a.f == b.f;
+}
+
+bool identical(const Ball& a, const Ball& b) {
+    return a.center == b.center && a.radius == b.radius;
+}
+
+bool identical(const Obb& a, const Obb& b) {
+    return a.center == b.center && a.axes == b.axes && a.half == b.half;
+}
+
+}  // namespace scb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <variant>
+
+#include "core/volumes/placed_volume.h"
+
+namespace scb {
+
+/// A volume of any type, for pictures that mix them.
+using AnyVolume = std::variant<Scb, Ball, Obb>;
+
+/// As of each type, see core/volumes/placed_volume.h.
+AnyVolume placed(const AnyVolume& volume, const Pose& pose);
+
+/// Whether two volumes are the same numbers.
+bool identical(const Scb& a, const Scb& b);
+bool identical(const Ball& a, const Ball& b);
+bool identical(const Obb& a, const Obb& b);
+
+/// The center of the ball or the box (not of the slab).
+Vec3 center(const AnyVolume& volume);
+
+/// The largest `direction.x` over the points x of the volume, for a unit direction.
+double reach(const AnyVolume& volume, const Vec3& direction);
+
+}  // namespace scb

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "scb/pose.h"
+#include "scb/vec.h"
+
+namespace scb {
+
+/// A camera in the world. Eye space is right-handed: x to the right, y up, z backward (towards the
+/// viewer).
+struct Camera {
+    Vec3 position = Vec3::Zero();  ///< of the eye; for an orthographic camera, of the plane that
+                                   ///< depth starts at
+    Mat3 axes =
+        Mat3::Identity();  ///< right, up, backward in the columns: a rotation from eye to world
+    bool orthographic = false;
+    double vertical_fov = 30;  ///< full vertical angle of a perspective camera, degrees, below 180
+    double view_height = 2;    ///< height of an orthographic camera's view, world units
+    double near_distance =
+        0.1;  ///< depth range that is drawn, along -backward, world units, above 0
+    double far_distance = 100;
+};
+
+/// The axes of a camera that looks at a target from the direction
+/// `(cos el sin az, -cos el cos az, sin el)`, Z being up: azimuth 0, elevation 0 looks along +y
+/// with x to the right. Angles in degrees; at elevation +-90 the azimuth says where up points.
+Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees);
+
+/// The same where another world direction than z is up: all turned by the smallest rotation that
+/// takes z there.
+Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees, const Vec3& up);
+
+/// A camera with orbit_axes, `distance` away from `target` (world units, above 0). The depth range
+/// is `distance` / 100 to `distance` * 100 and the orthographic view height what the field of view
+/// spans at the target, until the caller knows better (see set_depth_range in fit_camera.h).
+Camera orbit_camera(double azimuth_degrees, double elevation_degrees, const Vec3& target,
+                    double distance, bool orthographic = false, double vertical_fov = 30);
+
+/// tan(vertical_fov / 2), the same on every machine.
+double tan_half_fov(const Camera& camera);
+
+/// A world point in eye space.
+Vec3 to_eye(const Camera& camera, const Vec3& point);
+
+/// Where a world point lies in a view of `width` x `height` pixels: x from the left, y from the top
+/// (both in pixels, pixel centers at .5), z the distance along the view axis (world units). x and y
+/// mean nothing where a perspective camera has the point at or behind the eye (z <= 0).
+Vec3 project(const Camera& camera, const Vec3& point, int width, int height);
+
+/// How many pixels one world unit spans at the depth of `point`, seen face on, in a view `height`
+/// pixels high.
+double pixels_per_unit(const Camera& camera, const Vec3& point, int height);
+
+}  // namespace scb

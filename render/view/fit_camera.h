@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "render/view/any_volume.h"
+#include "render/view/camera.h"
+#include "scb/mesh.h"
+#include "scb/pose.h"
+
+namespace scb {
+
+/// The support function of a set of points in the world: the largest `direction.x` over the set,
+/// for a unit direction. Minus infinity for the empty set.
+using Support = std::function<double(const Vec3& direction)>;
+
+/// The support of volumes in the world frame. The volumes must outlive the result.
+Support support_of(std::span<const AnyVolume> volumes);
+
+/// The support of the vertices that the mesh's triangles use, placed by `pose`. The mesh must
+/// outlive the result.
+Support support_of(const Mesh& mesh, const Pose& pose);
+
+/// The middle of the box of the set along the world's axes.
+Vec3 center_of(const Support& support);
+
+/// The support of everything in `parts` together.
+Support support_of_all(std::vector<Support> parts);
+
+struct CameraFit {
+    double aspect = 16.0 / 9;  ///< width / height of the view
+    double margin =
+        0.04;  ///< left free at every side, as a part of the view's width and height; below 0.5
+    bool orthographic = false;
+    double vertical_fov = 30;  ///< degrees
+};
+
+/// The camera with these axes that comes as close as it can while everything in the support stays
+/// inside the view less its margins. Exact: at least two opposite sides (left and right, or top and
+/// bottom) are touched, because each volume's own support along the normals of the view's four side
+/// planes places the camera. The depth range is set too. A set of no size (one point) is looked at
+/// from a distance at which one unit fills the view. Throws InputError where the set is empty or
+/// not finite.
+Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options = {});
+
+/// Makes the camera's depth range as narrow as the support allows. What is behind the eye, or
+/// nearer than a ten thousandth of the far distance, is cut off.
+void set_depth_range(Camera& camera, const Support& support);
+
+}  // namespace scb

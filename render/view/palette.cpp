@@ -1,0 +1,102 @@
+#include "render/view/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+namespace {
+
+constexpr std::array<Rgba8, 8> categories = {{body_a_color,
+                                              body_b_color,
+                                              {0x00, 0x9E, 0x73},
+                                              {0xD5, 0x5E, 0x00},
+                                              {0xCC, 0x79, 0xA7},
+                                              {0x56, 0xB4, 0xE9},
+                                              {0xF0, 0xE4, 0x42},
+                                              {0x8C, 0x8C, 0x8C}}};
+
+// Viridis at every fifteenth of its range.
+constexpr std::array<Rgba8, 16> viridis_stops = {{{0x44, 0x01, 0x54},
+                                                  {0x48, 0x1A, 0x6C},
+                                                  {0x47, 0x2F, 0x7D},
+                                                  {0x41, 0x44, 0x87},
+                                                  {0x39, 0x56, 0x8C},
+                                                  {0x31, 0x68, 0x8E},
+                                                  {0x2A, 0x78, 0x8E},
+                                                  {0x23, 0x88, 0x8E},
+                                                  {0x1F, 0x98, 0x8B},
+                                                  {0x22, 0xA8, 0x84},
+                                                  {0x35, 0xB7, 0x79},
+                                                  {0x54, 0xC5, 0x68},
+                                                  {0x7A, 0xD1, 0x51},
+                                                  {0xA5, 0xDB, 0x36},
+                                                  {0xD2, 0xE2, 0x1B},
+                                                  {0xFD, 0xE7, 0x25}}};
+
+}  // namespace
+
+Rgba8 category_color(std::size_t category) { return categories[category % categories.size()]; }
+
+Rgba8 hierarchy_color(VolumeKind kind) {
+    switch (kind) {
+        case VolumeKind::scb:
+            return category_color(3);
+        case VolumeKind::ball:
+            return category_color(0);
+        case VolumeKind::ritter:
+            return category_color(5);
+        case VolumeKind::obb:
+            break;
+    }
+    return category_color(7);
+}
+
+Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme) {
+    if (i == 0 || count < 2) return color;
+    const double at = static_cast<double>(std::min(i, count - 1));
+    return mix(color, theme.text, std::min(0.4 * at, 0.8 * at / static_cast<double>(count - 1)));
+}
+
+Rgba8 viridis(double magnitude) {
+    const double t = magnitude > 0 ? std::min(magnitude, 1.0) * (viridis_stops.size() - 1) : 0;
+    const std::size_t below = std::min(static_cast<std::size_t>(t), viridis_stops.size() - 2);
+    return mix(viridis_stops[below], viridis_stops[below + 1], t - static_cast<double>(below));
+}
+
+Rgba8 mix(Rgba8 a, Rgba8 b, double t) {
+    const auto channel = [t](std::uint8_t from, std::uint8_t to) {
+        return static_cast<std::uint8_t>(std::lround(from + t * (to - from)));
+    };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
+}
+
+Rgba8 with_opacity(Rgba8 color, double opacity) {
+    color.a = static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
+    return color;
+}
+
+const Theme light_theme = {.background = {255, 255, 255},
+                           .panel = {255, 255, 255, 224},
+                           .border = {196, 200, 206},
+                           .text = {28, 32, 38},
+                           .faint_text = {96, 103, 112},
+                           .mesh = {176, 180, 186},
+                           .accent = {0xD5, 0x5E, 0x00},
+                           .warning = {0xB4, 0x00, 0x3C},
+                           .left_over = {0x30, 0x30, 0x30}};
+
+const Theme dark_theme = {.background = {22, 25, 30},
+                          .panel = {22, 25, 30, 224},
+                          .border = {74, 80, 90},
+                          .text = {236, 239, 243},
+                          .faint_text = {160, 168, 178},
+                          .mesh = {122, 128, 136},
+                          .accent = {0xF0, 0xE4, 0x42},
+                          .warning = {0xFF, 0x7A, 0x90},
+                          .left_over = {236, 239, 243}};
+
+}  // namespace scb

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/files/image.h"
+#include "render/view/any_volume.h"
+#include "render/view/camera.h"
+#include "scb/pose.h"
+
+namespace scb {
+
+/// A mesh that a Renderer has taken to the GPU; valid for that renderer, until it is released.
+struct MeshHandle {
+    std::uint32_t index = 0;
+};
+
+/// A volume in the world frame. It is opaque where the color's alpha is 255 and translucent below
+/// that; with alpha 0 it is not drawn. A volume with the eye inside shows its inner side. A ball or
+/// SCB of radius 0 draws nothing; a disc (e == f) or a flat box is drawn as the flat thing it is.
+///
+/// Which of two coplanar surfaces is in front must not be left to the rounding of depths. So each
+/// is drawn nearer by (id mod 32) millionths of its distance from the eye (along the view axis),
+/// which is enough unless it is seen within a few degrees of its edge: the one with the larger id
+/// mod 32 wins, also from up to 31 millionths of the distance behind. Ids that are equal mod 32
+/// tie: there rounding decides, pixel by pixel, and where even the rounded depths are equal, the
+/// one that is earlier in the list (SCBs and balls before boxes).
+struct VolumeInstance {
+    AnyVolume volume;
+    Rgba8 color;
+    std::uint32_t id = 0;  ///< goes into the id buffer; also decides between coplanar surfaces
+};
+
+/// A mesh in its place: flat shaded, both sides alike, opaque. Where a volume's surface coincides
+/// with the mesh, the volume wins, being drawn nearer by at least 11 millionths of its distance.
+struct MeshDraw {
+    MeshHandle mesh;
+    Pose pose;
+    Rgba8 color{176, 180, 186};
+    std::vector<Rgba8> triangle_colors;  ///< one for each triangle; empty: `color` for all
+    bool edges = false;                  ///< draw the triangles' edges, about one pixel wide
+    std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
+    double dim = 0;              ///< 0 to 1: how far the colors fade into the background
+    /// Triangles that also show, faintly and without ids, where something opaque hides them. Each
+    /// index once, ascending.
+    std::vector<std::uint32_t> shown_through;
+};
+
+/// A straight line in the world, of constant width in the picture. It faces the viewer at the depth
+/// of its middle, drawn nearer by 70 millionths of its distance: in front of the surface that it
+/// lies in, but for half its width where that surface is tilted.
+struct Segment {
+    Vec3 from;
+    Vec3 to;
+    Rgba8 color;
+    std::uint32_t id = 0;
+    double width = 2;     ///< pixels
+    bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
+};
+
+/// Pixels of a picture, (x, y) being the top left one.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Things of a pane that are outlined, all together, in front of everything but the
+/// overlay.
+struct Outline {
+    std::vector<std::uint32_t> ids;  ///< ascending; what has none of their pixels is not outlined
+    Rgba8 color;
+    Rgba8 halo;     ///< a thinner ring about it
+    int width = 2;  ///< pixels
+};
+
+/// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
+/// order: opaque meshes, volumes and segments by depth; what shows through these of meshes, in the
+/// order of the list; then translucent volumes from far to near
+/// (by the distance of their centers along the view axis, ties by id, then by position in the
+/// list), their back sides before their fronts; then the segments that are on top; then the
+/// outline.
+struct Pane {
+    PixelRect viewport;
+    Camera camera;
+    std::optional<Rgba8> background;  ///< where it differs from the picture's
+    std::vector<MeshDraw> meshes;
+    std::vector<VolumeInstance> volumes;
+    std::vector<Segment> segments;
+    Outline outline;
+};
+
+/// What to draw. Panes are drawn in order; where two overlap, the later one covers the earlier one
+/// wholly.
+///
+/// The id of a pixel is that of the nearest surface at the pixel's center (with 4 samples: at the
+/// center of its top left quarter), no matter how translucent.
+struct Picture {
+    int width = 1280;
+    int height = 720;
+    int samples = 4;  ///< 1, or 4: twice the resolution in both directions, averaged
+    Rgba8 background{255, 255, 255};
+    std::vector<Pane> panes;
+};
+
+}  // namespace scb

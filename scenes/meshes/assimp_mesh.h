@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "scb/mesh.h"
+
+namespace scb {
+
+/// The meshes of a file as assimp reads them, placed by their nodes and joined (see load_mesh), not
+/// yet checked. Throws InputError; what else the library throws passes through.
+Mesh assimp_mesh(const std::string& path);
+
+/// The formats to name where none fits.
+inline constexpr const char* mesh_formats =
+    "OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX or another format that assimp reads";
+
+}  // namespace scb

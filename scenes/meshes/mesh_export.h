@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scb/mesh.h"
+
+namespace scb {
+
+/// A mesh of one color in a file that other viewers read.
+struct ExportPart {
+    std::string name;
+    Mesh mesh;                   ///< in the world
+    std::array<float, 3> color;  ///< red, green, blue, 0 to 1
+};
+
+/// The bytes of a mesh file with these parts, in order; the format is that of the path's extension:
+/// .ply (text: the binary writer of assimp 5.2 breaks files with colors), .obj, .glb or .stl
+/// (binary). In .obj and .glb every part keeps its name; in .glb it is a node and a mesh of its
+/// own. .stl has neither colors nor names.
+///
+/// All four hold coordinates as float, to which they are rounded. Throws InputError for another
+/// extension, and for a coordinate that float cannot hold.
+std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
+                                      const std::filesystem::path& path);
+
+}  // namespace scb

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scb/mesh.h"
+
+namespace scb {
+
+/// Reads a mesh file of any format that assimp reads: OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX
+/// and more.
+///
+/// Every mesh that a node of the file's scene refers to is placed by the transforms of its node and
+/// of the nodes above it, and all are joined, in the order of a walk from the root (a node's own
+/// meshes before its children).
+///
+/// Polygons become triangles in place (see append_polygon); points and lines are dropped. Triangles
+/// keep the order and the corners that they have in the file. Degenerate and duplicate triangles,
+/// and unused vertices, stay.
+///
+/// Where a format has no shared vertices, or assimp gives every triangle its own (STL, OBJ),
+/// vertices with equal positions are repeated here; the core, which looks at positions, does not
+/// mind.
+///
+/// assimp holds coordinates as float, and reads decimal text to within a unit in the last place of
+/// it. Lengths are in the file's unit, but for COLLADA, whose unit is applied. The up axis of a
+/// COLLADA file is left alone; 3DS comes out with y up.
+///
+/// Formats other than PLY are read twice, first in a child process, since assimp's readers of them
+/// can crash on broken files; call this before the program starts threads that must not be forked.
+///
+/// Throws InputError with one sentence that names the file, the place where known, and what to do:
+/// the file is missing, a directory, empty, of a format that nothing reads, or broken; an index is
+/// out of range; a used vertex is not finite; there is no triangle.
+Mesh load_mesh(const std::filesystem::path& path);
+
+}  // namespace scb

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scb/ball.h"
+#include "scb/mesh.h"
+#include "scb/obb.h"
+#include "scb/scb.h"
+
+namespace scb {
+
+/// The surface of a volume as triangles, for viewers that cannot draw it exactly: vertices lie on
+/// the surface, so the mesh is inside the volume. `segments` (at least 3) corners to a circle; a
+/// full ball has `segments / 2` belts, the outer two of which are fans about its poles.
+/// Counterclockwise seen from outside, closed, without triangles of two equal corners.
+///
+/// A flat SCB gives a disc seen from both sides, a flat box a rectangle. What has no area gives no
+/// triangles: a ball without radius, an SCB that is cut away wholly, a box that is a line or a
+/// point. Lengths below 1e-12 of the coordinates, and cuts closer than 1e-6 radii to a pole or to
+/// another circle, count as zero.
+Mesh volume_mesh(const Scb& scb, int segments);
+Mesh volume_mesh(const Ball& ball, int segments);
+Mesh volume_mesh(const Obb& box, int segments);
+
+}  // namespace scb

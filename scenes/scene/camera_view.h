@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scb/vec.h"
+
+namespace scb {
+
+/// A detail of the scene that pictures may magnify: what is within `radius` of `center`, in world
+/// coordinates.
+struct Inset {
+    Vec3 center = Vec3::Zero();
+    double radius = 1;
+};
+
+/// How a scene wishes to be looked at. What is left open is fitted to what the picture shows.
+///
+/// The camera orbits the target with z up: seen from the target it lies in the direction
+///     (cos(elevation) sin(azimuth), -cos(elevation) cos(azimuth), sin(elevation)),
+/// so azimuth 0 looks along +y with x to the right, and elevation 90 looks straight down.
+struct CameraSpec {
+    double azimuth = 30;             ///< degrees
+    double elevation = 20;           ///< degrees, -90 to 90
+    std::optional<double> distance;  ///< scene units from the target
+    std::optional<Vec3> target;      ///< world coordinates
+    std::optional<Vec3> up;          ///< world direction; z where left open
+    double field_of_view = 35;       ///< degrees, vertical, 1 to 170
+    std::optional<bool> orthographic;
+    std::optional<double> view_height;  ///< orthographic: scene units from bottom to top
+    std::optional<Inset> inset;
+};
+
+/// What `--camera` takes: `fit` (all fitted, default angles), `orbit:AZIMUTH,ELEVATION[,DISTANCE]`,
+/// or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
+/// file and place.
+CameraSpec parse_camera(std::string_view text);
+
+/// The camera object of a scene file, from its JSON text; or the field `camera` of an object that
+/// has one, such as a scene file or the index.json beside pictures. `file` is named in errors
+/// (InputError).
+CameraSpec parse_camera_json(std::string_view json_text, const std::string& file);
+
+/// The camera object of a scene file, as JSON text: what parse_camera_json reads back to the same
+/// values.
+std::string camera_json(const CameraSpec& camera);
+
+}  // namespace scb

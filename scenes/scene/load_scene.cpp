@@ -1,0 +1,126 @@
+#include "scenes/scene/load_scene.h"
+
+#include <algorithm>
+
+#include "scb/error.h"
+#include "scenes/meshes/mesh_file.h"
+#include "scenes/scene/builtin.h"
+#include "scenes/scene/scene_file.h"
+#include "scenes/text/utf8.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* what_to_name =
+    "a built-in scene, a scene file (.json), one mesh file or two mesh files";
+
+/// How many letters must be added, removed or changed to turn one word into the other
+/// (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+[[noreturn]] void refuse_unknown(const std::string& name) {
+    std::string known, nearest;
+    std::size_t least = 4;  // farther than three letters off is another word
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        known += (known.empty() ? "" : ", ") + scene.name;
+        const std::size_t distance = edit_distance(name, scene.name);
+        if (distance < least) {
+            least = distance;
+            nearest = scene.name;
+        }
+    }
+    throw InputError(name + ": there is no such scene or file" +
+                     (nearest.empty() ? "" : ", did you mean " + nearest + "?") + "; name " +
+                     what_to_name + " (built in are " + known + ").");
+}
+
+/// What a mesh from this file is called.
+std::string stem(const std::string& path) {
+    const std::string name = fs::path(path).stem().string();
+    return as_utf8(name.empty() ? path : name);
+}
+
+bool is_scene_file(const std::string& name) { return fs::path(name).extension() == ".json"; }
+
+/// A word without a folder and an extension is meant as a built-in name.
+bool looks_like_path(const std::string& name) {
+    return name.find('/') != std::string::npos || !fs::path(name).extension().empty();
+}
+
+/// The file that a name on the command line means.
+fs::path find_mesh(const std::string& name, const fs::path& models_dir) {
+    std::error_code ignored;
+    const fs::path path = name;
+    if (fs::exists(path, ignored)) return path;
+    const bool look_further = !models_dir.empty() && !name.empty() && path.is_relative();
+    if (look_further && fs::exists(models_dir / path, ignored)) return models_dir / path;
+    if (!looks_like_path(name)) refuse_unknown(name);
+    throw InputError(name + ": there is no such file" +
+                     (look_further ? ", nor is there " + (models_dir / path).string() : "") +
+                     "; check the path.");
+}
+
+Scene one_mesh(const std::string& name, const fs::path& file) {
+    Scene scene;
+    scene.name = file_name_of(stem(name));
+    scene.meshes.push_back({stem(name), load_mesh(file), file});
+    scene.bodies.push_back({stem(name), 0, {}});
+    return scene;
+}
+
+Scene two_meshes(const std::string& first, const std::string& second, const LoadOptions& options) {
+    for (const std::string& name : {first, second})
+        if (find_builtin(name) || is_scene_file(name))
+            throw InputError(name +
+                             ": this is a scene by itself; name it alone, or name two mesh files.");
+    const fs::path first_file = find_mesh(first, options.models_dir),
+                   second_file = find_mesh(second, options.models_dir);
+    Scene scene = one_mesh(first, first_file);
+    std::error_code ignored;
+    const bool same_file = fs::equivalent(first_file, second_file, ignored);
+    if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file), second_file});
+    scene.name = file_name_of(stem(first) + "-" + stem(second));
+    scene.bodies[0].name = "A";
+    scene.bodies.push_back({"B", scene.meshes.size() - 1, {}});
+    if (options.pose) {
+        check_rigid(*options.pose, "--pose");
+        Motion& motion = scene.bodies[1].motion;
+        motion.base = options.pose->rotation;
+        motion.path.from = motion.path.to = options.pose->translation;
+    }
+    return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options) {
+    if (names.empty() || names.size() > 2)
+        throw InputError("SCENE: " + std::to_string(names.size()) + " names are given; name " +
+                         what_to_name + ".");
+    if (names.size() == 2) return two_meshes(names[0], names[1], options);
+    const std::string& name = names[0];
+    if (options.pose)
+        throw InputError("--pose: it places the second of two mesh files, but only " + name +
+                         " is named; name two mesh files or leave it out.");
+    if (const BuiltinScene* builtin = find_builtin(name))
+        return load_builtin(*builtin, options.models_dir);
+    if (is_scene_file(name)) return load_scene_file(name, options.models_dir);
+    return one_mesh(name, find_mesh(name, options.models_dir));
+}
+
+}  // namespace scb

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scenes/scene/scene_file.h"
+#include "scenes/text/json_reader.h"
+
+namespace scb {
+
+/// Makes or loads the model that stands at `place` of a scene file (see parse_scene).
+/// Throws InputError, naming file and place.
+NamedMesh read_model(const JsonPlace& place, const SceneContext& context);
+
+}  // namespace scb

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "scb/pose.h"
+
+namespace scb {
+
+/// A rotation about an axis through the origin of the body frame: by `degrees + degrees_per_frame *
+/// frame`, counterclockwise seen from the tip of the axis. The axis need not be a unit vector, but
+/// must not be zero.
+struct Turn {
+    Vec3 axis = Vec3::UnitZ();
+    double degrees = 0;
+    double degrees_per_frame = 0;
+};
+
+/// A straight path of the body's origin in the world, in scene units: `from + (to - from) * (frame
+/// / frames)`. It goes on beyond `frames` at the same speed.
+struct LinearPath {
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::Zero();
+    double frames = 1;  ///< > 0
+};
+
+/// How a body moves. Matrices act on columns; the body is first turned by `base`, then by each of
+/// `turns` in the order of the list, then moved along `path`. Euler angles are three turns about x,
+/// y and z.
+struct Motion {
+    LinearPath path;
+    Mat3 base = Mat3::Identity();
+    std::vector<Turn> turns;
+};
+
+/// The rotation by `degrees` about `axis`: Rodrigues' formula, with no function of the C library
+/// whose rounding depends on the machine. Throws InputError where the axis is zero or something is
+/// not finite.
+Mat3 rotation_about(const Vec3& axis, double degrees);
+
+/// The pose (body frame to world) at a frame.
+/// Throws InputError where the pose is not rigid and finite, see check_rigid.
+Pose pose_at(const Motion& motion, int frame);
+
+}  // namespace scb

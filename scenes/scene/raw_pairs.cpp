@@ -1,0 +1,216 @@
+#include "scenes/scene/raw_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scb/error.h"
+#include "scenes/text/json_reader.h"
+#include "scenes/text/number_text.h"
+
+namespace scb {
+namespace {
+
+/// What single precision may have left of a unit vector or a rotation.
+constexpr double largest_defect = 1e-6;
+/// Defects of doubles that were rounded are not worth a note.
+constexpr double least_noted = 1e-12;
+
+using Notes = std::vector<std::string>;
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+double length_of(const Vec3& v) { return std::sqrt(squared_norm(v)); }
+
+Vec3 read_normal(const JsonPlace& place, Notes& notes) {
+    const Vec3 v = read_direction(place);
+    const double length = length_of(v);
+    if (!(std::abs(length - 1) <= largest_defect))
+        refuse(place, "this is no unit vector: its length is " + short_number(length) +
+                          "; divide it by that, and e and f too if they were meant along it.");
+    if (std::abs(length - 1) > least_noted)
+        notes.push_back(place.path + " has the length " + number_text(length) +
+                        " and was made a unit vector.");
+    // Twice, since the first quotient may be off by more than an SCB's normal may.
+    const Vec3 once = v / length;
+    return once / length_of(once);
+}
+
+/// The rotation next to a matrix that nearly is one: its columns one after the other, less what
+/// they have of those before.
+Mat3 made_rotation(const Mat3& m) {
+    const Vec3 x = m.col(0) / length_of(m.col(0));
+    Vec3 y = m.col(1) - dot(x, Vec3(m.col(1))) * x;
+    y /= length_of(y);
+    Mat3 result;
+    result.col(0) = x;
+    result.col(1) = y;
+    result.col(2) = cross(x, y);
+    return result;
+}
+
+/// `fault`: what it means where the matrix is no rotation.
+Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& fault,
+                      Notes& notes) {
+    const double defect = rigidity_defect({m, Vec3::Zero()});
+    if (defect > largest_defect)
+        refuse(place, fault +
+                          (std::isinf(defect) ? std::string(" (the matrix mirrors or is singular)")
+                                              : " (R^T R differs from the identity by " +
+                                                    short_number(defect) + ")") +
+                          "; give a rotation, with 7 digits or more.");
+    if (defect <= least_noted) return m;
+    notes.push_back(place.path + " is off a rotation by " + number_text(defect) +
+                    " and was made one.");
+    return made_rotation(m);
+}
+
+Pose read_pair_pose(const JsonPlace& place, Notes& notes) {
+    if (!place.value->is_array() || place.value->size() != 12)
+        refuse_value(place, "twelve numbers, [R|t] row by row");
+    Pose pose;
+    for (std::size_t k = 0; k < 12; ++k) {
+        const auto row = static_cast<Eigen::Index>(k / 4),
+                   column = static_cast<Eigen::Index>(k % 4);
+        (column < 3 ? pose.rotation(row, column) : pose.translation[row]) =
+            read_number(element(place, k));
+    }
+    pose.rotation = checked_rotation(place, pose.rotation, "the pose is not rigid", notes);
+    return pose;
+}
+
+/// A length whose square does not vanish, or none.
+double read_length(const JsonPlace& place) {
+    const double length = read_number(place, 0);
+    if (length > 0 && length < min_size)
+        refuse(place, number_text(length) + " is too small; at least " + number_text(min_size) +
+                          ", or 0.");
+    return length;
+}
+
+void read(const JsonPlace& place, Scb& s, Notes& notes) {
+    check_fields(place, {"center", "radius", "normal", "e", "f"});
+    s.c = read_vec3(field(place, "center"));
+    s.r = read_length(field(place, "radius"));
+    s.n = read_normal(field(place, "normal"), notes);
+    s.e = read_number(field(place, "e"));
+    s.f = read_number(field(place, "f"));
+    const auto e = [&] { return "e = " + number_text(s.e); };
+    const auto f = [&] { return "f = " + number_text(s.f); };
+    const std::string r = number_text(s.r);
+    if (s.e < s.f)
+        refuse(field(place, "e"), e() + " is below " + f() +
+                                      "; e is the upper plane: exchange "
+                                      "them, or turn the normal.");
+    if (s.f > s.r)
+        refuse(field(place, "f"), f() + " is above the ball, whose radius is " + r +
+                                      ": the volume holds no point; leave it out.");
+    if (s.e < -s.r)
+        refuse(field(place, "e"), e() + " is below the ball, whose radius is " + r +
+                                      ": the volume holds no point; leave it out.");
+    if (s.e > s.r) {
+        notes.push_back(place.path + "." + e() + " is beyond the ball and was made " + r + ".");
+        s.e = s.r;
+    }
+    if (s.f < -s.r) {
+        notes.push_back(place.path + "." + f() + " is beyond the ball and was made " +
+                        number_text(-s.r) + ".");
+        s.f = -s.r;
+    }
+}
+
+void read(const JsonPlace& place, Ball& ball, Notes&) {
+    check_fields(place, {"center", "radius"});
+    ball.center = read_vec3(field(place, "center"));
+    ball.radius = read_length(field(place, "radius"));
+}
+
+void read(const JsonPlace& place, Obb& box, Notes& notes) {
+    check_fields(place, {"center", "axes", "half"});
+    box.center = read_vec3(field(place, "center"));
+    const JsonPlace axes = field(place, "axes");
+    if (array_size(axes, "three axes") != 3) refuse_value(axes, "three axes");
+    for (std::size_t i = 0; i < 3; ++i)
+        box.axes.col(static_cast<Eigen::Index>(i)) = read_vec3(element(axes, i));
+    box.axes = checked_rotation(axes, box.axes, "the axes are no rotation", notes);
+    const JsonPlace half = field(place, "half");
+    if (array_size(half, "three half lengths") != 3) refuse_value(half, "three half lengths");
+    for (std::size_t i = 0; i < 3; ++i)
+        box.half[static_cast<Eigen::Index>(i)] = read_length(element(half, i));
+}
+
+enum class Kind { scb, ball, box };
+
+/// By the fields that only one kind has.
+Kind kind_of(const JsonPlace& place) {
+    check_fields(place, {"center", "radius", "normal", "e", "f", "axes", "half"});
+    if (has(place, "axes") || has(place, "half")) return Kind::box;
+    if (has(place, "normal") || has(place, "e") || has(place, "f")) return Kind::scb;
+    return Kind::ball;
+}
+
+const char* words_of(Kind kind) {
+    return kind == Kind::scb ? "a slab cut ball" : kind == Kind::ball ? "a ball" : "a box";
+}
+
+Vec3 center_of(const Scb& s) { return s.c; }
+Vec3 center_of(const Ball& ball) { return ball.center; }
+Vec3 center_of(const Obb& box) { return box.center; }
+
+/// Of two points the distance is all that there is.
+template <class V>
+void check_distance(const JsonPlace& place, const RawPair<V>& pair) {
+    if (diameter(pair.a) > 0 || diameter(pair.b) > 0) return;
+    const Vec3 apart = transform_point(pair.b_to_a, center_of(pair.b)) - center_of(pair.a);
+    const double distance = apart.stableNorm();
+    if (distance > 0 && distance < (1 - 1e-9) * min_size)
+        refuse(field(field(place, "b"), "center"), "the two points are " + short_number(distance) +
+                                                       " apart; at least " + number_text(min_size) +
+                                                       ", or 0.");
+}
+
+template <class V>
+RawPair<V> read_pair_of(const JsonPlace& place) {
+    RawPair<V> pair;
+    read(field(place, "a"), pair.a, pair.notes);
+    read(field(place, "b"), pair.b, pair.notes);
+    if (has(place, "pose")) pair.b_to_a = read_pair_pose(field(place, "pose"), pair.notes);
+    check_distance(place, pair);
+    return pair;
+}
+
+AnyRawPair read_pair(const JsonPlace& place) {
+    check_fields(place, {"a", "b", "pose"});
+    const Kind a = kind_of(field(place, "a")), b = kind_of(field(place, "b"));
+    if (a != b)
+        refuse(place, std::string("a is ") + words_of(a) + " and b is " + words_of(b) +
+                          "; give two of one kind.");
+    if (a == Kind::scb) return read_pair_of<Scb>(place);
+    if (a == Kind::ball) return read_pair_of<Ball>(place);
+    return read_pair_of<Obb>(place);
+}
+
+}  // namespace
+
+std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::string& file) {
+    const nlohmann::json document = parse_json(json_text, file);
+    const JsonPlace root{&document, file, ""};
+    std::vector<AnyRawPair> pairs;
+    if (document.is_object()) {
+        pairs.push_back(read_pair(root));
+        return pairs;
+    }
+    const std::size_t count = array_size(root, "a pair of volumes {a, b, pose}, or a list of them");
+    pairs.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) pairs.push_back(read_pair(element(root, i)));
+    return pairs;
+}
+
+std::vector<AnyRawPair> read_raw_pairs(const std::string& file) {
+    return parse_raw_pairs(read_text_file(file, std::size_t{512} << 20), file);
+}
+
+}  // namespace scb

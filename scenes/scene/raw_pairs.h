@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scb/ball.h"
+#include "scb/obb.h"
+#include "scb/pose.h"
+#include "scb/scb.h"
+
+namespace scb {
+
+/// Two volumes that somebody gave as numbers, each in a frame of its own; well-formed.
+template <class V>
+struct RawPair {
+    V a, b;
+    Pose b_to_a;
+    std::vector<std::string> notes{};  ///< what was made good of the numbers, as sentences
+};
+using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>>;
+
+/// Reads pairs of volumes from JSON: a list of, or one,
+///     {"a": VOLUME, "b": VOLUME, "pose": [12 numbers, the rows of [R|t], B's pose in A's frame]}
+/// where the pose may be left out, and VOLUME is a slab cut ball, a ball or a box, both of one
+/// kind:
+///     {"center": [x, y, z], "radius": r, "normal": [x, y, z], "e": e, "f": f}
+///     {"center": [x, y, z], "radius": r}
+///     {"center": [x, y, z], "axes": [[x, y, z], [x, y, z], [x, y, z]], "half": [x, y, z]}
+///
+/// Numbers of other engines may have single precision: normals, axes and poses within 1e-6 of what
+/// they must be are made unit vectors and rotations, planes beyond the ball are moved to its poles,
+/// and a note says so. Throws InputError, naming file, pair and field, for everything else: not
+/// JSON, unknown, missing or wrong fields, a normal without length, e < f, a slab that misses its
+/// ball, a negative radius or half length, one below min_size that is not 0 (or the distance of two
+/// points that is), axes or a pose that is no rotation. `file` is named in errors.
+std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::string& file);
+
+/// The same of a file of at most 512 MiB.
+std::vector<AnyRawPair> read_raw_pairs(const std::string& file);
+
+}  // namespace scb

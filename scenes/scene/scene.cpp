@@ -1,0 +1,23 @@
+#include "scenes/scene/scene.h"
+
+#include <string_view>
+
+namespace scb {
+
+std::string file_name_of(const std::string& text) {
+    constexpr std::string_view allowed =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+    constexpr std::size_t longest = 100;  // leaves room for what files add to it
+    std::string name;
+    for (const char c : text) {
+        if (name.size() == longest) break;
+        const bool is_allowed = allowed.find(c) != std::string_view::npos;
+        if (is_allowed || (!name.empty() && name.back() != '-')) name += is_allowed ? c : '-';
+    }
+    // A leading dot hides files, a leading dash reads as an option, and neither end needs them.
+    while (!name.empty() && (name.front() == '.' || name.front() == '-')) name.erase(0, 1);
+    while (!name.empty() && (name.back() == '.' || name.back() == '-')) name.pop_back();
+    return name.empty() ? "scene" : name;
+}
+
+}  // namespace scb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scb/mesh.h"
+#include "scenes/scene/camera_view.h"
+#include "scenes/scene/motion.h"
+
+namespace scb {
+
+/// No scene has more frames.
+inline constexpr int most_frames = 1'000'000;
+
+/// A mesh that bodies of a scene share, in its body frame.
+struct NamedMesh {
+    std::string name;
+    Mesh mesh;
+    std::filesystem::path file{};  ///< that it was read from; empty where it was made by formula
+};
+
+/// A mesh that moves.
+struct Body {
+    std::string name;
+    std::size_t mesh = 0;  ///< index of Scene::meshes
+    Motion motion;
+};
+
+/// Bodies and how they move, frame by frame: what a command works on. Frames run from 0 to `frames
+/// - 1`.
+struct Scene {
+    std::string name;  ///< fit for a file name: letters, digits, '.', '_' and '-'
+    std::string description;
+    std::vector<NamedMesh> meshes;
+    std::vector<Body> bodies;
+    int frames = 1;
+    std::optional<CameraSpec> camera;
+    int default_frame = 0;  ///< the frame to show where none is asked for
+};
+
+/// The text with every run of characters that Scene::name does not allow made one '-', cut to 100
+/// characters; "scene" where nothing is left.
+std::string file_name_of(const std::string& text);
+
+}  // namespace scb

@@ -1,0 +1,154 @@
+#include "scenes/scene/scene_file.h"
+
+#include <algorithm>
+
+#include "scb/error.h"
+#include "scenes/scene/camera_json.h"
+#include "scenes/scene/model_json.h"
+
+namespace scb {
+namespace {
+
+constexpr std::size_t most_procedural_triangles = std::size_t{1} << 25;
+
+LinearPath read_position(const JsonPlace& place) {
+    LinearPath path;
+    if (!place.value->is_object()) {
+        if (!place.value->is_array())
+            refuse_value(place, "three numbers, or an object with from, to, frames");
+        path.from = path.to = read_vec3(place);
+        return path;
+    }
+    check_fields(place, {"from", "to", "frames"});
+    path.from = read_vec3(field(place, "from"));
+    path.to = read_vec3(field(place, "to"));
+    path.frames = read_number(field(place, "frames"), 1e-6, 1e9);
+    return path;
+}
+
+std::vector<Turn> read_rotation(const JsonPlace& place) {
+    std::vector<Turn> turns;
+    const std::size_t count = array_size(place, "a list of {axis, degrees, per_frame}");
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonPlace entry = element(place, i);
+        check_fields(entry, {"axis", "degrees", "per_frame"});
+        Turn turn;
+        turn.axis = read_direction(field(entry, "axis"));
+        if (has(entry, "degrees")) turn.degrees = read_number(field(entry, "degrees"), -1e6, 1e6);
+        if (has(entry, "per_frame"))
+            turn.degrees_per_frame = read_number(field(entry, "per_frame"), -1e6, 1e6);
+        turns.push_back(turn);
+    }
+    return turns;
+}
+
+Motion read_pose(const JsonPlace& place) {
+    if (!place.value->is_array() || place.value->size() != 12)
+        refuse_value(place, "twelve numbers, [R|t] row by row");
+    Motion motion;
+    for (std::size_t k = 0; k < 12; ++k) {
+        const auto row = static_cast<Eigen::Index>(k / 4),
+                   column = static_cast<Eigen::Index>(k % 4);
+        const double number = read_number(element(place, k));
+        if (column < 3)
+            motion.base(row, column) = number;
+        else
+            motion.path.from[row] = motion.path.to[row] = number;
+    }
+    check_rigid({motion.base, motion.path.from}, place.file + ": " + place.path);
+    return motion;
+}
+
+std::size_t find_model(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
+    const std::string name = read_plain_text(place);
+    std::string known;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        if (meshes[i].name == name) return i;
+        known += (i == 0 ? "" : ", ") + meshes[i].name;
+    }
+    refuse(place, "there is no model \"" + name + "\"; the models are " + known + ".");
+}
+
+Body read_body(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
+    check_fields(place, {"name", "model", "position", "rotation", "pose"});
+    Body body;
+    body.name = read_plain_text(field(place, "name"));
+    body.mesh = find_model(field(place, "model"), meshes);
+    if (has(place, "pose")) {
+        if (has(place, "position") || has(place, "rotation"))
+            refuse(place, "pose stands for both position and rotation; leave it or those two out.");
+        body.motion = read_pose(field(place, "pose"));
+    }
+    if (has(place, "position")) body.motion.path = read_position(field(place, "position"));
+    if (has(place, "rotation")) body.motion.turns = read_rotation(field(place, "rotation"));
+    return body;
+}
+
+template <class Entry>
+void check_new_name(const JsonPlace& place, const std::vector<Entry>& before,
+                    const std::string& name) {
+    for (const Entry& other : before)
+        if (other.name == name)
+            refuse(field(place, "name"), "the name \"" + name + "\" is taken; give another.");
+}
+
+void read_models(const JsonPlace& place, const SceneContext& context, Scene& scene) {
+    const std::size_t count = array_size(place, "a list of models");
+    if (count == 0) refuse_value(place, "at least one model");
+    std::size_t procedural_triangles = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonPlace model = element(place, i);
+        NamedMesh mesh = read_model(model, context);
+        check_new_name(model, scene.meshes, mesh.name);
+        if (!has(model, "file")) procedural_triangles += mesh.mesh.triangles.size();
+        if (procedural_triangles > most_procedural_triangles)
+            refuse(model, "the models add up to more than " +
+                              std::to_string(most_procedural_triangles) +
+                              " triangles; make them coarser.");
+        scene.meshes.push_back(std::move(mesh));
+    }
+}
+
+void read_bodies(const JsonPlace& place, Scene& scene) {
+    const std::size_t count = array_size(place, "a list of bodies");
+    if (count == 0) refuse_value(place, "at least one body");
+    for (std::size_t i = 0; i < count; ++i) {
+        Body body = read_body(element(place, i), scene.meshes);
+        check_new_name(element(place, i), scene.bodies, body.name);
+        scene.bodies.push_back(std::move(body));
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view json_text, const SceneContext& context) {
+    const nlohmann::json document = parse_json(json_text, context.file);
+    const JsonPlace root{&document, context.file, ""};
+    check_fields(root, {"scb_scene", "name", "description", "frames", "default_frame", "camera",
+                        "models", "bodies"});
+    read_integer(field(root, "scb_scene"), 1, 1);
+
+    Scene scene;
+    scene.name = read_text(field(root, "name"));
+    if (scene.name != file_name_of(scene.name) || scene.name.size() > 100)
+        refuse_value(field(root, "name"),
+                     "at most 100 letters, digits, '.', '_' and '-' as a name");
+    if (has(root, "description")) scene.description = read_text(field(root, "description"));
+    if (has(root, "frames"))
+        scene.frames = static_cast<int>(read_integer(field(root, "frames"), 1, most_frames));
+    if (has(root, "default_frame"))
+        scene.default_frame =
+            static_cast<int>(read_integer(field(root, "default_frame"), 0, scene.frames - 1));
+    if (has(root, "camera")) scene.camera = read_camera(field(root, "camera"));
+    read_models(field(root, "models"), context, scene);
+    read_bodies(field(root, "bodies"), scene);
+    return scene;
+}
+
+Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir) {
+    std::filesystem::path folder = path.parent_path();
+    if (folder.empty()) folder = ".";
+    return parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
+}
+
+}  // namespace scb

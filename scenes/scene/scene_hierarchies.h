@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/hierarchy/mesh_topology.h"
+#include "scb/any_hierarchy.h"
+#include "scenes/scene/scene.h"
+
+namespace scb {
+
+/// One per mesh of the scene. Throws InputError, naming the mesh, where check_mesh does.
+std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options = {});
+
+/// The deepest level of any of them.
+int deepest(const std::vector<MeshTopology>& topologies);
+
+/// One hierarchy per mesh.
+std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const BuildOptions& options);
+
+}  // namespace scb

@@ -1,0 +1,35 @@
+#include "scenes/text/file_bytes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "scb/error.h"
+
+namespace scb {
+
+std::string file_bytes(const std::string& path, std::size_t most) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (!std::filesystem::exists(status))
+        throw InputError(path + ": there is no such file; check the path.");
+    if (std::filesystem::is_directory(status))
+        throw InputError(path + ": this is a directory; name a file in it.");
+    if (!std::filesystem::is_regular_file(status))
+        throw InputError(path + ": this is not a regular file; save it to one first.");
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw InputError(path + ": cannot be opened; check its permissions.");
+    std::string bytes;
+    constexpr std::size_t block = std::size_t{1} << 20;
+    while (bytes.size() < most && stream) {
+        const std::size_t before = bytes.size(), wanted = std::min(block, most - before);
+        bytes.resize(before + wanted);
+        stream.read(bytes.data() + before, static_cast<std::streamsize>(wanted));
+        bytes.resize(before + static_cast<std::size_t>(stream.gcount()));
+    }
+    if (stream.bad())
+        throw InputError(path + ": cannot be read; check its permissions and the disk.");
+    return bytes;
+}
+
+}  // namespace scb

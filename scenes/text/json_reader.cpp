@@ -1,0 +1,191 @@
+#include "scenes/text/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "scb/error.h"
+#include "scenes/text/file_bytes.h"
+#include "scenes/text/number_text.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+std::string line_and_column(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t start =
+        before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    return "line " + std::to_string(line) + ", column " +
+           std::to_string(std::max<std::size_t>(1, before.size() - start));
+}
+
+/// The library's reason without its own number and position, on one line of plain characters.
+std::string plain_reason(const char* what) {
+    std::string_view reason = what;
+    for (const std::string_view lead : {"] ", "column ", ": "})
+        if (const std::size_t at = reason.find(lead); at != std::string_view::npos)
+            reason.remove_prefix(at + lead.size());
+    std::string plain(reason);
+    for (char& c : plain)
+        if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+    return plain;
+}
+
+/// The value as it stands in the file, cut where it is long.
+std::string shown(const json& value) {
+    if (value.is_object()) return "an object";
+    std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+    if (text.size() > 60) text = text.substr(0, 57) + "...";
+    return text;
+}
+
+std::string joined(std::initializer_list<std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names)
+        text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+}
+
+}  // namespace
+
+json parse_json(std::string_view text, const std::string& file) {
+    std::vector<std::set<std::string>> open_objects;
+    const auto check_event = [&](int depth, json::parse_event_t event, json& parsed) {
+        // Printing a value takes stack for every level.
+        if (depth > max_json_depth)
+            throw InputError(file + ": values are nested more than " +
+                             std::to_string(max_json_depth) + " deep; no file here needs that.");
+        if (event == json::parse_event_t::object_start) open_objects.emplace_back();
+        if (event == json::parse_event_t::object_end) open_objects.pop_back();
+        if (event == json::parse_event_t::key &&
+            !open_objects.back().insert(parsed.get<std::string>()).second)
+            throw InputError(file + ": the field " + parsed.dump() +
+                             " stands twice in one object; keep one of them.");
+        return true;
+    };
+    // The parser takes one for the end.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        throw InputError(file + ": " + line_and_column(text, zero + 1) +
+                         ": not valid JSON: a zero byte; correct it there.");
+    try {
+        return json::parse(text.begin(), text.end(), check_event);
+    } catch (const json::parse_error& error) {
+        throw InputError(file + ": " + line_and_column(text, error.byte) +
+                         ": not valid JSON: " + plain_reason(error.what()) + "; correct it there.");
+    } catch (const json::exception& error) {
+        throw InputError(file + ": not valid JSON: " + plain_reason(error.what()) +
+                         "; correct it.");
+    }
+}
+
+std::string read_text_file(const std::string& file, std::size_t largest) {
+    std::string text = file_bytes(file, largest + 1);
+    if (text.size() > largest)
+        throw InputError(file + ": longer than " + std::to_string(largest >> 20) +
+                         " MiB, which no such file is; check the path.");
+    return text;
+}
+
+void refuse(const JsonPlace& place, const std::string& sentence) {
+    throw InputError(place.file + ": " + (place.path.empty() ? "" : place.path + ": ") + sentence);
+}
+
+void refuse_value(const JsonPlace& place, const std::string& expected) {
+    refuse(place, "expected " + expected + ", found " + shown(*place) + ".");
+}
+
+void check_fields(const JsonPlace& place, std::initializer_list<std::string_view> known) {
+    if (!place.value->is_object()) refuse_value(place, "an object");
+    for (const auto& entry : place.value->items())
+        if (std::find(known.begin(), known.end(), entry.key()) == known.end())
+            refuse(place, "unknown field " + shown(json(entry.key())) + "; known are " +
+                              joined(known) + ".");
+}
+
+bool has(const JsonPlace& object, const char* name) { return object.value->contains(name); }
+
+JsonPlace field(const JsonPlace& object, const char* name) {
+    if (!has(object, name))
+        refuse(object, std::string("the field \"") + name + "\" is missing; add it.");
+    return {&(*object).at(name), object.file,
+            object.path + (object.path.empty() ? "" : ".") + name};
+}
+
+JsonPlace element(const JsonPlace& array, std::size_t index) {
+    return {&(*array).at(index), array.file, array.path + "[" + std::to_string(index) + "]"};
+}
+
+std::size_t array_size(const JsonPlace& place, const char* expected) {
+    if (!place.value->is_array()) refuse_value(place, expected);
+    return place.value->size();
+}
+
+double read_number(const JsonPlace& place, double low, double high) {
+    if (!place.value->is_number()) refuse_value(place, "a number");
+    const double number = place.value->get<double>();
+    if (!(number >= low && number <= high))
+        refuse_value(place, "a number from " + number_text(low) + " to " + number_text(high));
+    return number;
+}
+
+std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t high) {
+    const std::string expected =
+        "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    if (!place.value->is_number()) refuse_value(place, expected);
+    const double number = place.value->get<double>();
+    if (!(number >= static_cast<double>(low) && number <= static_cast<double>(high)) ||
+        number != std::floor(number))
+        refuse_value(place, expected);
+    // A number such as 1e3 is whole too, though JSON libraries hold it as a double.
+    return place.value->is_number_float() ? static_cast<std::int64_t>(number)
+                                          : place.value->get<std::int64_t>();
+}
+
+double read_positive(const JsonPlace& place) {
+    const double number = read_number(place);
+    if (!(number > 0)) refuse_value(place, "a number above 0");
+    return number;
+}
+
+bool read_bool(const JsonPlace& place) {
+    if (!place.value->is_boolean()) refuse_value(place, "true or false");
+    return place.value->get<bool>();
+}
+
+std::string read_text(const JsonPlace& place) {
+    if (!place.value->is_string()) refuse_value(place, "a text in quotes");
+    return place.value->get<std::string>();
+}
+
+std::string read_plain_text(const JsonPlace& place) {
+    const std::string text = read_text(place);
+    const auto is_control = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7f;
+    };
+    if (text.empty() || std::any_of(text.begin(), text.end(), is_control))
+        refuse_value(place, "a text that is not empty and has no control characters");
+    return text;
+}
+
+Vec3 read_vec3(const JsonPlace& place) {
+    if (!place.value->is_array() || place.value->size() != 3) refuse_value(place, "three numbers");
+    Vec3 v;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(*place)[i].is_number()) refuse_value(place, "three numbers");
+        v[static_cast<Eigen::Index>(i)] = read_number(element(place, i));
+    }
+    return v;
+}
+
+Vec3 read_direction(const JsonPlace& place) {
+    const Vec3 v = read_vec3(place);
+    if (v[0] == 0 && v[1] == 0 && v[2] == 0)
+        refuse_value(place, "three numbers that are not all zero");
+    return v;
+}
+
+}  // namespace scb

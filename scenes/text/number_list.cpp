@@ -1,0 +1,49 @@
+#include "scenes/text/number_list.h"
+
+#include <algorithm>
+
+#include "app/query/scene_options.h"
+#include "scb/error.h"
+
+namespace scb {
+
+std::vector<int> parse_numbers(const std::string& part, const NumberRange& range) {
+    const std::vector<std::string> bounds = split_list(part, ':');
+    if (bounds.size() > 3)
+        throw InputError(range.option + ": '" + part +
+                         "' is no range; give FIRST:LAST or FIRST:LAST:STEP.");
+    const std::string hint = "; give " + range.example + ".";
+    const int first = whole_number(bounds[0], range.option, hint);
+    const int last = bounds.size() > 1 ? whole_number(bounds[1], range.option, hint) : first;
+    const int step = bounds.size() > 2 ? whole_number(bounds[2], range.option, hint) : 1;
+    if (step < 1 || last < first)
+        throw InputError(
+            range.option + ": '" + part +
+            "' names nothing; give FIRST:LAST[:STEP] with FIRST <= LAST and STEP >= 1.");
+    for (const int number : {first, last})
+        if (number < 0 || number > range.last)
+            throw InputError(range.option + ": there is no " + range.noun + " " +
+                             std::to_string(number) + "; " + range.whole + " the " + range.noun +
+                             "s 0 to " + std::to_string(range.last) + ".");
+    std::vector<int> numbers;
+    for (long number = first; number <= last; number += step)
+        numbers.push_back(static_cast<int>(number));
+    return numbers;
+}
+
+std::vector<int> parse_frames(const std::string& text, int frame_count,
+                              const std::string& scene_name) {
+    const NumberRange range{"--frames " + text, "frame", "the scene '" + scene_name + "' has",
+                            frame_count - 1, "frames such as 0,250 or 0:499:10 or all"};
+    std::vector<int> frames;
+    for (const std::string& part : split_list(text)) {
+        const std::vector<int> numbers =
+            parse_numbers(part == "all" ? "0:" + std::to_string(range.last) : part, range);
+        frames.insert(frames.end(), numbers.begin(), numbers.end());
+    }
+    std::sort(frames.begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+}  // namespace scb

@@ -1,0 +1,268 @@
+#include "scenes/traces/trace_block.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <new>
+
+#include "scenes/scene/scene.h"
+#include "scenes/traces/byte_stream.h"
+
+namespace scb {
+namespace {
+
+// How a volume test ended, as a byte: `divided` covers pairs that are left over too.
+enum Symbol : std::uint8_t { divided, leaves_apart, leaves_meet, rejected_first };
+constexpr std::uint8_t of_b = 0x80;  // on the first test after a division: of B's node
+static_assert(stage_count == 24 && static_cast<int>(Stage::overlapping) == 0,
+              "stages are written as their numbers: another list needs another version");
+
+std::uint8_t symbol_of(const VolumeTest& test, Outcome outcome) {
+    switch (outcome) {
+        case Outcome::rejected:
+            return static_cast<std::uint8_t>(rejected_first + static_cast<int>(test.stage) - 1);
+        case Outcome::triangles_apart:
+            return leaves_apart;
+        case Outcome::triangles_meet:
+        case Outcome::found:
+            return leaves_meet;
+        case Outcome::divided_a:
+        case Outcome::divided_b:
+        case Outcome::left_over:
+            break;
+    }
+    return divided;
+}
+
+/// Writes the number that belongs to a node where the reader does not know it yet.
+void tell(ByteWriter& news, std::map<std::uint32_t, std::uint32_t>& known, std::uint32_t node,
+          std::uint32_t value, std::uint32_t& last) {
+    if (!known.try_emplace(node, value).second) return;
+    news.signed_varint(static_cast<std::int64_t>(value) - last);
+    last = value;
+}
+
+struct Divided {
+    IndexPair nodes;
+    int depth_a, depth_b;
+};
+
+/// Rebuilds a frame's tests from symbols and news.
+struct FrameBuilder {
+    const TraceHeader& header;
+    std::array<TraceNodes, 2>& nodes;
+    ByteReader& news;
+    TraceFrame& frame;
+    std::vector<Divided> pending{};
+    std::string failure{};
+
+    /// The number that belongs to a node, from `begin` to below `end`, and to no other node.
+    std::uint32_t learn(std::map<std::uint32_t, std::uint32_t>& known,
+                        std::set<std::uint32_t>& taken, std::uint32_t node, std::uint32_t& last,
+                        std::uint32_t begin, std::uint32_t end) {
+        const auto found = known.find(node);
+        if (found != known.end()) return found->second;
+        const std::int64_t change = news.signed_varint();
+        const bool fits = change >= static_cast<std::int64_t>(begin) - last &&
+                          change < static_cast<std::int64_t>(end) - last;
+        if (!fits || !news.ok) {
+            failure = "an index is out of range";
+            return begin;
+        }
+        last = static_cast<std::uint32_t>(last + change);
+        if (!taken.insert(last).second) failure = "two nodes share a child or a triangle";
+        known.emplace(node, last);
+        return last;
+    }
+
+    std::uint32_t triangle_of(std::size_t body, std::uint32_t node) {
+        TraceNodes& n = nodes[body];
+        if (n.left.contains(node)) failure = "a node is a leaf and is divided";
+        return learn(n.triangle, n.triangles, node, n.last_triangle, 0,
+                     header.bodies[body].mesh.triangles);
+    }
+
+    /// The left child; children come after their parents, two by two, the first pair at 1.
+    std::uint32_t left_of(std::size_t body, std::uint32_t node) {
+        TraceNodes& n = nodes[body];
+        if (n.triangle.contains(node)) failure = "a node is a leaf and is divided";
+        const std::uint32_t last_node = 2 * header.bodies[body].mesh.triangles - 2;
+        const std::uint32_t left =
+            learn(n.left, n.lefts, node, n.last_left, node + 1, std::max(node + 1, last_node));
+        if (left % 2 == 0) failure = "an index is out of range";
+        return left;
+    }
+
+    void visit(std::uint8_t symbol, IndexPair pair, int depth_a, int depth_b) {
+        Stage stage = Stage::overlapping;
+        if (symbol >= rejected_first) {
+            const int number = symbol - rejected_first + 1;
+            stage = static_cast<Stage>(number);
+            const auto stages = stages_of(header.volume, header.options.overlap);
+            if (std::find(stages.begin(), stages.end(), stage) == stages.end())
+                failure = "a stage is none of its overlap test";
+        }
+        if (depth_a > std::numeric_limits<std::uint16_t>::max() ||
+            depth_b > std::numeric_limits<std::uint16_t>::max())
+            failure = "a depth is out of range";
+        const int stop = header.options.stop_level;
+        if (stop >= 0 && (depth_a > stop || depth_b > stop ||
+                          (symbol == divided && depth_a == stop && depth_b == stop)))
+            failure = "there are tests below the level to stop at";
+        if (frame.found.pairs.size() >= header.options.max_pairs)
+            failure = "there are tests after the last pair";
+        if (!failure.empty()) return;
+        frame.events.volume_tests.push_back({pair, static_cast<std::uint16_t>(depth_a),
+                                             static_cast<std::uint16_t>(depth_b), stage});
+        Collision& found = frame.found;
+        ++found.n_v;
+        ++found.stages[static_cast<std::size_t>(stage)];
+        found.depth = std::max(found.depth, depth_a + depth_b);
+        if (symbol == divided) pending.push_back({pair, depth_a, depth_b});
+        if (symbol != leaves_apart && symbol != leaves_meet) return;
+        if (header.options.stop_level >= 0) {
+            if (symbol == leaves_apart) failure = "there are triangles where no leaves are";
+            found.pairs.push_back(pair);
+            return;
+        }
+        const IndexPair triangles = {triangle_of(0, pair.a), triangle_of(1, pair.b)};
+        frame.events.triangle_tests.push_back(
+            {triangles, static_cast<std::uint32_t>(frame.events.volume_tests.size() - 1),
+             symbol == leaves_meet});
+        ++found.n_p;
+        if (symbol == leaves_meet) found.pairs.push_back(triangles);
+    }
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
+                                      std::array<TraceNodes, 2>& nodes) {
+    const TestTree tree = test_tree(header, frame);
+    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    ByteWriter plain, news;
+    plain.varint(static_cast<std::uint64_t>(frame.frame));
+    plain.varint(frame.found.n_u);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) plain.real(frame.b_to_a.rotation(row, column));
+    for (int row = 0; row < 3; ++row) plain.real(frame.b_to_a.translation[row]);
+    plain.varint(tests.size());
+    std::size_t triangles = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        std::uint8_t symbol = symbol_of(tests[i], tree.outcomes[i]);
+        // Tests after the first come two by two.
+        if (const std::uint32_t parent = tree.parents[i]; i % 2 == 1) {
+            const IndexPair divided_pair = tests[parent].nodes;
+            if (tree.outcomes[parent] == Outcome::divided_a) {
+                tell(news, nodes[0].left, divided_pair.a, tests[i].nodes.a, nodes[0].last_left);
+            } else {
+                symbol |= of_b;
+                tell(news, nodes[1].left, divided_pair.b, tests[i].nodes.b, nodes[1].last_left);
+            }
+        }
+        plain.byte(symbol);
+        if (tree.outcomes[i] != Outcome::triangles_apart &&
+            tree.outcomes[i] != Outcome::triangles_meet)
+            continue;
+        const IndexPair pair = frame.events.triangle_tests[triangles++].triangles;
+        tell(news, nodes[0].triangle, tests[i].nodes.a, pair.a, nodes[0].last_triangle);
+        tell(news, nodes[1].triangle, tests[i].nodes.b, pair.b, nodes[1].last_triangle);
+    }
+    plain.append(news.bytes);
+    return std::move(plain.bytes);
+}
+
+std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> bytes,
+                       std::array<TraceNodes, 2>& nodes, TraceFrame& frame) {
+    ByteReader plain{bytes};
+    frame.events.volume_tests.clear();
+    frame.events.triangle_tests.clear();
+    frame.found = {};
+    const std::uint64_t number = plain.varint();
+    frame.found.n_u = plain.varint();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            frame.b_to_a.rotation(row, column) = plain.real();
+    for (int row = 0; row < 3; ++row) frame.b_to_a.translation[row] = plain.real();
+    if (!(rigidity_defect(frame.b_to_a) < 1e-6) || !frame.b_to_a.translation.allFinite())
+        return "a pose is not rigid";
+    const auto symbols = plain.take(plain.varint());
+    if (!plain.ok || symbols.empty()) return "a frame has no tests";
+    if (number >= most_frames) return "the number of a frame is out of range";
+    frame.frame = static_cast<int>(number);
+    frame.events.volume_tests.reserve(symbols.size());
+
+    FrameBuilder builder{header, nodes, plain, frame};
+    builder.visit(symbols[0], {0, 0}, 0, 0);
+    for (std::size_t i = 1; i < symbols.size() && builder.failure.empty(); i += 2) {
+        if (builder.pending.empty()) return "there are tests after the last one";
+        const Divided p = builder.pending.back();
+        builder.pending.pop_back();
+        const bool divides_a = (symbols[i] & of_b) == 0;
+        const std::uint32_t left =
+            divides_a ? builder.left_of(0, p.nodes.a) : builder.left_of(1, p.nodes.b);
+        const int depth_a = p.depth_a + (divides_a ? 1 : 0),
+                  depth_b = p.depth_b + (divides_a ? 0 : 1);
+        for (std::uint32_t child = 0; child < 2 && i + child < symbols.size(); ++child)
+            builder.visit(
+                child == 0 ? symbols[i] & static_cast<std::uint8_t>(~of_b) : symbols[i + 1],
+                divides_a ? IndexPair{left + child, p.nodes.b} : IndexPair{p.nodes.a, left + child},
+                depth_a, depth_b);
+    }
+    if (!builder.failure.empty()) return builder.failure;
+    if (!plain.bytes.empty()) return "a frame is longer than its tests";
+    Collision& found = frame.found;
+    found.complete = found.pairs.size() < header.options.max_pairs;
+    if (found.complete && (!builder.pending.empty() || symbols.size() % 2 == 0))
+        return "the tests end before the query did";
+    if (found.n_u != transform_count(header.volume, found.stages, header.options.overlap))
+        return "its counts are not those of its tests";
+    std::sort(found.pairs.begin(), found.pairs.end());
+    return {};
+}
+
+std::vector<std::uint8_t> pack(std::span<const std::uint8_t> plain) {
+    std::vector<std::uint8_t> packed;
+    for (const int strategy : {Z_DEFAULT_STRATEGY, Z_HUFFMAN_ONLY}) {
+        z_stream stream{};
+        constexpr int level = 6, window_bits = -15, memory_level = 8;
+        if (deflateInit2(&stream, level, Z_DEFLATED, window_bits, memory_level, strategy) != Z_OK)
+            throw std::bad_alloc();
+        packed.resize(deflateBound(&stream, static_cast<uLong>(plain.size())));
+        stream.next_in = const_cast<Bytef*>(plain.data());
+        stream.avail_in = static_cast<uInt>(plain.size());
+        stream.next_out = packed.data();
+        stream.avail_out = static_cast<uInt>(packed.size());
+        const int status = deflate(&stream, Z_FINISH);
+        const std::size_t size = stream.total_out;
+        deflateEnd(&stream);
+        assert(status == Z_STREAM_END && "deflateBound is enough");
+        static_cast<void>(status);
+        packed.resize(size);
+        // Huffman codes alone take at least a bit per byte.
+        if (plain.size() <= most_unpacked * size + 1024) break;
+    }
+    return packed;
+}
+
+std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> packed,
+                                                std::size_t size) {
+    if (size > most_unpacked * packed.size() + 1024 || packed.size() > (std::size_t{1} << 31))
+        return std::nullopt;
+    std::vector<std::uint8_t> plain(size);
+    z_stream stream{};
+    stream.next_in = const_cast<Bytef*>(packed.data());
+    stream.avail_in = static_cast<uInt>(packed.size());
+    if (inflateInit2(&stream, -15) != Z_OK) throw std::bad_alloc();
+    stream.next_out = plain.data();
+    stream.avail_out = static_cast<uInt>(plain.size());
+    const int status = inflate(&stream, Z_FINISH);
+    const bool whole = status == Z_STREAM_END && stream.avail_in == 0 && stream.avail_out == 0;
+    inflateEnd(&stream);
+    if (!whole) return std::nullopt;
+    return plain;
+}
+
+}  // namespace scb

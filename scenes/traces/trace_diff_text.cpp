@@ -1,0 +1,140 @@
+#include "scenes/traces/trace_diff_text.h"
+
+#include <algorithm>
+#include <cinttypes>
+
+#include "app/cli/console.h"
+#include "core/base/text_format.h"
+
+namespace scb {
+namespace {
+
+std::string count_table(const TraceCounts& a, const TraceCounts& b, const TraceNames& names) {
+    const std::string difference = names.b + " - " + names.a;
+    const int width = std::max(14, static_cast<int>(difference.size()));
+    std::string text = format("%-16s %12s %12s %*s\n", "", names.a.c_str(), names.b.c_str(), width,
+                              difference.c_str());
+    for (const CountRow& row : count_rows(a, b)) {
+        const auto change = static_cast<std::int64_t>(row.b - row.a);
+        text += format("%-16s %12" PRIu64 " %12" PRIu64, row.name.c_str(), row.a, row.b) +
+                (change == 0 ? format(" %*s\n", width, "0")
+                             : format(" %+*" PRId64 "\n", width, change));
+    }
+    return text;
+}
+
+std::string frame_list(const std::vector<int>& frames) {
+    constexpr std::size_t most = 10;
+    std::string text;
+    for (std::size_t i = 0; i < frames.size() && i < most; ++i)
+        text += (i == 0 ? "" : ", ") + std::to_string(frames[i]);
+    return frames.size() > most ? text + ", ..." : text;
+}
+
+/// "frame 8", "frames 8, 9, 10".
+std::string numbers_of(const std::vector<int>& frames) {
+    return (frames.size() == 1 ? "frame " : "frames ") + frame_list(frames);
+}
+
+std::string plural(std::uint64_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string missing_text(const std::vector<int>& frames, const std::string& owner) {
+    if (frames.empty()) return {};
+    return plural(frames.size(), "frame") + " only in the " + owner + " (" + numbers_of(frames) +
+           ")\n";
+}
+
+std::string frames_text(const TraceDiff& d) {
+    std::string text = plural(d.common, "frame") + " in both";
+    if (d.common == 0) return text + "\n";
+    if (d.frames.empty())
+        return text + (d.nodes_comparable ? ", all of them the same\n"
+                                          : ", with equal poses and counts\n");
+    std::vector<int> frames, moved;
+    for (const FrameDifference& f : d.frames) {
+        frames.push_back(f.frame);
+        if (f.poses_differ) moved.push_back(f.frame);
+    }
+    text += ", " + std::to_string(frames.size()) + (frames.size() == 1 ? " differs" : " differ") +
+            " (" + numbers_of(frames) + ")\n";
+    if (!moved.empty())
+        text += plural(moved.size(), "frame") + " with other poses (" + numbers_of(moved) + ")\n";
+    return text;
+}
+
+BodyNames printable_names(const BodyNames& names) {
+    return {printable(names[0]), printable(names[1])};
+}
+
+// Which pairs one found and the other did not, and by which test it left them out.
+std::string lost_text(const TraceDiff& d, const TraceNames& names) {
+    if (d.nodes_comparable && !d.pairs_comparable)
+        return "\nThey stop at different levels, so their pairs cannot be compared.\n";
+    if (d.pairs_only_in_a + d.pairs_only_in_b == 0)
+        return d.pairs_comparable && !d.nodes_comparable ? "\nBoth found the same pairs.\n" : "";
+    std::string text = "\n" + lost_pairs_text(d, names);
+    const bool some = d.lost.size() < d.pairs_only_in_a + d.pairs_only_in_b;
+    text += some ? format("; %zu of them:\n", d.lost.size()) : std::string(":\n");
+    for (const LostPair& lost : d.lost)
+        text += "  " + words_of(lost, d.of_nodes, printable_names(d.bodies), names) + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b) {
+    std::vector<CountRow> rows = {{"pairs", a.pairs, b.pairs},
+                                  {"N_v", a.n_v, b.n_v},
+                                  {"N_p", a.n_p, b.n_p},
+                                  {"N_u", a.n_u, b.n_u}};
+    for (std::size_t s = 0; s < stage_count; ++s)
+        if (a.stages[s] != 0 || b.stages[s] != 0)
+            rows.push_back(
+                {std::string(stage_name(static_cast<Stage>(s))), a.stages[s], b.stages[s]});
+    return rows;
+}
+
+std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names) {
+    if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
+    return plural(d.pairs_only_in_a, "pair") + " only in the " + names.a + ", " +
+           plural(d.pairs_only_in_b, "pair") + " only in the " + names.b;
+}
+
+std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
+    if (d.equal()) return "equal: " + plural(d.common, "frame") + "\n";
+    std::string text;
+    if (!d.asked.empty()) {
+        std::size_t width = names.a.size();
+        for (const FieldDifference& field : d.asked) width = std::max(width, field.a.size());
+        const auto row = [width](const std::string& name, const std::string& a,
+                                 const std::string& b) {
+            return format("%-10s  ", name.c_str()) + a + std::string(width - a.size(), ' ') + "  " +
+                   b + "\n";
+        };
+        text += row("asked", names.a, names.b);
+        for (const FieldDifference& field : d.asked)
+            text += row(field.name, printable(field.a), printable(field.b));
+        text += "\n";
+    }
+    text +=
+        missing_text(d.only_in_a, names.a) + missing_text(d.only_in_b, names.b) + frames_text(d);
+    if (d.common == 0) return text;
+    text += "\n" +
+            (d.common == 1
+                 ? std::string("Counts of the frame in both:\n")
+                 : "Counts, summed over the " + std::to_string(d.common) + " frames in both:\n") +
+            count_table(d.sum_a, d.sum_b, names) + lost_text(d, names);
+    if (!d.nodes_comparable)
+        text += d.meshes_differ
+                    ? "\nThe meshes differ, so nodes and triangles cannot be compared.\n"
+                    : "\nNodes were divided by other splits, so tests cannot be compared.\n";
+    else if (d.first)
+        text += "\nThey part first at " + words_of(*d.first, printable_names(d.bodies), names);
+    else
+        text += "\nEvery test of the frames in both is the same.\n";
+    return text;
+}
+
+}  // namespace scb

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/analysis/trace_diff.h"
+#include "core/analysis/trace_words.h"
+
+namespace scb {
+
+/// A count of two traces, by its name.
+struct CountRow {
+    std::string name;
+    std::uint64_t a, b;
+};
+std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b);
+
+/// How two traces differ, as lines: what was asked of only one of them, the frames, the counts, the
+/// pairs that only one found, and the first test at which they part.
+std::string trace_diff_text(const TraceDiff& d, const TraceNames& names);
+
+/// "11 pairs only in the first, 0 pairs only in the second"; empty where both found the same, or it
+/// cannot be known.
+std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names);
+
+}  // namespace scb

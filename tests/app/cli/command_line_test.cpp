@@ -1,0 +1,338 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "render/files/image_file.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/meshes/mesh_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(CommandLine, VersionNamesWhatDraws) {
+    const ProgramRun run = run_scb("--version");
+    EXPECT_EQ(run.status, 0);
+    for (const char* name : {"scb ", "mesa ", "llvm ", "eigen ", "imgui "})
+        EXPECT_NE(run.out.find(name), std::string::npos);
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
+    for (const char* command :
+         {"", "render levels", "collide", "bench", "trace", "diff", "stats", "export", "scenes"}) {
+        const ProgramRun run = run_scb(std::string(command) + " --help");
+        EXPECT_EQ(run.status, 0) << command;
+        EXPECT_NE(run.out.find("xample"), std::string::npos) << command;
+        EXPECT_NE(run.out.find("  scb "), std::string::npos) << command;
+    }
+}
+
+TEST(CommandLine, BadUsageIsOneSentenceAndStatus2) {
+    for (const char* arguments : {"", "nonsense", "stats", "stats spheres-l1 --nonsense", "render",
+                                  "render levels", "export spheres-l1", "stats a b c",
+                                  "stats spheres-l1 --pose 1,2,3", "--color maybe scenes"}) {
+        const ProgramRun run = run_scb(arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_EQ(lines_of(run.err), 1u) << arguments << run.err;
+    }
+}
+
+struct Refusal {
+    std::string arguments;
+    int status;
+    std::string sentence;  // a part of it
+};
+
+TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
+    const TemporaryFolder folder;
+    write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    write_text(folder / "nan.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+               "y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 nan "
+               "0\n0 1 0\n3 0 1 2\n");
+    write_text(folder / "index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    write_text(folder / "noise.stl", "this is no mesh at all");
+    write_text(folder / "broken.json", "{\"scb_scene\": 1,\n \"name\": }");
+    write_text(folder / "field.json",
+               R"({"scb_scene": 1, "name": "x", "sphere": 3, "models": [], "bodies": []})");
+    write_text(folder / "file", "not a folder");
+    const std::string out = folder / "out", small = " --size 320x240 -o " + out;
+    const std::vector<Refusal> refusals = {
+        {"stats missing.ply", 2, "missing.ply"},
+        {"stats sphers-l1", 2, "spheres-l1"},
+        {"stats " + (folder / "points.obj"), 2, "points.obj"},
+        {"stats " + (folder / "nan.ply"), 2, "vertex 1"},
+        {"stats " + (folder / "index.off"), 2, "7"},
+        {"stats " + (folder / "noise.stl"), 2, "noise.stl"},
+        {"stats " + folder.path.string(), 2, "directory"},
+        {"stats " + (folder / "broken.json"), 2, "line 2"},
+        {"stats " + (folder / "field.json"), 2, "sphere"},
+        {"stats spheres-l1 --volume scb,cube", 2, "'cube' is no volume"},
+        {"stats spheres-l1 --growth fast", 2, "--growth fast"},
+        {"stats spheres-l1 --split sah", 2, "--split sah"},
+        {"stats spheres-l1 --threads 0", 2, "--threads 0"},
+        {"stats spheres-l1 --volume ''", 2, "--volume: the name is empty"},
+        {"stats spheres-l1 --growth ''", 2, "--growth: the name is empty"},
+        {"stats spheres-l1 --split ''", 2, "--split: the name is empty"},
+        {"stats spheres-l1 --layout ''", 2, "--layout: the name is empty"},
+        {"collide spheres-l1 --test ''", 2, "--test: the name is empty"},
+        {"collide spheres-l1 --descent ''", 2, "--descent: the name is empty"},
+        {"bench spheres-l1 --layout ''", 2, "--layout: the name is empty"},
+        {"bench spheres-l1 --simd ''", 2, "--simd: the name is empty"},
+        {"stats spheres-l1 --layout float3", 2, "'float3' is no layout"},
+        {"stats spheres-l1 --layout reference", 2, "packed layouts alone"},
+        {"bench spheres-l1 --layout float8,float8", 2, "is there twice"},
+        {"stats spheres-l1 --margin -1", 2, "--margin"},
+        {"stats " + (folder / "index.off") + " " + (folder / "index.off"), 2, "index.off"},
+        {"render levels spheres-l1 --levels 99" + small, 2, "levels 0 to 1"},
+        {"render levels spheres-l1 --levels 3:1" + small, 2, "names nothing"},
+        {"render levels spheres-l1 --levels five" + small, 2, "'five' is no whole number"},
+        {"render levels spheres-l1 --levels 0:2000000000" + small, 2, "there is no level"},
+        {"render levels spheres-l1 --levels ''" + small, 2, "no whole number"},
+        {"render levels spheres-l1 --levels 2 --frame 500" + small, 2, "frames 0 to 499"},
+        {"render levels spheres-l1 --levels 2 --frame -1" + small, 2, "frames 0 to 499"},
+        {"render levels spheres-l1 --levels 2 --size 0x0 -o " + out, 2, "--size 0x0"},
+        {"render levels spheres-l1 --levels 2 --size 100000x100000 -o " + out, 2,
+         "--size 100000x100000"},
+        {"render levels spheres-l1 --levels 2 --size 640 -o " + out, 2, "WIDTHxHEIGHT"},
+        {"render levels spheres-l1 --levels 2 --samples 3" + small, 2, "--samples 3"},
+        {"render levels spheres-l1 --levels 2 --gl vulkan" + small, 2, "--gl vulkan"},
+        {"render levels spheres-l1 --levels 2 --background pink" + small, 2, "--background pink"},
+        {"render levels spheres-l1 --levels 2 --color-by mood" + small, 2, "--color-by mood"},
+        {"render levels spheres-l1 --levels 2 --opacity 2" + small, 2, "--opacity"},
+        {"render levels spheres-l1 --levels 2 --camera orbit:1" + small, 2, "--camera orbit:1"},
+        {"render levels spheres-l1 --levels 2 --size 320x240 -o " + (folder / "file"), 3, "file"},
+        {"render levels spheres-l1 --levels 2 --size 320x240 -o /proc/none", 3, "/proc/none"},
+        {"export spheres-l1 --level 3 -o " + (folder / "level.xyz"), 2, ".xyz"},
+        {"export spheres-l1 --level 3 -o /proc/none/level.ply", 3, "/proc/none/level.ply"},
+        {"export spheres-l1 --level 3,4 -o " + (folder / "level.ply"), 2, "one level"},
+        {"export spheres-l1 --level 3 --segments 1 -o " + (folder / "level.ply"), 2,
+         "--segments 1"},
+        {"stats horses --models " + folder.path.string(), 2,
+         "(48485 vertices and 96966 triangles; "},
+        {"scenes nonsense", 2, "'nonsense' is no built-in scene"},
+    };
+    for (const Refusal& refusal : refusals) {
+        const ProgramRun run = run_scb(refusal.arguments);
+        EXPECT_EQ(run.status, refusal.status) << refusal.arguments << "\n" << run.err;
+        EXPECT_NE(run.err.find(refusal.sentence), std::string::npos) << refusal.arguments << "\n"
+                                                                     << run.err;
+        EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+        EXPECT_EQ(run.out, "") << refusal.arguments;
+        EXPECT_TRUE(!fs::exists(out) || files_in(out) == 0) << refusal.arguments;
+        EXPECT_FALSE(fs::exists(folder / "level.ply"));
+    }
+}
+
+TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {
+    const ProgramRun to_full = run_scb("stats spheres-l1 > /dev/full; exit $?; true");
+    EXPECT_EQ(to_full.status, 3);
+    const TemporaryFolder folder;
+    // No file may grow past 4 KiB: pictures fail, and none is left behind.
+    const ProgramRun limited = run_scb(
+        "render levels soup --levels 3 --size 640x480 -o " + (folder / "out"), "ulimit -f 8;");
+    EXPECT_EQ(limited.status, 3) << limited.err;
+    EXPECT_EQ(lines_of(limited.err), 1u) << limited.err;
+    EXPECT_EQ(files_in(folder / "out"), 0u);
+}
+
+TEST(CommandLine, ScenesThatNeedMeshesSaySoAndShowTheirFiles) {
+    const ProgramRun list = run_scb("scenes");
+    ASSERT_EQ(list.status, 0);
+    EXPECT_NE(list.out.find(" Needs horse.ply.\n"), std::string::npos) << list.out;
+    EXPECT_NE(list.out.find(" Needs skeleton_hand.ply.\n"), std::string::npos) << list.out;
+    EXPECT_NE(list.out.find("--models DIR"), std::string::npos) << list.out;
+    const ProgramRun shown = run_scb("scenes horses");
+    ASSERT_EQ(shown.status, 0);
+    EXPECT_EQ(json::parse(shown.out)["models"][0]["triangles"], 96966);
+}
+
+TEST(CommandLine, SceneFilesOfBuiltInScenesGiveTheSame) {
+    const TemporaryFolder folder;
+    const ProgramRun shown = run_scb("scenes knots-l1");
+    ASSERT_EQ(shown.status, 0);
+    write_text(folder / "mine.json", shown.out);
+    const json a = json::parse(run_scb("stats knots-l1 --json").out);
+    const json b = json::parse(run_scb("stats " + (folder / "mine.json") + " --json").out);
+    EXPECT_EQ(a["hierarchies"][0]["levels"], b["hierarchies"][0]["levels"]);
+    EXPECT_EQ(a["hierarchies"][1]["levels"], b["hierarchies"][1]["levels"]);
+}
+
+TEST(CommandLine, StatsAddUp) {
+    const ProgramRun run = run_scb("stats spheres-l1 --volume scb,ball,ritter,obb --json");
+    ASSERT_EQ(run.status, 0);
+    const json hierarchies = json::parse(run.out)["hierarchies"];
+    ASSERT_EQ(hierarchies.size(), 8u);  // two meshes, four volumes
+    for (const json& h : hierarchies) {
+        std::size_t nodes = 0, leaves = 0;
+        for (const json& level : h["levels"]) {
+            nodes += level["nodes"].get<std::size_t>();
+            leaves += level["leaves"].get<std::size_t>();
+        }
+        EXPECT_EQ(nodes, h["nodes"]);
+        EXPECT_EQ(leaves, h["triangles"]);
+        EXPECT_EQ(h["nodes"], 2 * h["triangles"].get<std::size_t>() - 1);
+        EXPECT_GT(h["time"]["fit_ms"], 0);
+    }
+    // The ball of an SCB is the ball; Ritter's is no smaller.
+    EXPECT_EQ(hierarchies[0]["levels"][7]["mean_diameter"],
+              hierarchies[1]["levels"][7]["mean_diameter"]);
+    EXPECT_GT(hierarchies[2]["levels"][7]["mean_diameter"],
+              hierarchies[1]["levels"][7]["mean_diameter"]);
+
+    const std::string table = run_scb("stats spheres-l1").out;
+    EXPECT_NE(table.find("20480 triangles"), std::string::npos);
+    EXPECT_NE(table.find("longest side"), std::string::npos);
+}
+
+TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
+    const TemporaryFolder folder;
+    const ProgramRun run = run_scb(
+        "render levels knots-l1 --volume scb,ball --levels 3,5,leaves --size 320x240 --ids -o " +
+        (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const json index = json::parse(file_text(folder / "out/index.json"));
+    const json stats = json::parse(run_scb("stats knots-l1 --json").out)["hierarchies"];
+    ASSERT_EQ(index["files"].size(), 7u);  // six pictures and a sheet
+    EXPECT_EQ(lines_of(run.out), 14u);     // also six id pictures and the index
+    for (const json& file : index["files"]) {
+        const Image image = read_png(folder / "out/" + file["file"].get<std::string>());
+        if (file.contains("sheet")) continue;
+        EXPECT_EQ(image.width, 320);
+        EXPECT_EQ(image.height, 240);
+        if (file["level"] == 5) {
+            for (std::size_t b = 0; b < 2; ++b)
+                EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
+        } else if (file["level"] == "leaves") {
+            EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
+        }
+        // Every id in the picture is that of a node of a body.
+        const IdImage ids = unpack_ids(read_png(folder / "out/" + file["ids"].get<std::string>()));
+        const std::set<std::uint32_t> met(ids.ids.begin(), ids.ids.end());
+        EXPECT_EQ(*met.begin(), 0u);
+        EXPECT_GT(met.size(), 8u);
+        EXPECT_LT(*met.rbegin(), 1 + stats[0]["nodes"].get<std::uint32_t>() +
+                                     stats[1]["nodes"].get<std::uint32_t>());
+    }
+    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_frame-0000.png"));
+    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_ball_level-leaves_frame-0000_ids.png"));
+}
+
+TEST(CommandLine, TheCameraOfAnIndexGivesTheSamePictureAgain) {
+    const TemporaryFolder folder;
+    const std::string common = " --levels 6 --size 320x240 --samples 1 --ids -o ";
+    ASSERT_EQ(run_scb("render levels cone" + common + (folder / "a")).status, 0);
+    const json index = json::parse(file_text(folder / "a/index.json"));
+    write_text(folder / "camera.json", index["camera"].dump());
+    ASSERT_EQ(
+        run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
+            .status,
+        0);
+    const std::string name = index["files"][0]["ids"];
+    EXPECT_EQ(file_text(folder / "a/" + name), file_text(folder / "b/" + name));
+}
+
+TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        run_scb(
+            "render levels cone --levels 2,6 --camera orbit:20,20,6 --size 320x240 --jobs 1 -o " +
+            (folder / "a"))
+            .status,
+        0);
+    ASSERT_EQ(
+        run_scb(
+            "render levels cone --levels 6,2 --camera orbit:20,20,6 --size 320x240 --jobs 7 -o " +
+            (folder / "b"))
+            .status,
+        0);
+    for (const char* name :
+         {"cone_scb_level-02_frame-0000.png", "cone_scb_level-06_frame-0000.png"})
+        EXPECT_EQ(file_text(folder / (std::string("a/") + name)),
+                  file_text(folder / (std::string("b/") + name)))
+            << name;
+}
+
+TEST(CommandLine, ARunThatFailsLeavesNoIndexOfAnEarlierOne) {
+    const TemporaryFolder folder;
+    const std::string arguments =
+        "render levels cone --levels 3 --size 320x240 -o " + (folder / "out");
+    ASSERT_EQ(run_scb(arguments).status, 0);
+    EXPECT_TRUE(fs::exists(folder / "out/index.json"));
+    EXPECT_EQ(run_scb(arguments + " --background dark", "ulimit -f 8;").status, 3);
+    EXPECT_FALSE(fs::exists(folder / "out/index.json"));
+}
+
+TEST(CommandLine, NamesFromOutsideDoNotSteerTheTerminal) {
+    const ProgramRun run = run_scb("stats \"$(printf 'no\\nfile\\033[31m.off')\"");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+    EXPECT_EQ(run.err.find('\033'), std::string::npos);
+}
+
+TEST(CommandLine, LongAndForeignFileNamesAreFine) {
+    const TemporaryFolder folder;
+    const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    for (const std::string& name : {std::string(200, 'x') + ".off", std::string("b\xff\xfe.off")}) {
+        write_text(folder / name, triangle);
+        const ProgramRun run = run_scb("render levels \"" + (folder / name) +
+                                       "\" --size 320x240 -o " + (folder / "out"));
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(json::parse(file_text(folder / "out/index.json"))["files"].size(), 1u);
+    }
+}
+
+TEST(CommandLine, ThousandsOfEqualTrianglesAreDrawnOnce) {
+    const TemporaryFolder folder;
+    std::string mesh = "OFF\n3 20000 0\n0 0 0\n1 0 0\n0 1 0\n";
+    for (int i = 0; i < 20000; ++i) mesh += "3 0 1 2\n";
+    write_text(folder / "same.off", mesh);
+    const ProgramRun run = run_scb("render levels " + (folder / "same.off") +
+                                       " --levels leaves --size 320x240 -o " + (folder / "out"),
+                                   "timeout 60");
+    EXPECT_EQ(run.status, 0) << run.err;
+    const json index = json::parse(file_text(folder / "out/index.json"));
+    EXPECT_EQ(index["files"][0]["bodies"][0]["volumes"], 20000);
+}
+
+TEST(CommandLine, ExportedLevelsCanBeReadBack) {
+    const TemporaryFolder folder;
+    for (const char* extension : {"ply", "obj", "glb", "stl"})
+        for (const char* volume : {"scb", "ball", "obb"}) {
+            const std::string file = folder / (std::string("level.") + extension);
+            const ProgramRun run = run_scb("export spheres-l1 --level 4 --segments 16 --volume " +
+                                           std::string(volume) + " -o " + file);
+            ASSERT_EQ(run.status, 0) << run.err;
+            const Mesh mesh = load_mesh(file);
+            EXPECT_GE(mesh.triangles.size(), 32u * 12) << file;
+            const Box box = bounding_box(mesh);
+            EXPECT_GT(box.upper[0] - box.lower[0], 3.5);
+            EXPECT_LT(box.upper[0] - box.lower[0], 6);
+        }
+}
+
+TEST(CommandLine, TwoMeshesAndAPose) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "body.ply";
+    ASSERT_EQ(run_scb("export soup --level 2 --segments 8 -o " + file).status, 0);
+    const ProgramRun run =
+        run_scb("render levels " + file + " " + file +
+                " --pose 1,0,0,5,0,1,0,0,0,0,1,0 --levels 2 --size 320x240 -o " + (folder / "out"));
+    EXPECT_EQ(run.status, 0) << run.err;
+    const ProgramRun scaled =
+        run_scb("stats " + file + " " + file + " --pose 2,0,0,5,0,2,0,0,0,0,2,0");
+    EXPECT_EQ(scaled.status, 2);
+    EXPECT_NE(scaled.err.find("not rigid"), std::string::npos) << scaled.err;
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,97 @@
+#include <chrono>
+
+#include "tests/app/golden/golden_command.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using std::chrono::seconds;
+
+/// A suite that never ends by itself: all but one of its cases hang.
+class GoldenCommandInterrupt : public GoldenCommand {
+  protected:
+    GoldenCommandInterrupt() {
+        fs::create_directory(temporary);
+        write_runner("case \"$*\" in *collide*) exec \"$@\";; esac\necho $$ >>" + sleepers +
+                     "\nsleep 3600 &\necho $! >>" + sleepers + "\nwait\n");
+    }
+    void write_runner(const std::string& script) const {
+        write_text(runner, "#!/bin/sh\n" + script);
+        fs::permissions(runner, fs::perms::owner_all);
+    }
+    ProgramRun stopped_by(const std::string& signal, const std::string& command) {
+        const Clock::time_point start = Clock::now();
+        const ProgramRun run = golden(
+            command + " --runner " + runner,
+            "env -u CI TMPDIR=" + temporary + " timeout -s KILL 50 " + interrupted_by(signal));
+        EXPECT_LT(Clock::now() - start, seconds(45)) << signal;
+        return run;
+    }
+    void expect_nothing_is_left(const std::string& signal) const {
+        EXPECT_EQ(files_in(temporary), 0u) << signal;
+        const std::string list = file_text(sleepers);
+        EXPECT_NE(list, "") << signal;
+        for (std::size_t at = 0; at < list.size(); at = list.find('\n', at) + 1) {
+            const std::string stat =
+                file_text("/proc/" + std::to_string(std::stoi(list.substr(at))) + "/stat");
+            // Where nobody waits for one, it stays as a zombie.
+            EXPECT_TRUE(stat.empty() || stat.find(") Z ") != std::string::npos) << signal << stat;
+        }
+        fs::remove(sleepers);
+    }
+
+    const std::string runner = folder / "runner", sleepers = folder / "sleepers",
+                      temporary = folder / "temporary";
+};
+
+TEST_F(GoldenCommandInterrupt, EndsCasesThatHang) {
+    for (const auto& [signal, status] : {std::pair("INT", 130), {"TERM", 143}, {"HUP", 129}}) {
+        const ProgramRun run = stopped_by(signal, "check --jobs 3 --report " + report.string());
+        EXPECT_EQ(run.status, status) << run.out << run.err;
+        EXPECT_NE(run.out.find("incomplete. The run was interrupted: "), std::string::npos)
+            << run.out;
+        EXPECT_EQ(run.out.find("could not run"), std::string::npos) << run.out;
+        results = nlohmann::json::parse(file_text(report / "results.json"));
+        EXPECT_NE(results["incomplete"], "");
+        fs::remove_all(report);
+        expect_nothing_is_left(signal);
+    }
+}
+
+TEST_F(GoldenCommandInterrupt, LeavesBaselinesAsTheyWere) {
+    write_text(baseline("levels.counts.json"), "{}");
+    const auto before = baselines();
+    const ProgramRun run = stopped_by("TERM", "update --all");
+    EXPECT_EQ(run.status, 143) << run.err;
+    EXPECT_EQ(baselines(), before);
+    expect_nothing_is_left("update");
+    // And where only the trace hangs.
+    write_runner("case \"$*\" in *\" trace \"*) echo $$ >>" + sleepers +
+                 "; exec sleep 3600;; esac\nexec \"$@\"\n");
+    write_text(baseline("rejections.counts.json"), "{}");
+    EXPECT_EQ(stopped_by("TERM", "update rejections").status, 143);
+    EXPECT_EQ(file_text(baseline("rejections.counts.json")), "{}");
+    expect_nothing_is_left("trace");
+}
+
+TEST_F(GoldenCommandInterrupt, LeavesNoTemporaryFolderHoweverItEnds) {
+    const std::string environment = "env -u CI TMPDIR=" + temporary + " ";
+    const auto soon_empty = [&] {
+        for (const Clock::time_point end = Clock::now() + seconds(20); Clock::now() < end;)
+            if (files_in(temporary) == 0) return true;
+        return false;
+    };
+    // Its output is closed before it prints.
+    run_scb("golden check --suite " + suite + " | true", environment);
+    EXPECT_TRUE(soon_empty());
+    write_runner("sleep 20");  // nobody ends it once that is killed
+    golden("check --runner " + runner, environment + "timeout -s KILL 2");
+    EXPECT_TRUE(soon_empty());
+    run_scb("golden selftest collide --suite " + suite, environment);
+    EXPECT_TRUE(soon_empty());
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,252 @@
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "render/files/image_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+struct RenderQueries : testing::Test {
+    TemporaryFolder folder;
+    std::string out = folder / "out", trace_file = folder / "t.scbtrace";
+
+    json index_of(const std::string& arguments) {
+        const ProgramRun run =
+            run_scb("render " + arguments + " --size 320x240 --samples 1 -o " + out);
+        EXPECT_EQ(run.status, 0) << arguments << run.err;
+        return json::parse(file_text(out + "/index.json"));
+    }
+};
+
+TEST_F(RenderQueries, ShowTheCountsThatCollideGives) {
+    for (const char* command : {"pairs ", "pairs --heat triangles ", "rejections "})
+        for (const char* options : {"", "--volume obb", "--volume ball --level 4",
+                                    "--test extents --descent volume --max-pairs 5"}) {
+            const std::string arguments = "spheres-l1 --frames 0,100,250 " + std::string(options);
+            const json index = index_of(command + arguments);
+            const json live = json::parse(run_scb("collide --json " + arguments).out);
+            // Of rejections, one for all frames together too.
+            ASSERT_EQ(index["files"].size(), std::string(command) == "rejections " ? 4u : 3u);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (const auto& [key, value] : live["frames"][i].items())
+                    EXPECT_EQ(index["files"][i][key], value) << command << options << key;
+            for (const char* key : {"scene", "volume", "test", "descent", "level", "max_pairs"})
+                EXPECT_EQ(index.value(key, json()), live.value(key, json())) << key;
+        }
+}
+
+TEST_F(RenderQueries, AreTheSameBytesFromATrace) {
+    const std::string mesh = folder / "m.off";
+    write_text(mesh,
+               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    for (const std::string& scene :
+         {std::string("spheres-l1 --volume scb --test corrected --margin 0.01 --frames 100,250"),
+          std::string("knots-l1 --volume obb --level 5 --frames 3,4"),
+          mesh + " " + mesh + " --pose 1,0,0,0.25,0,1,0,0.125,0,0,1,0 --frames 0"}) {
+        ASSERT_EQ(run_scb("trace " + scene + " -o " + trace_file).status, 0);
+        for (const char* command : {"pairs ", "pairs --heat volumes ", "rejections "}) {
+            const json live = index_of(command + scene + " --ids");
+            const auto bytes_of = [&](const json& index) {
+                std::vector<std::string> bytes;
+                for (const json& file : index["files"])
+                    for (const char* key : {"file", "ids"})
+                        if (file.contains(key))
+                            bytes.push_back(file_text(out + "/" + file[key].get<std::string>()));
+                return bytes;
+            };
+            const std::vector<std::string> bytes = bytes_of(live);
+            const json again = index_of(command + trace_file + " --frames all --ids");
+            EXPECT_EQ(again, live);
+            EXPECT_EQ(bytes_of(again), bytes);
+        }
+    }
+}
+
+TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
+    const json pairs = index_of("pairs spheres-l1 --frames 100 --ids"), ranges = pairs["ids"];
+    ASSERT_EQ(ranges.size(), 4u);
+    const auto range_of = [&](std::uint32_t id) -> std::string {
+        for (const json& r : ranges)
+            if (id >= r["first"] &&
+                id < r["first"].get<std::uint32_t>() + r["count"].get<std::uint32_t>())
+                return r["what"].get<std::string>() + " " + r["body"].get<std::string>();
+        return id == 0 ? "nothing" : "other";
+    };
+    const auto seen = [&](const json& index) {
+        std::set<std::string> kinds;
+        const std::string file = out + "/" + index["files"][0]["ids"].get<std::string>();
+        for (const std::uint32_t id : unpack_ids(read_png(file)).ids) kinds.insert(range_of(id));
+        return kinds;
+    };
+    // "other": the segments in which triangles meet.
+    const json pair_ids = pairs["files"][0]["pair_ids"];
+    EXPECT_EQ(pair_ids["count"], pairs["files"][0]["pairs"]);
+    EXPECT_EQ(pair_ids["first"],
+              ranges[3]["first"].get<std::uint32_t>() + ranges[3]["count"].get<std::uint32_t>());
+    std::set<std::string> of_pairs = seen(pairs);
+    EXPECT_EQ(of_pairs.erase("node A") + of_pairs.erase("node B") > 0, true);
+    EXPECT_EQ(of_pairs, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
+              (std::set<std::string>{"nothing", "node A", "node B"}));
+    EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),
+              (std::set<std::string>{"nothing", "node B"}));
+}
+
+TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
+    const json index = index_of("rejections spheres-l1 --frames 100 --ids"), ranges = index["ids"];
+    const IdImage ids =
+        unpack_ids(read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
+    const std::string start =
+        "render rejections spheres-l1 --frames 100 --size 320x240 --samples 1 -o " + out +
+        " --pick ";
+    for (const auto& [x, y] : {std::pair{0, 0}, {60, 120}, {120, 120}, {200, 100}}) {
+        const std::uint32_t id = ids.ids[static_cast<std::size_t>(y * 320 + x)];
+        std::string expected = "nothing";
+        for (const json& range : {ranges[0], ranges[1]}) {
+            const std::uint32_t first = range["first"];
+            if (id >= first && id - first < range["count"].get<std::uint32_t>())
+                expected = "node " + std::to_string(id - first) + " of " +
+                           range["body"].get<std::string>() + ", depth ";
+        }
+        const ProgramRun run = run_scb(start + std::to_string(x) + "," + std::to_string(y));
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find(": " + expected), std::string::npos) << run.out << expected;
+    }
+    EXPECT_EQ(ids.ids[0], 0u);
+    EXPECT_NE(ids.ids[120 * 320 + 60], 0u);
+}
+
+TEST_F(RenderQueries, StepThroughATraversal) {
+    const json index = index_of("rejections spheres-l1 --frames 100 --steps 4000");
+    const json whole = index_of("rejections spheres-l1 --frames 100")["files"][0];
+    const std::size_t n_v = whole["n_v"];
+    ASSERT_EQ(index["files"].size(), (n_v + 3999) / 4000);
+    std::size_t tests = 0;
+    for (const json& file : index["files"]) {
+        tests = std::min<std::size_t>(tests + 4000, n_v);
+        EXPECT_EQ(file["tests"], tests);
+        EXPECT_EQ(file["n_v"], tests);
+    }
+    EXPECT_EQ(tests, n_v);
+    for (const char* key : {"pairs", "n_p", "n_u", "stages", "depth", "complete"})
+        EXPECT_EQ(index["files"].back()[key], whole[key]);
+}
+
+TEST_F(RenderQueries, StopBetweenTwoStepsAtASignal) {
+    const ProgramRun run = run_scb(
+        "render rejections spheres-l1 --frames 100 --steps 1 --size 320x240 --samples 1 -o " + out,
+        interrupted);
+    ASSERT_EQ(run.status, 130) << run.err;
+    EXPECT_NE(run.err.find("interrupted"), std::string::npos) << run.err;
+    const json index = json::parse(file_text(out + "/index.json"));
+    EXPECT_LT(index["files"].size(), 17499u);
+}
+
+TEST_F(RenderQueries, DoNotReplaceWhatTheyRead) {
+    std::filesystem::create_directory(out);
+    const std::string input = out + "/index.json";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + input).status, 0);
+    const std::string before = file_text(input);
+    for (const char* command : {"pairs ", "rejections ", "traversal "}) {
+        const ProgramRun run = run_scb("render " + std::string(command) + input + " -o " + out);
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_EQ(file_text(input), before) << command;
+    }
+}
+
+TEST_F(RenderQueries, RefuseDepthsAndOptionsThatAreNone) {
+    for (const auto& [arguments, said] : {
+             std::pair<std::string, std::string>{"--depth leaves", "give a level such as 7"},
+             {"--depth 5,7", "give a level such as 7"},
+             {"--depth 1:9:4", "give a level such as 7"},
+             {"--depth 9:1", "the levels 0 to"},
+             {"--depth 99", "the levels 0 to"},
+             {"--depth ''", "--depth"},
+             {"--body ''", "--body"},
+             {"--heat volumes", "'--heat' is no option of `scb render rejections`"},
+             {"--no-such thing", "'--no-such' is no option"},
+         }) {
+        const ProgramRun run =
+            run_scb("render rejections spheres-l1 --frames 100 " + arguments + " -o " + out);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(said), std::string::npos) << arguments << ": " << run.err;
+        EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
+    }
+}
+
+TEST_F(RenderQueries, ACameraFollowsTheContact) {
+    const json index = index_of("pairs spheres-l1 --frames 20,250,480 --camera contact");
+    // At frame 20 the spheres just touch; at 250, one inside the other, nothing meets.
+    const auto distance = [&](std::size_t i) {
+        return index["files"][i]["camera"]["distance"].get<double>();
+    };
+    EXPECT_LT(distance(0), distance(1) / 2);
+    EXPECT_LT(distance(2), distance(1) / 2);
+    EXPECT_FALSE(index.contains("camera"));
+    EXPECT_TRUE(index_of("pairs spheres-l1 --frames 20").contains("camera"));
+}
+
+TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 0,100 -o " + trace_file).status, 0);
+    const std::string scene = folder / "s.json", of_scene = folder / "s.scbtrace";
+    write_text(scene, endless_scene);
+    ASSERT_EQ(run_scb("trace " + scene + " --frames 0 -o " + of_scene).status, 0);
+    std::string moved = endless_scene, other = endless_scene;
+    moved.replace(moved.find("1.98"), 4, "1.97");
+    other.replace(other.find("\"subdivisions\": 3"), 17, "\"subdivisions\": 2");
+    std::string newer = file_text(of_scene);
+    newer.replace(newer.find("0.1.0"), 5, "9.1.0");
+    const auto crc = static_cast<std::uint32_t>(
+        crc32_z(0, reinterpret_cast<const unsigned char*>(newer.data()), newer.size() - 4));
+    for (std::size_t i = 0; i < 4; ++i)
+        newer[newer.size() - 4 + i] = static_cast<char>(crc >> (8 * i));
+    write_text(folder / "newer.scbtrace", newer);
+    const auto refused = [&](const std::string& arguments, const std::string& part) {
+        const ProgramRun run = run_scb("render " + arguments + " -o " + out);
+        EXPECT_EQ(run.status, 2) << arguments << run.err;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+        EXPECT_NE(run.err.find(part), std::string::npos) << arguments << run.err;
+    };
+    refused("pairs spheres-l1 --frames 500", "frames 0 to 499");
+    refused("pairs " + trace_file + " --frames 50", "has no frame 50");
+    refused("pairs " + trace_file + " --test extents", "--test");
+    refused("pairs cone.off", "there is no such file");
+    refused("pairs spheres-l1 --camera up", "--camera");
+    refused("levels spheres-l1 --camera contact", "levels have no contact");
+    refused("rejections spheres-l1 --steps 0", "--steps 0: give at least 1");
+    refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
+    refused("pairs spheres-l1 --pick 12", "this is no pixel");
+    refused("pairs spheres-l1 --pick 1,x", "is no whole number");
+    refused("pairs spheres-l1 --heat tests", "--heat tests: give volumes or triangles");
+    refused("pairs spheres-l1 --heat-end 100", "and --heat");
+    refused("pairs spheres-l1 --heat volumes --heat-end 1", "give at least 2");
+    refused("rejections spheres-l1 --depth 0:99", "levels 0 to");
+    refused("rejections spheres-l1 --depth 5:2", "--depth");
+    refused("rejections spheres-l1 --stage slab-a", "'slab-a' is none here");
+    refused("rejections spheres-l1 --stage gjk", "ball-ball, slab-ball");
+    refused("rejections spheres-l1 --body C", "the bodies are A and B");
+    refused("rejections spheres-l1 --by mean", "--by mean");
+    refused("rejections spheres-l1 --opacity 0", "--opacity");
+    refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
+    write_text(scene, moved);
+    refused("pairs " + of_scene, "the bodies are elsewhere");
+    const ProgramRun explained = run_scb("explain " + of_scene + " --frame 0 --pair 0,0");
+    EXPECT_EQ(explained.status, 2);
+    EXPECT_NE(explained.err.find("the bodies are elsewhere"), std::string::npos) << explained.err;
+    write_text(scene, other);
+    refused("rejections " + of_scene, "was recorded when the mesh of left had 1280 triangles");
+    std::filesystem::remove(scene);
+    refused("pairs " + of_scene, "there is no such");
+}
+
+}  // namespace
+}  // namespace scb

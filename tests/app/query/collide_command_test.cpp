@@ -1,0 +1,220 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/collide/pairs_hash.h"
+#include "scb/any_collide.h"
+#include "scenes/scene/load_scene.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) result.push_back(line);
+    return result;
+}
+
+Collision query(const std::string& name, int frame, VolumeKind kind) {
+    const Scene scene = load_scene({name});
+    std::vector<AnyHierarchy> h;
+    for (const NamedMesh& m : scene.meshes) {
+        const auto topology = std::make_shared<const Topology>(build_topology(m.mesh));
+        h.push_back(fit_any(kind, topology, leaf_order(m.mesh, *topology)));
+    }
+    const Body &a = scene.bodies[0], &b = scene.bodies[1];
+    return collide(h[a.mesh], scene.meshes[a.mesh].mesh, h[b.mesh], scene.meshes[b.mesh].mesh,
+                   relative_pose(pose_at(a.motion, frame), pose_at(b.motion, frame)));
+}
+
+TEST(CollideCommand, SpeaksOfTheLibrarysCounts) {
+    const ProgramRun run = run_scb("collide spheres-l1 --frames 100,250 --json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json result = json::parse(run.out);
+    EXPECT_EQ(result["test"], "symmetric");
+    ASSERT_EQ(result["frames"].size(), 2u);
+    for (const json& frame : result["frames"]) {
+        const Collision found = query("spheres-l1", frame["frame"], VolumeKind::scb);
+        EXPECT_EQ(frame["pairs"], found.pairs.size());
+        EXPECT_EQ(frame["pairs_hash"], hash_text(pairs_hash(found.pairs)));
+        EXPECT_EQ(frame["n_v"], found.n_v);
+        EXPECT_EQ(frame["n_p"], found.n_p);
+        EXPECT_EQ(frame["n_u"], found.n_u);
+        EXPECT_EQ(frame["depth"], found.depth);
+        std::uint64_t sum = 0;
+        for (const auto& [stage, tests] : frame["stages"].items()) {
+            EXPECT_EQ(tests, found.stages[static_cast<std::size_t>(*stage_of(stage))]);
+            sum += tests.get<std::uint64_t>();
+        }
+        EXPECT_EQ(sum, found.n_v);
+    }
+}
+
+TEST(CollideCommand, TableCsvAndJsonAgree) {
+    const std::string arguments = "collide spheres-l1 --frames 0:499:125 --volume obb";
+    const std::vector<std::string> table = lines(run_scb(arguments).out),
+                                   csv = lines(run_scb(arguments + " --csv").out);
+    const json frames = json::parse(run_scb(arguments + " --json").out)["frames"];
+    ASSERT_EQ(csv.size(), 1 + frames.size());
+    ASSERT_EQ(table.size(), 4 + frames.size());  // title, empty, header, frames, mean
+    EXPECT_NE(csv[0].find("axis-a2xb2"), std::string::npos);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        std::istringstream cells(table[3 + i]);
+        std::uint64_t frame, pairs, n_v, n_p, n_u;
+        cells >> frame >> pairs >> n_v >> n_p >> n_u;
+        EXPECT_EQ(frames[i]["frame"], frame);
+        EXPECT_EQ(frames[i]["pairs"], pairs);
+        EXPECT_EQ(frames[i]["n_v"], n_v);
+        EXPECT_EQ(frames[i]["n_p"], n_p);
+        EXPECT_EQ(frames[i]["n_u"], n_u);
+        const std::string start = std::to_string(frame) + "," + std::to_string(pairs) + "," +
+                                  std::to_string(n_v) + "," + std::to_string(n_p) + "," +
+                                  std::to_string(n_u) + ",";
+        EXPECT_EQ(csv[1 + i].substr(0, start.size()), start);
+    }
+}
+
+TEST(CollideCommand, ListsThePairs) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "pairs.csv";
+    ASSERT_EQ(run_scb("collide spheres-l1 --frames 100 --pairs-out " + file).status, 0);
+    std::string expected = "frame,triangle_a,triangle_b\n";
+    for (const IndexPair& pair : query("spheres-l1", 100, VolumeKind::ball).pairs)
+        expected += "100," + std::to_string(pair.a) + "," + std::to_string(pair.b) + "\n";
+    EXPECT_EQ(file_text(file), expected);
+}
+
+TEST(CollideCommand, SaysThatThePrintedTestMissesPairs) {
+    const ProgramRun run = run_scb("collide spheres-l1 --frames 100 --test printed --json");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.err.find("pairs may be missing"), std::string::npos);
+    EXPECT_LT(json::parse(run.out)["frames"][0]["pairs"],
+              query("spheres-l1", 100, VolumeKind::scb).pairs.size());
+}
+
+TEST(CollideCommand, EndsAtTheFirstContactOrAtALevel) {
+    const json first =
+        json::parse(run_scb("collide spheres-l1 --frames 100 --first --json").out)["frames"][0];
+    EXPECT_EQ(first["pairs"], 1);
+    EXPECT_EQ(first["complete"], false);
+    const json level =
+        json::parse(run_scb("collide spheres-l1 --frames 100 --level 5 --json").out)["frames"][0];
+    EXPECT_GT(level["pairs"], 32);
+    EXPECT_EQ(level["n_p"], 0);
+    EXPECT_EQ(level["depth"], 10);
+}
+
+TEST(CollideCommand, RefusesWhatMakesNoSense) {
+    const TemporaryFolder folder;
+    for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
+             {"spheres-l1 --frames 500", "there is no frame 500"},
+             {"spheres-l1 --frames 5:1", "names nothing"},
+             {"spheres-l1 --frames x", "is no whole number"},
+             {"spheres-l1 --test gjk", "is no overlap test"},
+             {"spheres-l1 --test symmetric,extents", "one overlap test at a time"},
+             {"spheres-l1 --volume scb,ball", "one of scb,ball,ritter,obb at a time"},
+             {"spheres-l1 --threshold 2", "give a cosine from 0 to 1"},
+             {"spheres-l1 --threshold nan", "give a cosine from 0 to 1"},
+             {"spheres-l1 --descent up", "unknown rule"},
+             {"spheres-l1 --bodies A", "give two bodies"},
+             {"spheres-l1 --bodies A,A", "give two bodies"},
+             {"spheres-l1 --bodies A,C", "is no body"},
+             {"spheres-l1 --level 99", "have the levels 0 to"},
+             {"spheres-l1 --max-pairs 0", "give at least 1"},
+             {"spheres-l1 --max-pairs -1", "give at least 1"},
+             {"spheres-l1 --level -1", "have the levels 0 to"},
+             {"spheres-l1 --json --csv", "exclude each other"},
+             {"spheres-l1 --max-pairs 010", "'010' is no whole number"},
+             {"spheres-l1 --level ''", "'' is no whole number"},
+             {"spheres-l1 --margin ''", "'' is no number"},
+             {"spheres-l1 --pairs-out -", "standard output"},
+             {"spheres-l1 --pairs-out ''", "--pairs-out: the name is empty"},
+             {"horses --models " + (folder / "nowhere"), "48485 vertices"}}) {
+        const ProgramRun run = run_scb("collide " + arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+        EXPECT_EQ(lines(run.err).size(), 1u) << run.err;
+    }
+    const ProgramRun unwritable =
+        run_scb("collide spheres-l1 --frames 100 --pairs-out " + (folder / "no/such/file.csv"));
+    EXPECT_EQ(unwritable.status, 3);
+    EXPECT_EQ(unwritable.out, "");
+}
+
+TEST(CollideCommand, TellsThePosesInJson) {
+    const Scene scene = load_scene({"spheres-l1"});
+    const json frame =
+        json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0];
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 100), pose_at(scene.bodies[1].motion, 100));
+    ASSERT_EQ(frame["pose"].size(), 12u);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            EXPECT_EQ(frame["pose"][static_cast<std::size_t>(4 * row + column)],
+                      pose.rotation(row, column));
+        EXPECT_EQ(frame["pose"][static_cast<std::size_t>(4 * row + 3)], pose.translation[row]);
+    }
+}
+
+TEST(CollideCommand, SaysWhichOptionsHaveNoEffect) {
+    const std::string start = "collide spheres-l1 --frames 0 ";
+    EXPECT_NE(run_scb(start + "--volume ball --test extents").err.find("have no effect"),
+              std::string::npos);
+    EXPECT_NE(run_scb(start + "--threshold 0.5").err.find("--threshold has no effect"),
+              std::string::npos);
+    EXPECT_EQ(run_scb(start + "--threshold 0.5 --test corrected").err, "");
+    EXPECT_EQ(run_scb(start + "--volume ball").err, "");
+}
+
+TEST(CollideCommand, AnInterruptLeavesTheFinishedFrames) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "pairs.csv", scene = folder / "endless.json";
+    write_text(scene, endless_scene);
+    const ProgramRun run = run_scb("collide " + scene + " --csv --pairs-out " + file, interrupted);
+    ASSERT_EQ(run.status, 130) << run.err;
+    EXPECT_NE(run.err.find("of 1000000 frames are finished"), std::string::npos) << run.err;
+    const std::vector<std::string> rows = lines(run.out), pairs = lines(file_text(file));
+    ASSERT_GE(rows.size(), 2u);
+    EXPECT_EQ(pairs[0], "frame,triangle_a,triangle_b");
+    // Every finished frame has its pairs, which are always the same.
+    const std::size_t finished = rows.size() - 1, each = (pairs.size() - 1) / finished;
+    EXPECT_GT(each, 0u);
+    EXPECT_EQ(pairs.size() - 1, each * finished);
+    EXPECT_EQ(std::stoi(pairs.back()), static_cast<int>(finished) - 1);
+}
+
+// Sent to a file, the list and the table follow each other in it.
+TEST(CollideCommand, ListsPairsToStandardOutputThatIsAFile) {
+    const ProgramRun run = run_scb("collide spheres-l1 --frames 100 --csv --pairs-out /dev/stdout");
+    EXPECT_EQ(run.status, 0) << run.err;
+    const std::vector<std::string> text = lines(run.out);
+    ASSERT_GT(text.size(), 3u);
+    EXPECT_EQ(text[0], "frame,triangle_a,triangle_b");
+    EXPECT_EQ(text[text.size() - 2].substr(0, 12), "frame,pairs,");
+}
+
+TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder / "m.off", bytes = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    write_text(mesh, bytes);
+    const std::string scene = folder / "s.json";
+    write_text(scene, R"({"scb_scene": 1, "name": "s", "models": [{"name": "m", "file": "m.off"}],
+        "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})");
+    for (const std::string& arguments :
+         {"collide " + mesh + " " + mesh + " --pairs-out ", "collide " + scene + " --pairs-out ",
+          "trace " + scene + " -o ", "export " + scene + " --level 0 -o "}) {
+        const ProgramRun run = run_scb(arguments + mesh);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_EQ(file_text(mesh), bytes);
+    }
+}
+
+}  // namespace
+}  // namespace scb

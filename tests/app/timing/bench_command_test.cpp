@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "render/files/image_file.h"
+#include "tests/app/program.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(BenchCommand, HasTheCountsOfCollide) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_scb("bench spheres-l1 --frames 100,250 --repeat 1 --json -o " + (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json scene = json::parse(run.out)["scenes"][0];
+    EXPECT_EQ(scene["scene"], "spheres-l1");
+    ASSERT_EQ(scene["hierarchies"].size(), 4u);
+    for (const json& row : scene["hierarchies"]) {
+        const std::string volume = row["volume"];
+        const json mean = json::parse(
+            run_scb("collide spheres-l1 --frames 100,250 --json --volume " + volume).out)["mean"];
+        for (const char* count : {"n_v", "n_p", "n_u", "pairs"})
+            EXPECT_EQ(row[count], mean[count]) << volume << " " << count;
+        EXPECT_GT(row["ms"], 0);
+        // It would be no fair comparison with some of the frames.
+        EXPECT_FALSE(row.contains("table_3"));
+    }
+
+    EXPECT_EQ(json::parse(file_text(folder / "out/bench.json"))["scenes"].size(), 1u);
+    const std::string csv = file_text(folder / "out/bench.csv");
+    EXPECT_EQ(lines_of(csv), 1u + 4 * 2);
+    const Image picture = read_png(folder / "out/spheres-l1_bench.png");
+    EXPECT_EQ(picture.width, 1280);
+    EXPECT_EQ(picture.height, 720);
+}
+
+TEST(BenchCommand, HasTable3BesideWhereAllFramesAreRun) {
+    const ProgramRun run = run_scb("bench knots-l3 --repeat 1 --volume scb,ritter --json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
+    EXPECT_EQ(rows[0]["table_3"]["n_v"], 14367);
+    EXPECT_FALSE(rows[1].contains("table_3"));
+}
+
+TEST(BenchCommand, FindsTheSamePairsInEveryLayout) {
+    const std::string query = "bench spheres-l1 --frames 100,250 --repeat 1 --volume scb --json ";
+    const std::string layouts =
+        "--layout "
+        "reference,float2,float4,float8,quantized2,quantized4,quantized8,indexed2,indexed8 ";
+    std::vector<json> answers;
+    for (const std::string& how :
+         {std::string(), std::string("--simd base"), std::string("--threads 2"),
+          std::string("--leaf 1"), std::string("--split cost")}) {
+        const ProgramRun run = run_scb(query + layouts + how);
+        ASSERT_EQ(run.status, 0) << run.err;
+        answers.push_back(json::parse(run.out)["scenes"][0]["hierarchies"]);
+        ASSERT_EQ(answers.back().size(), 9u);
+        EXPECT_FALSE(answers.back()[0].contains("layout"));
+        for (const json& row : answers.back()) {
+            EXPECT_EQ(row["pairs"], answers[0][0]["pairs"]) << row << how;
+            EXPECT_GT(row["bytes_per_triangle"], 0);
+        }
+    }
+    for (std::size_t i = 0; i < 9; ++i) {
+        EXPECT_EQ(answers[1][i]["n_v"], answers[0][i]["n_v"]) << i;
+        EXPECT_EQ(answers[2][i]["n_v"], answers[0][i]["n_v"]) << i;
+    }
+    EXPECT_GT(answers[3][6]["n_v"], answers[0][6]["n_v"]) << "more leaves";
+    EXPECT_LT(answers[0][6]["bytes_per_triangle"], answers[0][3]["bytes_per_triangle"]);
+    EXPECT_NEAR(answers[0][6]["bytes_per_triangle"].get<double>() -
+                    answers[0][8]["bytes_per_triangle"].get<double>(),
+                36, 1e-6)
+        << "without corners";
+    EXPECT_LT(answers[4][0]["n_v"], answers[0][0]["n_v"]) << "split at least cost";
+}
+
+TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
+    const TemporaryFolder folder;
+    const ProgramRun run = run_scb(
+        "bench knots-l1 --frames 0:9 --repeat 2 --volume scb --layout reference,float8 "
+        "--coherent --json -o " +
+        (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json rows = json::parse(run.out)["scenes"][0]["hierarchies"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_FALSE(rows[1].contains("from_front"));
+    // The knots do not move relative to each other: the first query begins at the roots, the second
+    // makes a front.
+    EXPECT_EQ(rows[2]["from_front"], 0.8);
+    EXPECT_EQ(rows[2]["pairs"], rows[1]["pairs"]);
+    EXPECT_LT(rows[2]["n_v"], rows[1]["n_v"]);
+    EXPECT_NE(file_text(folder / "out/bench.csv").find("knots-l1,scb,float8 front,0,"),
+              std::string::npos);
+    EXPECT_EQ(run_scb("bench soup --frames 0 --volume scb --coherent").status, 2);
+}
+
+TEST(BenchCommand, NotesWhatHasNoEffect) {
+    const auto notes = [](const std::string& arguments) {
+        const ProgramRun run = run_scb("bench soup --frames 0 --repeat 1 " + arguments);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return run.err;
+    };
+    for (const std::string option : {"--test printed", "--threshold 0.5", "--descent area"}) {
+        const std::string packed = notes("--volume scb --layout float8 " + option);
+        EXPECT_NE(packed.find("scb: " + option.substr(0, option.find(' ')) + " has no effect"),
+                  std::string::npos)
+            << packed;
+        EXPECT_EQ(packed.find("may be missing"), std::string::npos) << packed;
+    }
+    const std::string balls = notes("--volume ball --layout float8 --leaf 2");
+    EXPECT_NE(balls.find("--layout has no effect: only slab cut"), std::string::npos) << balls;
+    EXPECT_NE(balls.find("--leaf has no effect: only slab cut"), std::string::npos) << balls;
+    EXPECT_NE(notes("--leaf 2").find("--leaf has no effect"), std::string::npos);
+    EXPECT_NE(notes("--simd base").find("--simd has no effect"), std::string::npos);
+    EXPECT_EQ(notes("--layout reference,float8 --test extents --leaf 2 --simd base"), "");
+    EXPECT_EQ(notes("--volume scb,ball --layout float8 --descent area"), "");
+    // Without a packed layout no query is shared.
+    EXPECT_EQ(run_scb("bench soup --frames 0 --repeat 1 --threads 2").out.find("share"),
+              std::string::npos);
+    EXPECT_NE(run_scb("bench soup --frames 0 --repeat 1 --threads 2 --layout float8")
+                  .out.find("2 threads share"),
+              std::string::npos);
+}
+
+TEST(BenchCommand, TwoScenesAreNotTwoBodies) {
+    const ProgramRun run = run_scb("bench soup cone --frames 0 --repeat 1 --volume scb");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err.find("same pose"), std::string::npos) << run.err;
+}
+
+TEST(BenchCommand, RefusesLayoutsAndLevelsThatAreNot) {
+    for (const char* arguments : {"--layout float3", "--simd avx3", "--leaf 5", "--leaf 0",
+                                  "--threads 0", "--threads 1000", "--layout reference,"}) {
+        const ProgramRun run = run_scb(std::string("bench soup --frames 0 ") + arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(std::string(arguments).substr(0, 6)), std::string::npos) << run.err;
+    }
+}
+
+TEST(BenchCommand, TakesTwoMeshFiles) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder / "level.ply";
+    ASSERT_EQ(run_scb("export spheres-l1 --level 3 -o " + mesh).status, 0);
+    const ProgramRun run =
+        run_scb("bench " + mesh + " " + mesh + " --repeat 1 --volume scb --json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["scenes"].size(), 1u);
+    EXPECT_EQ(run_scb("bench knots-l1 knots-l1").status, 2);
+}
+
+TEST(BenchCommand, LeavesWhatWasFinishedWhenInterrupted) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out";
+    // The second scene takes seconds; the signal comes once the first is finished.
+    const ProgramRun run = run_scb(
+        "bench knots-l1 spheres-l1 --frames 0:499:50 --volume scb --repeat 1000 --quiet -o " + out +
+        " & child=$!; while [ ! -e " + out +
+        "/bench.json ] && kill -0 $child; do sleep 0.05; done; kill -TERM $child; wait $child");
+    EXPECT_EQ(run.status, 143) << run.err;
+    const json result = json::parse(file_text(folder / "out/bench.json"));
+    ASSERT_EQ(result["scenes"].size(), 1u);
+    EXPECT_EQ(result["scenes"][0]["scene"], "knots-l1");
+    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_bench.png"));
+    EXPECT_FALSE(fs::exists(folder / "out/spheres-l1_bench.png"));
+}
+
+TEST(BenchCommand, RefusesASceneBeforeMeasuringAnother) {
+    const TemporaryFolder folder;
+    const ProgramRun run = run_scb("bench knots-l1 nonsense -o " + (folder / "out"));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/analysis/trace_diff.h"
+#include "tests/core/hierarchy/built_mesh.h"
+
+namespace scb {
+
+/// One query on two meshes, recorded.
+inline TraceFrame record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame,
+                               const Pose& b_to_a, const TraceHeader& header) {
+    const auto kind = static_cast<std::size_t>(header.volume);
+    EventRecorder recorder;
+    TraceFrame result{frame, b_to_a, {}, {}};
+    result.found = collide(a.hierarchies[kind], a.mesh, b.hierarchies[kind], b.mesh, b_to_a,
+                           header.options, recorder);
+    result.events = std::move(recorder.events);
+    return result;
+}
+
+/// B slides along x, by `step` a frame, through A.
+inline Trace record_trace(const BuiltMesh& a, const BuiltMesh& b, TraceHeader header,
+                          const std::vector<int>& frames, double step = 0.05) {
+    header.scb_version = "1.2.3";
+    header.source = {"a.ply", "b.ply"};
+    header.scene = "slide";
+    header.bodies = {TraceBody{"left", fingerprint(a.mesh)},
+                     TraceBody{"right", fingerprint(b.mesh)}};
+    Trace trace{header, {}};
+    for (const int frame : frames) {
+        Pose pose;
+        pose.translation = Vec3(0.4 - step * frame, 0.01, 0.02);
+        trace.frames.push_back(record_frame(a, b, frame, pose, header));
+    }
+    return trace;
+}
+
+inline TraceHeader asking(VolumeKind volume, OverlapTest test) {
+    TraceHeader header;
+    header.volume = volume;
+    header.options.overlap.test = test;
+    return header;
+}
+
+}  // namespace scb

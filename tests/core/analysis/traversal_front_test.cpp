@@ -1,0 +1,157 @@
+#include "core/analysis/traversal_front.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/core/analysis/traces.h"
+#include "tests/core/overlap/volume_pairs.h"
+
+namespace scb {
+namespace {
+
+const BuiltMesh& mesh() {
+    static const BuiltMesh built(height_field(12));
+    return built;
+}
+
+TraceFrame some_frame(const TraceHeader& header) {
+    Pose pose;
+    pose.translation = Vec3(0.3, 0.11, 0.02);
+    return record_frame(mesh(), mesh(), 3, pose, header);
+}
+
+std::vector<TraceHeader> headers() {
+    TraceHeader to_level = asking(VolumeKind::scb, OverlapTest::symmetric),
+                first = asking(VolumeKind::ball, OverlapTest::symmetric);
+    to_level.options.stop_level = 4;
+    first.options.max_pairs = 3;
+    return {asking(VolumeKind::scb, OverlapTest::corrected),
+            asking(VolumeKind::obb, OverlapTest::corrected), to_level, first};
+}
+
+TEST(Endings, AreTheTestsThatWereNotPassedOn) {
+    for (const TraceHeader& header : headers()) {
+        const TraceFrame frame = some_frame(header);
+        const TestTree tree = test_tree(header, frame);
+        std::uint64_t passed_on = 0;
+        for (const Outcome outcome : tree.outcomes)
+            passed_on += outcome == Outcome::divided_a || outcome == Outcome::divided_b;
+        EndingCounts sum{};
+        std::uint64_t ended = 0;
+        for (const EndingCounts& counts : endings_by_depth(frame, tree))
+            for (std::size_t i = 0; i < ending_count; ++i) {
+                sum[i] += counts[i];
+                ended += counts[i];
+            }
+        EXPECT_EQ(ended + passed_on, frame.found.n_v);
+        for (std::size_t s = 1; s < stage_count; ++s) EXPECT_EQ(sum[s], frame.found.stages[s]);
+        const auto at = [&](Ending ending) { return sum[static_cast<std::size_t>(ending)]; };
+        EXPECT_EQ(at(Ending::triangles_meet) + at(Ending::found), frame.found.pairs.size());
+        EXPECT_EQ(at(Ending::triangles_meet) + at(Ending::triangles_apart), frame.found.n_p);
+        EXPECT_EQ(at(Ending::left_over) > 0, !frame.found.complete);
+        // What a query of these options can have covers what it has.
+        const std::vector<Ending> known = endings_of(header.volume, header.options);
+        for (std::size_t i = 1; i < ending_count; ++i)
+            EXPECT_TRUE(sum[i] == 0 || std::find(known.begin(), known.end(),
+                                                 static_cast<Ending>(i)) != known.end());
+    }
+}
+
+TEST(Endings, HaveNames) {
+    std::set<std::string_view> names;
+    for (std::size_t i = 1; i < ending_count; ++i) {
+        const auto ending = static_cast<Ending>(i);
+        names.insert(ending_name(ending));
+        EXPECT_EQ(ending_of(ending_name(ending)), ending);
+    }
+    EXPECT_EQ(names.size(), ending_count - 1);
+    EXPECT_FALSE(ending_of("overlapping"));
+}
+
+TEST(TraversalFront, SumsUpThePathsThatEndedAtEachNode) {
+    for (const TraceHeader& header : headers())
+        for (const std::size_t side : {0u, 1u}) {
+            const TraceFrame frame = some_frame(header);
+            const TestTree tree = test_tree(header, frame);
+            std::map<std::uint32_t, std::vector<Ending>> ends;
+            std::map<std::uint32_t, std::uint32_t> tested;
+            for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+                const VolumeTest& test = frame.events.volume_tests[i];
+                const std::uint32_t node = side == 0 ? test.nodes.a : test.nodes.b;
+                ++tested[node];
+                if (const auto ending = ending_of(test, tree.outcomes[i]))
+                    ends[node].push_back(*ending);
+            }
+            const std::vector<FrontNode> front = traversal_front(frame, tree, side);
+            ASSERT_EQ(front.size(), ends.size());
+            auto expected = ends.begin();
+            for (const FrontNode& node : front) {
+                ASSERT_EQ(node.node, expected->first);
+                const std::vector<Ending>& list = expected->second;
+                EXPECT_EQ(node.tests, list.size());
+                EXPECT_EQ(node.tested, tested[node.node]);
+                EXPECT_EQ(node.first, list.front());
+                EXPECT_EQ(node.last, list.back());
+                EXPECT_EQ(node.rejected, std::count_if(list.begin(), list.end(), is_rejection));
+                for (std::size_t i = 0; i < ending_count; ++i) {
+                    const auto ending = static_cast<Ending>(i);
+                    const auto count = std::count(list.begin(), list.end(), ending);
+                    EXPECT_LE(count, node.of_dominant);
+                    EXPECT_TRUE(ending >= node.dominant || count < node.of_dominant);
+                    EXPECT_TRUE(ending != node.dominant || count == node.of_dominant);
+                }
+                ++expected;
+            }
+        }
+}
+
+TEST(TraversalFront, KeepsWhatTheFilterAsksFor) {
+    const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
+    const TraceFrame frame = some_frame(header);
+    const TestTree tree = test_tree(header, frame);
+    const std::vector<std::uint16_t> depths = node_depths(mesh().topology());
+    FrontFilter filter;
+    filter.endings = {Ending::triangles_apart, rejected_at(Stage::ball_ball)};
+    filter.least_depth = 3;
+    filter.most_depth = 9;
+    std::uint64_t tests = 0, all = 0;
+    for (const FrontNode& node : traversal_front(frame, tree, 1, filter)) {
+        EXPECT_EQ(node.depth, depths[node.node]);
+        EXPECT_TRUE(node.depth >= 3 && node.depth <= 9);
+        EXPECT_TRUE(node.dominant == filter.endings[0] || node.dominant == filter.endings[1]);
+        tests += node.tests;
+    }
+    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+        const VolumeTest& test = frame.events.volume_tests[i];
+        all += test.depth_b >= 3 && test.depth_b <= 9 &&
+               (tree.outcomes[i] == Outcome::triangles_apart || test.stage == Stage::ball_ball);
+    }
+    EXPECT_GT(all, 0u);
+    EXPECT_EQ(tests, all);
+}
+
+TEST(TraversalFront, InnermostNodesHoldNoOther) {
+    const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
+    const TraceFrame frame = some_frame(header);
+    const std::vector<FrontNode> front = traversal_front(frame, test_tree(header, frame), 0);
+    const std::vector<FrontNode> inner = innermost(front, mesh().topology());
+    const auto& nodes = mesh().topology().nodes;
+    const auto holds = [&](std::uint32_t outer, std::uint32_t node) {
+        return outer != node && nodes[outer].first <= nodes[node].first &&
+               nodes[node].first + nodes[node].count <= nodes[outer].first + nodes[outer].count;
+    };
+    std::set<std::uint32_t> kept;
+    for (const FrontNode& node : inner) kept.insert(node.node);
+    ASSERT_LT(kept.size(), front.size());
+    for (const FrontNode& outer : front) {
+        const bool has_below = std::any_of(front.begin(), front.end(), [&](const FrontNode& node) {
+            return holds(outer.node, node.node);
+        });
+        EXPECT_EQ(kept.contains(outer.node), !has_below);
+    }
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,236 @@
+#include "core/explain/exact_overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/explain/certificate_check.h"
+#include "scb/overlap.h"
+#include "tests/core/overlap/random_scb_pairs.h"
+
+namespace scb {
+namespace {
+
+#ifdef SCB_SANITIZED
+constexpr int many = 2000;
+#else
+constexpr int many = 50000;
+#endif
+
+Obb random_box(Random& random) {
+    const Pose pose = random_pose(random);
+    Obb box{pose.translation, pose.rotation, Vec3::Zero()};
+    for (int i = 0; i < 3; ++i)
+        box.half[i] = random.below(8) == 0 ? 0 : log_uniform(random, 1e-3, 1);
+    return box;
+}
+
+Ball random_ball(Random& random) {
+    return {random_pose(random).translation,
+            random.below(8) == 0 ? 0 : log_uniform(random, 1e-3, 1)};
+}
+
+Scb at_origin(Scb s) {
+    s.c = Vec3::Zero();
+    return s;
+}
+
+/// B moved so that the gap along the best direction found is near nothing, or by `gap`.
+template <class V>
+V moved_to_contact(const V& a, V b, double gap) {
+    // A step along the separating direction changes the gap by the step at most, so a few come
+    // close to where the two touch.
+    for (int i = 0; i < 30; ++i) {
+        const ContactProof proof = exact_overlap(a, b);
+        if (proof.contact == Contact::disjoint) b.center -= proof.margin * proof.direction;
+        if (proof.contact != Contact::disjoint) break;
+    }
+    const Vec3 direction = (b.center - a.center).normalized();
+    b.center += gap * direction;
+    return b;
+}
+
+template <class V>
+void expect_proven(const V& a, const V& b) {
+    const ContactProof proof = exact_overlap(a, b);
+    const Stage stage = overlap(a, b, Pose{});
+    if (proof.contact == Contact::disjoint) {
+        EXPECT_TRUE(verify(a, b, proof));
+        EXPECT_NE(stage, Stage::overlapping) << "the test of these volumes is exact";
+    } else if (proof.contact == Contact::overlapping) {
+        EXPECT_TRUE(verify(a, b, proof));
+        EXPECT_EQ(stage, Stage::overlapping) << "the test of these volumes is exact";
+    }
+}
+
+/// Random pairs, half of them close to contact; the centers of the others are up to `farthest` as
+/// far apart as they are drawn.
+template <class V>
+void expect_all_proven(Random random, V (*random_volume)(Random&), double farthest) {
+    int counts[3] = {};
+    for (int i = 0; i < many; ++i) {
+        const V a = random_volume(random);
+        V b = random_volume(random);
+        b.center = a.center + farthest * random.uniform() * (b.center - a.center);
+        if (i % 2 == 0) {
+            const double gap = log_uniform(random, 1e-8, 1e-3);
+            b = moved_to_contact(a, b, i % 4 == 0 ? gap : -gap);
+        }
+        expect_proven(a, b);
+        ++counts[static_cast<int>(exact_overlap(a, b).contact)];
+    }
+    for (const Contact contact : {Contact::disjoint, Contact::overlapping})
+        EXPECT_GT(counts[static_cast<int>(contact)], many / 10);
+    EXPECT_LT(counts[static_cast<int>(Contact::touching)], many / 20);
+}
+
+TEST(ExactOverlap, OfBoxesAgreesWithTheFifteenAxesAndProvesIt) {
+    expect_all_proven(Random(1), random_box, 2);
+}
+
+TEST(ExactOverlap, OfBallsAgreesWithTheirTestAndProvesIt) {
+    expect_all_proven(Random(2), random_ball, 1);
+}
+
+TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
+    const Obb unit{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(1)};
+    for (const Vec3& at : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 2, 2), Vec3(0, -2, 0.3)}) {
+        EXPECT_EQ(exact_overlap(unit, Obb{at, unit.axes, unit.half}).contact, Contact::touching);
+        EXPECT_EQ(exact_overlap(unit, Obb{at * (1 + 1e-7), unit.axes, unit.half}).contact,
+                  Contact::disjoint);
+        EXPECT_EQ(exact_overlap(unit, Obb{at * (1 - 1e-7), unit.axes, unit.half}).contact,
+                  Contact::overlapping);
+    }
+    // Two flat boxes that cross, though no ball fits into either.
+    const Obb flat{Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0)},
+        upright{Vec3::Zero(), Mat3::Identity(), Vec3(0, 0.5, 0.5)};
+    const ContactProof proof = exact_overlap(flat, upright);
+    EXPECT_EQ(proof.contact, Contact::overlapping);
+    EXPECT_TRUE(verify(flat, upright, proof));
+}
+
+/// How far B has to go along the best direction of a random search to be rid of A: no depth is
+/// more.
+template <class V>
+double way_out(Random& random, const V& a, const V& b, const Vec3& to_b) {
+    const auto along = [&](const Vec3& d) { return extent(a, d) + extent(b, -d) - dot(d, to_b); };
+    Vec3 best = random_unit_vector(random);
+    double least = along(best);
+    const auto take = [&](const Vec3& d) {
+        if (along(d) >= least) return;
+        least = along(d);
+        best = d;
+    };
+    for (int i = 0; i < 200; ++i) take(random_unit_vector(random));
+    for (double step = 0.3; step > 1e-8; step /= 1.5)
+        for (int i = 0; i < 12; ++i)
+            take(Vec3(best + step * random_unit_vector(random)).normalized());
+    return least;
+}
+
+TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
+    Random random(5);
+    int scbs = 0, boxes = 0;
+    for (const ScbPairFamily& family : scb_pair_families)
+        for (int i = 0; i < many / 500; ++i) {
+            const ScbPair pair = random_scb_pair(random, family);
+            const Scb b = placed(pair.b, pair.b_to_a);
+            const ContactProof proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
+            if (proof.contact != Contact::overlapping) continue;
+            EXPECT_LE(proof.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
+            EXPECT_TRUE(supports_bear_out(pair.a, b, proof)) << family.name << " " << i;
+            ++scbs;
+        }
+    for (int i = 0; i < many / 100; ++i) {
+        const Obb a = random_box(random);
+        Obb b = random_box(random);
+        b.center = a.center + random.uniform() * (b.center - a.center);
+        const ContactProof proof = sharpened(a, b, exact_overlap(a, b));
+        if (proof.contact != Contact::overlapping) continue;
+        EXPECT_LE(proof.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
+        EXPECT_TRUE(supports_bear_out(a, b, proof)) << i;
+        ++boxes;
+    }
+    EXPECT_GT(scbs, many / 1000);
+    EXPECT_GT(boxes, many / 1000);
+}
+
+// Whole balls, of which gap and depth are known.
+template <class V>
+void expect_borne_out_up_to(double margin, const V& a, const V& apart, const V& close) {
+    const Vec3 up = Vec3::UnitZ();
+    for (const double factor : {0.5, 1.0}) {
+        const double claimed = factor * margin;
+        EXPECT_TRUE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), claimed}));
+        EXPECT_TRUE(
+            supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, claimed}));
+    }
+    const double more = margin + 1e-9;
+    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), more}));
+    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, -up, Vec3::Zero(), margin}));
+    EXPECT_FALSE(
+        supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, more}));
+    // Not a point of both.
+    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 1.1 * up, margin}));
+    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 0.4 * up, margin}));
+    EXPECT_FALSE(supports_bear_out(a, a, ContactProof{}));
+}
+
+TEST(SupportCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
+    const auto ball = [](double z) { return Ball{Vec3(0, 0, z), 1}; };
+    expect_borne_out_up_to(0.5, ball(0), ball(2.5), ball(1.5));
+    const auto whole = [](double z) { return Scb{Vec3(0, 0, z), 1, Vec3::UnitX(), 1, -1}; };
+    expect_borne_out_up_to(0.5, whole(0), whole(2.5), whole(1.5));
+    const auto cut = [](double z) { return Scb{Vec3(0, 0, z), 3, Vec3::UnitZ(), 1, -1}; };
+    expect_borne_out_up_to(0.5, cut(0), cut(2.5), cut(1.5));
+    const auto cube = [](double z) {
+        return Obb{Vec3(0, 0, z), Mat3::Identity(), Vec3::Constant(1)};
+    };
+    expect_borne_out_up_to(0.5, cube(0), cube(2.5), cube(1.5));
+}
+
+TEST(SharpenedProof, IsTheDistanceOrTheDepthOfBalls) {
+    const Ball a{Vec3(1, 2, 3), 1}, apart{Vec3(1, 2, 6), 1.5}, close{Vec3(1, 2, 5), 1.5};
+    const ContactProof gap =
+        sharpened(a, apart, {Contact::disjoint, Vec3(0.3, 0, 1).normalized(), Vec3::Zero(), 0.01});
+    EXPECT_NEAR(gap.margin, 0.5, 1e-9);
+    EXPECT_TRUE(verify(a, apart, gap));
+    const ContactProof depth = sharpened(a, close, exact_overlap(a, close));
+    EXPECT_NEAR(depth.margin, 0.5, 1e-9);
+    EXPECT_TRUE(verify(a, close, depth));
+}
+
+TEST(SharpenedProof, IsNeverWorseAndStillProven) {
+    Random random(3);
+    int distances = 0, close = 0;
+    for (const ScbPairFamily& family : scb_pair_families)
+        for (int i = 0; i < 30; ++i) {
+            const ScbPair pair = random_scb_pair(random, family);
+            const Scb b = placed(pair.b, pair.b_to_a);
+            const ContactProof proof = exact_overlap(pair.a, b),
+                               better = sharpened(pair.a, b, proof);
+            EXPECT_EQ(better.contact, proof.contact);
+            if (proof.contact == Contact::touching) continue;
+            EXPECT_GE(better.margin, proof.margin);
+            EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
+            EXPECT_TRUE(supports_bear_out(pair.a, b, better)) << family.name << " " << i;
+            if (proof.contact == Contact::overlapping) {
+                // Still a point of both.
+                const Vec3 in_b = better.point - (b.c - pair.a.c);
+                EXPECT_TRUE(contains(grown(at_origin(pair.a), 1e-12), better.point));
+                EXPECT_TRUE(contains(grown(at_origin(b), 1e-12), in_b));
+            }
+            if (family.near_contact && pair.gap > 0 && proof.contact == Contact::disjoint) {
+                EXPECT_LE(better.margin, pair.gap * (1 + 1e-9) + 1e-13);
+                ++distances;
+                close += better.margin >= 0.98 * pair.gap - 1e-13;
+            }
+        }
+    // Not where the two are thin, nearly parallel and nearly touch.
+    EXPECT_GE(close, distances * 9 / 10);
+    EXPECT_GT(distances, 50);
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,216 @@
+#include "scb/packed_collide.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scb/any_packed.h"
+#include "scb/error.h"
+#include "tests/core/collide/brute_force.h"
+#include "tests/core/collide/small_scenes.h"
+#include "tests/core/packed/packed_variants.h"
+
+namespace scb {
+namespace {
+
+/// What must be the same at every SIMD level.
+void expect_same(const PackedCollision& a, const PackedCollision& b) {
+    EXPECT_EQ(a.pairs, b.pairs);
+    EXPECT_EQ(a.n_v, b.n_v);
+    EXPECT_EQ(a.n_p, b.n_p);
+    EXPECT_EQ(a.n_exact, b.n_exact);
+}
+
+/// Every layout, leaf size and level finds the pairs of brute force. Returns how many pairs of
+/// triangles floats were asked about, and how many they left open, both in all.
+struct Asked {
+    std::uint64_t triangles = 0, open = 0;
+};
+Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
+    const std::vector<IndexPair> expected = brute_force(a.mesh, b.mesh, pose);
+    Asked asked;
+    for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+        SCOPED_TRACE(name);
+        for (const auto& [leaf, corners] : {std::pair(1, LeafCorners::stored),
+                                            std::pair(most_leaf_triangles, LeafCorners::stored),
+                                            std::pair(most_leaf_triangles, LeafCorners::in_mesh)}) {
+            const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf, corners),
+                       packed_b = pack<Codec>(scb_of(b), b.mesh, leaf, corners);
+            PackedWorkspace workspace;  // of the query before, which must not matter
+            const auto found = [&](SimdLevel level) {
+                return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level},
+                                             &workspace);
+            };
+            expect_same(collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose),
+                        found(SimdLevel::base));
+            const PackedCollision best = found(SimdLevel::best);
+            EXPECT_EQ(best.pairs, expected);
+            asked.triangles += best.n_p;
+            asked.open += best.n_exact;
+            for (const int threads : {2, 3})
+                expect_same(collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose,
+                                                  {SimdLevel::best, threads}, &workspace),
+                            best);
+            for (const SimdLevel level : available_simd_levels()) {
+                SCOPED_TRACE(simd_level_name(level));
+                expect_same(found(level), best);
+            }
+        }
+    });
+    return asked;
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFinds) {
+    Asked all;
+    for (int i = 0; i < scenes_tried / 4; ++i) {
+        SCOPED_TRACE(i);
+        const SmallScene scene = small_scene(3000 + static_cast<std::uint64_t>(i));
+        const Asked asked = expect_packed(scene.a, scene.b, scene.pose);
+        all.triangles += asked.triangles;
+        all.open += asked.open;
+        if (HasFailure()) return;
+    }
+    // Triangles on a grid touch, and degenerate ones have no plane.
+    EXPECT_GT(all.triangles, all.open);
+    EXPECT_GT(all.open, 0u);
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFindsFarFromTheOrigin) {
+    Random random(71);
+    for (int i = 0; i < scenes_tried / 50; ++i) {
+        SCOPED_TRACE(i);
+        const Vec3 away = 1e6 * random_point(random);
+        const Mesh a = random_soup(random.next(), 30, 0.5);
+        Mesh b = random_soup(random.next(), 30, 0.5);
+        Pose pose = random_pose(random, 0.3);
+        for (Vec3& v : b.vertices) v += away;
+        pose.translation -= rotate(pose.rotation, away);
+        expect_packed(BuiltMesh(a), BuiltMesh(b), pose);
+        expect_packed(BuiltMesh(b), BuiltMesh(a), inverse(pose));
+        if (HasFailure()) return;
+    }
+}
+
+TEST(CollidePacked, FindsWhatBruteForceFindsInSurfacesThatCross) {
+    Random random(72);
+    Asked asked;
+    for (int i = 0; i < 4; ++i) {
+        const Asked some = expect_packed(BuiltMesh(height_field(24)), BuiltMesh(height_field(24)),
+                                         {random_rotation(random), {0.1, 0, 0.05}});
+        asked.triangles += some.triangles;
+        asked.open += some.open;
+    }
+    EXPECT_GT(asked.triangles, 20 * asked.open) << "floats decide nearly all";
+}
+
+// A thin needle stands on a plate with its tip in a corner: its ball touches the plate's slab,
+// which normals that are not quite of unit length would miss.
+TEST(CollidePacked, FindsANeedleOnAPlate) {
+    Random random(73);
+    std::size_t pairs = 0;
+    for (int i = 0; i < scenes_tried / 2; ++i) {
+        SCOPED_TRACE(i);
+        Mesh plate = height_field(2);
+        for (Vec3& v : plate.vertices) v[2] = 0;
+        const Mat3 turn = random_rotation(random);
+        for (Vec3& v : plate.vertices) v = 0.001 * rotate(turn, v);
+        const Vec3 up = turn.col(2), side = turn.col(0);
+        const Vec3 tip = plate.vertices[random.below(9)];
+        Mesh needle;
+        for (int k = 0; k < 5; ++k)
+            needle.vertices.push_back(tip + 0.5 * k * up + (k % 2 ? 1e-6 : 0) * side);
+        needle.triangles = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
+        expect_packed(BuiltMesh(plate), BuiltMesh(needle), {});
+        expect_packed(BuiltMesh(needle), BuiltMesh(plate), {});
+        pairs += brute_force(plate, needle, {}).size();
+        if (HasFailure()) return;
+    }
+    EXPECT_GE(pairs, static_cast<std::size_t>(scenes_tried / 2));
+}
+
+// Plates on each other, face to face and edge to edge, in turned frames.
+TEST(CollidePacked, FindsWhatBruteForceFindsWhereMeshesTouch) {
+    Random random(74);
+    for (int i = 0; i < scenes_tried / 50; ++i) {
+        SCOPED_TRACE(i);
+        Mesh plate = height_field(4);
+        for (Vec3& v : plate.vertices) v[2] = 0;
+        const Vec3 shift = random.below(2) == 0 ? Vec3(0.5, 0.125, 0) : Vec3(1, 0.25, 0);
+        for (const Pose& pose : {exact_pose(random), random_pose(random)}) {
+            Mesh b = plate;
+            for (Vec3& v : b.vertices) v = transform_point(inverse(pose), v + shift);
+            expect_packed(BuiltMesh(plate), BuiltMesh(b), pose);
+        }
+        if (HasFailure()) return;
+    }
+}
+
+TEST(CollidePacked, OfALayoutChosenAtRunTime) {
+    const BuiltMesh a(height_field(12));
+    const Pose pose{Mat3::Identity(), {0.05, 0.03, 0.01}};
+    std::set<std::size_t> sizes;
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        EXPECT_EQ(packed_layout_name(*packed_layout_of(packed_layout_name(layout))),
+                  packed_layout_name(layout));
+        const AnyPacked packed = pack_any(layout, scb_of(a), a.mesh);
+        EXPECT_EQ(validate(packed, a.mesh), "");
+        EXPECT_EQ(collide_packed(packed, a.mesh, packed, a.mesh, pose).pairs,
+                  brute_force(a.mesh, a.mesh, pose));
+        sizes.insert(bytes_of(packed));
+    }
+    EXPECT_EQ(sizes.size(), all_packed_layouts().size());
+    EXPECT_FALSE(packed_layout_of("float3"));
+}
+
+TEST(CollidePacked, EndsAtMorePairsThanItMayFind) {
+    // Some that floats decide on, and many that they leave open.
+    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    same.triangles.assign(150, {0, 1, 2});
+    for (const Mesh& mesh : {random_soup(73, 1500, 0.3), same}) {
+        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        const auto packed = pack<FloatCodec<8>>(hierarchy, mesh);
+        const auto found = [&](std::size_t max_pairs, int threads) {
+            return collide_packed<FloatCodec<8>>({packed, mesh}, {packed, mesh}, Pose{},
+                                                 {SimdLevel::best, threads, max_pairs});
+        };
+        const std::size_t all = found(1'000'000, 1).pairs.size();
+        ASSERT_GT(all, 5000u);
+        for (const int threads : {1, 3}) {
+            EXPECT_TRUE(found(all, threads).complete);
+            EXPECT_EQ(found(all, threads).pairs.size(), all);
+            for (const std::size_t few : {all - 1, std::size_t{1}}) {
+                EXPECT_FALSE(found(few, threads).complete);
+                EXPECT_TRUE(found(few, threads).pairs.empty());
+            }
+        }
+        // It stops early.
+        EXPECT_LT(found(1, 1).n_p, found(all, 1).n_p);
+    }
+}
+
+TEST(CollidePacked, OfOneTriangleEach) {
+    const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    expect_packed(BuiltMesh(one), BuiltMesh(one), {});
+    expect_packed(BuiltMesh(one), BuiltMesh(one), {Mat3::Identity(), {0, 0, 1}});
+    expect_packed(BuiltMesh(one), BuiltMesh(height_field(8)), {Mat3::Identity(), {0.2, 0.2, 0}});
+}
+
+TEST(CollidePacked, RefusesWhatFloatsDoNotHold) {
+    Mesh mesh{{{0, 0, 0}, {1e9, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    const auto message = [&] {
+        try {
+            pack<FloatCodec<8>>(build_hierarchy<Scb>(mesh), mesh, 4, LeafCorners::stored, "plate");
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message().find("plate: packed layouts hold"), 0u);
+    mesh.vertices = {{0, 0, 0}, {1e-9, 0, 0}, {0, 1e-9, 0}};
+    EXPECT_EQ(message().find("plate: packed layouts hold"), 0u);
+    mesh.vertices = {{3, 0, 0}, {3, 0, 0}, {3, 0, 0}};
+    EXPECT_EQ(message(), "");
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,106 @@
+#include "scb/packed_hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/fit/point_sets.h"
+#include "tests/core/packed/packed_variants.h"
+
+namespace scb {
+namespace {
+
+std::vector<Mesh> all_kinds() {
+    std::vector<Mesh> meshes;
+    for (const int count : {1, 2, 3, 4, 5, 7, 8, 9, 26, 27, 300})
+        meshes.push_back(random_soup(61, count, 0.3));
+    meshes.push_back(height_field(20));
+    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    same.triangles.assign(50, {0, 1, 2});
+    meshes.push_back(same);
+    Mesh point{{{1, 2, 3}}, {}};
+    point.triangles.assign(33, {0, 0, 0});
+    meshes.push_back(point);
+    Mesh far = height_field(8);
+    for (Vec3& v : far.vertices) v += Vec3(1e6, -1e6, 1e6);
+    meshes.push_back(far);
+    Mesh tiny = height_field(8);
+    for (Vec3& v : tiny.vertices) v *= 1e-7;
+    meshes.push_back(tiny);
+    return meshes;
+}
+
+TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
+    for (const Mesh& mesh : all_kinds()) {
+        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+            for (int leaf = 1; leaf <= most_leaf_triangles; ++leaf)
+                for (const LeafCorners corners : {LeafCorners::stored, LeafCorners::in_mesh})
+                    EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf, corners), mesh), "")
+                        << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
+        });
+    }
+}
+
+TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
+    const Mesh mesh = height_field(12);
+    const auto right = pack<QuantizedCodec<4>>(build_hierarchy<Scb>(mesh), mesh, 3);
+    const auto said = [&](auto break_it) {
+        auto wrong = right;
+        break_it(wrong);
+        return validate(wrong, mesh);
+    };
+    using Packed = PackedHierarchy<QuantizedCodec<4>>;
+    EXPECT_EQ(said([](Packed&) {}), "");
+    EXPECT_NE(said([](Packed& p) { p.nodes[2].volumes.r[1] /= 2; }).find("child 1 of node 2"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[1].volumes.h[0] /= 2; }).find("child 0 of node 1"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[3].own.r *= 0.99f; }).find("volume of node 3"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[0].reach *= 0.5f; }).find("reaches farther"),
+              std::string::npos);
+    EXPECT_NE(said([](Packed& p) { p.nodes[0].leaf_bits ^= 1; }).find("whether child 0 is a leaf"),
+              std::string::npos);
+    EXPECT_NE(
+        said([](Packed& p) { p.nodes[0].child[1] = p.nodes[0].child[0]; }).find("exactly one"),
+        std::string::npos);
+    EXPECT_NE(
+        said([](Packed& p) { p.leaves[PackedLeaf::header + 5] *= 1.1f; }).find("nearest float"),
+        std::string::npos);
+}
+
+TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
+    const Mesh mesh = height_field(100);  // more nodes than a thread takes at a time
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+        SCOPED_TRACE(name);
+        const auto one = pack<Codec>(hierarchy, mesh, 1);
+        const auto three = pack<Codec>(hierarchy, mesh, 1, LeafCorners::stored, "mesh", 3);
+        EXPECT_EQ(one.leaves, three.leaves);
+        ASSERT_EQ(one.nodes.size(), three.nodes.size());
+        for (std::size_t i = 0; i < one.nodes.size(); ++i)
+            ASSERT_EQ(std::memcmp(&one.nodes[i], &three.nodes[i], sizeof one.nodes[i]), 0) << i;
+    });
+}
+
+TEST(PackedHierarchy, TakesLessMemoryWithoutCorners) {
+    const Mesh mesh = height_field(64);
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    const auto bytes = [&](LeafCorners corners) {
+        return static_cast<double>(pack<QuantizedCodec<8>>(hierarchy, mesh, 4, corners).bytes()) /
+               static_cast<double>(mesh.triangles.size());
+    };
+    EXPECT_NEAR(bytes(LeafCorners::stored) - bytes(LeafCorners::in_mesh), 36, 1e-9);
+    EXPECT_LT(bytes(LeafCorners::in_mesh), 40);
+}
+
+TEST(PackedHierarchy, QuantizedTakesLessMemory) {
+    const Mesh mesh = height_field(64);
+    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    EXPECT_LT(pack<QuantizedCodec<8>>(hierarchy, mesh).bytes(),
+              pack<FloatCodec<8>>(hierarchy, mesh).bytes());
+    EXPECT_LT(pack<FloatCodec<8>>(hierarchy, mesh, 4).bytes(),
+              pack<FloatCodec<8>>(hierarchy, mesh, 1).bytes());
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,27 @@
+#include "golden/compare/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace scb {
+namespace {
+
+constexpr Verdict all[] = {
+    Verdict::same,       Verdict::different,     Verdict::size_differs, Verdict::missing_baseline,
+    Verdict::new_output, Verdict::could_not_run, Verdict::skipped};
+
+TEST(Verdicts, AreFoundByTheirNames) {
+    for (const Verdict verdict : all) EXPECT_EQ(verdict_of(verdict_name(verdict)), verdict);
+    EXPECT_EQ(verdict_name(Verdict::missing_baseline), "missing baseline");
+    EXPECT_EQ(verdict_name(Verdict::skipped), "skipped");
+    EXPECT_EQ(verdict_of("Same"), std::nullopt);
+    EXPECT_EQ(verdict_of(""), std::nullopt);
+}
+
+TEST(Verdicts, AllButSameAndSkippedFail) {
+    for (const Verdict verdict : all)
+        EXPECT_EQ(is_failure(verdict), verdict != Verdict::same && verdict != Verdict::skipped)
+            << verdict_name(verdict);
+}
+
+}  // namespace
+}  // namespace scb

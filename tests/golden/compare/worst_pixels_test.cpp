@@ -1,0 +1,44 @@
+#include "golden/compare/worst_pixels.h"
+
+#include <gtest/gtest.h>
+
+namespace scb {
+namespace {
+
+Image black(int width, int height) {
+    return {width, height,
+            std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) *
+                                      static_cast<std::size_t>(height))};
+}
+
+TEST(WorstPixels, AreThoseOfTheLargestChangeInOneChannelFromTheTop) {
+    const Image before = black(5, 4);
+    Image after = before;
+    set_pixel(after, 3, 3, {0, 0, 9, 0});
+    set_pixel(after, 4, 1, {2, 2, 2, 2});  // more in all, but less in one
+    set_pixel(after, 1, 2, {9, 0, 0, 0});
+    set_pixel(after, 0, 0, {0, 1, 0, 0});
+    set_pixel(after, 2, 2, {0, 0, 0, 9});
+    const std::vector<PixelChange> worst = worst_pixels(before, after, 4);
+    ASSERT_EQ(worst.size(), 4u);
+    const int expected[][2] = {{1, 2}, {2, 2}, {3, 3}, {4, 1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(worst[i].x, expected[i][0]) << i;
+        EXPECT_EQ(worst[i].y, expected[i][1]) << i;
+    }
+    EXPECT_EQ(worst[1].by(), (std::array{0, 0, 0, 9}));
+    EXPECT_EQ(worst_pixels(after, before, 4)[1].by(), (std::array{0, 0, 0, -9}));
+    EXPECT_EQ(worst_pixels(after, before, 4)[1].most(), 9);
+}
+
+TEST(WorstPixels, AreNoMoreThanDiffer) {
+    const Image before = black(5, 4);
+    EXPECT_TRUE(worst_pixels(before, before, 3).empty());
+    Image after = before;
+    set_pixel(after, 4, 3, {1, 0, 0, 0});
+    EXPECT_EQ(worst_pixels(before, after, 3).size(), 1u);
+    EXPECT_TRUE(worst_pixels(before, after, 0).empty());
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,96 @@
+#include "golden/suite/case_command.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace scb {
+namespace {
+
+using Words = std::vector<std::string>;
+
+GoldenCase sample() {
+    GoldenCase golden;
+    golden.name = "sample";
+    golden.run = GoldenRun::rejections;
+    golden.own_scene = {"a.ply", "b.ply"};
+    golden.own_arguments = {"--camera", "front.json", "--margin=0.5",           "--by",
+                            "first",    "--pose",     "1,0,0,0,0,1,0,0,0,0,1,0"};
+    golden.volume = "scb";
+    golden.test = "extents";
+    return golden;
+}
+
+TEST(CaseCommand, DrawsOnePictureWithIdsOrPrintsJson) {
+    GoldenCase golden = in_own_folder(sample());
+    golden.frames = "3";
+    EXPECT_EQ(command_of(golden, "DIR"), (Words{"render",
+                                                "rejections",
+                                                "a.ply",
+                                                "b.ply",
+                                                "--frames",
+                                                "3",
+                                                "--volume",
+                                                "scb",
+                                                "--test",
+                                                "extents",
+                                                "--camera",
+                                                "front.json",
+                                                "--margin=0.5",
+                                                "--by",
+                                                "first",
+                                                "--pose",
+                                                "1,0,0,0,0,1,0,0,0,0,1,0",
+                                                "--size",
+                                                "320x240",
+                                                "--samples",
+                                                "1",
+                                                "--ids",
+                                                "--jobs",
+                                                "1",
+                                                "-o",
+                                                "DIR"}));
+    golden.run = GoldenRun::collide;
+    const Words command = command_of(golden, "DIR");
+    EXPECT_EQ(command.front(), "collide");
+    EXPECT_EQ(command.back(), "--json");
+}
+
+TEST(CaseCommand, ATraceIsOfTheQueryAlone) {
+    EXPECT_EQ(
+        trace_command_of(in_own_folder(sample()), "7", "t.scbtrace"),
+        (Words{"trace", "a.ply", "b.ply", "--frames", "7", "--volume", "scb", "--test", "extents",
+               "--margin=0.5", "--pose", "1,0,0,0,0,1,0,0,0,0,1,0", "-o", "t.scbtrace"}));
+}
+
+TEST(CaseCommand, FilesAreBesideTheSuiteOrElseAmongTheModels) {
+    const TemporaryFolder suite, models;
+    suite.write("a.ply", "");
+    suite.write("front.json", "");
+    models.write("a.ply", "");
+    models.write("b.ply", "");
+    const GoldenCase here = seen_from_here(sample(), suite.path, models.path);
+    EXPECT_EQ(here.scene, (Words{suite / "a.ply", models / "b.ply"}));
+    EXPECT_EQ(here.arguments[1], suite / "front.json");
+    EXPECT_EQ(here.arguments[4], "first");
+    EXPECT_EQ(in_own_folder(here).scene, sample().own_scene);
+    EXPECT_EQ(in_own_folder(here).arguments, sample().own_arguments);
+    // What is nowhere is beside the suite, where it is missed.
+    EXPECT_EQ(seen_from_here(sample(), suite.path, "").scene,
+              (Words{suite / "a.ply", suite / "b.ply"}));
+}
+
+TEST(CaseCommand, ABuiltInSceneIsNoFile) {
+    GoldenCase golden = sample();
+    golden.own_scene = {"cone"};
+    EXPECT_EQ(seen_from_here(golden, "my", "models").scene, Words{"cone"});
+}
+
+TEST(CaseCommand, AFileThatLooksLikeAnOptionIsNone) {
+    GoldenCase golden = sample();
+    golden.own_scene = {"-o.ply"};
+    EXPECT_EQ(seen_from_here(golden, "", "").scene, Words{"./-o.ply"});
+}
+
+}  // namespace
+}  // namespace scb

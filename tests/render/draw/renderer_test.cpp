@@ -1,0 +1,190 @@
+#include "render/draw/renderer.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "render/gl/gl_program.h"
+#include "render/gl/render_target.h"
+#include "render/overlay/font_face.h"
+#include "render/overlay/scales.h"
+#include "scb/error.h"
+#include "tests/render/gl/gl_fixture.h"
+
+namespace scb {
+namespace {
+
+/// Everything at once: opaque and translucent volumes, a mesh with edges, segments, two panes,
+/// text.
+struct Everything {
+    Picture picture;
+    Overlay overlay;
+
+    Everything(Renderer& renderer, int samples) {
+        std::vector<AnyVolume> volumes = assorted_volumes();
+        picture = picture_of(volumes, 300, 200, samples);
+        Pane& pane = picture.panes[0];
+        for (std::size_t i = 0; i < pane.volumes.size(); i += 3) pane.volumes[i].color.a = 120;
+        MeshDraw mesh;
+        mesh.mesh = renderer.upload(quad());
+        mesh.edges = true;
+        mesh.first_id = 1000;
+        mesh.pose.translation = Vec3(3, 2, 1);
+        pane.meshes.push_back(mesh);
+        pane.segments.push_back({Vec3(0, 0, 0), Vec3(8, 2, 1), {200, 0, 0}, 2000, 2, true});
+        Pane inset = pane;
+        inset.viewport = {190, 120, 100, 70};
+        inset.background = Rgba8{230, 230, 230};
+        picture.panes.push_back(inset);
+        FigureStyle style;
+        style.unit = 13;
+        overlay.text(5, 5, "τ = e − f ≤ 2r · Δ", {15, FontWeight::bold, {20, 20, 20}, Align::left});
+        draw_stacked_bar(overlay, {5, 150, 60, 8},
+                         std::vector<BarPart>{{body_a_color, 1}, {body_b_color, 2}}, 4);
+        draw_color_bar(overlay, {100, 170, 80, 8}, viridis, "",
+                       std::vector<Tick>{{0, "0"}, {1, "1"}}, style);
+    }
+};
+
+TEST(Renderer, TheSamePictureGivesTheSameBytes) {
+    for (const int samples : {1, 4}) {
+        Drawing drawing;
+        Everything scene(drawing.renderer, samples);
+        const Rendering first = drawing.renderer.draw(scene.picture, &scene.overlay, true);
+        drawing.renderer.draw(picture_of({Ball{Vec3(0, 0, 0), 1}}, 64, 64, 4));  // leaves no trace
+        const Rendering again = drawing.renderer.draw(scene.picture, &scene.overlay, true);
+        EXPECT_EQ(first.image, again.image);
+        EXPECT_EQ(first.ids, again.ids);
+
+        Drawing other;
+        Everything same(other.renderer, samples);
+        const Rendering elsewhere = other.renderer.draw(same.picture, &same.overlay, true);
+        EXPECT_EQ(first.image, elsewhere.image);
+        EXPECT_EQ(first.ids, elsewhere.ids);
+    }
+}
+
+TEST(Renderer, BothBackEndsDrawTheSame) {
+    if (!is_compiled_in(GlBackend::osmesa) || !is_compiled_in(GlBackend::egl))
+        GTEST_SKIP() << "one back end only";
+    for (const int samples : {1, 4}) {
+        std::optional<Rendering> first;
+        for (const GlBackend backend : {GlBackend::osmesa, GlBackend::egl}) {
+            std::optional<Context> context;
+            try {
+                context.emplace(backend);
+            } catch (const GlError& error) {
+                GTEST_SKIP() << error.what();
+            }
+            EXPECT_EQ(context->info().backend, to_string(backend));
+            Renderer renderer(*context);
+            Everything scene(renderer, samples);
+            Rendering rendering = renderer.draw(scene.picture, &scene.overlay, true);
+            if (!first) {
+                first = std::move(rendering);
+            } else {
+                EXPECT_EQ(first->image, rendering.image);
+                EXPECT_EQ(first->ids, rendering.ids);
+            }
+        }
+    }
+}
+
+TEST(Renderer, SaysWhatFailedOnceThereIsAContext) {
+    Drawing drawing;
+    const Gl& gl = drawing.context.gl();
+    EXPECT_THROW(GlProgram(gl, {"no shader"}, {"void main() {}"}), DrawError);
+    EXPECT_THROW(RenderTarget(gl, 1 << 20, 8, true), DrawError);
+    while (gl.GetError() != GL_NO_ERROR) {
+    }
+    gl.Enable(
+        GL_TEXTURE_2D);  // no such thing in a core context: an error, as if drawing had failed
+    EXPECT_THROW(drawing.renderer.draw(picture_of({Ball{}}, 20, 20, 1)), DrawError);
+    EXPECT_NO_THROW(drawing.renderer.draw(picture_of({Ball{}}, 20, 20, 1)));
+}
+
+TEST(Renderer, RefusesSizesThatItCannotDraw) {
+    Drawing drawing;
+    for (const auto& [width, height] : {std::pair{0, 0}, {0, 10}, {-1, 5}, {100000, 100000}}) {
+        Picture picture;
+        picture.width = width;
+        picture.height = height;
+        EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+    }
+    for (const int samples : {1, 4}) {
+        const int largest = drawing.renderer.largest_size(samples);
+        Picture strip;
+        strip.samples = samples;
+        strip.height = 2;
+        strip.width = largest;
+        EXPECT_EQ(drawing.renderer.draw(strip).image.width, largest);
+        strip.width = largest + 1;
+        try {
+            drawing.renderer.draw(strip);
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(std::to_string(largest) + " pixels"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+    Picture picture;
+    picture.samples = 3;
+    EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+    picture.samples = 1;
+    picture.panes.resize(1);
+    picture.panes[0].viewport = {1200, 0, 100, 100};
+    EXPECT_THROW(drawing.renderer.draw(picture), InputError);
+}
+
+TEST(Renderer, TranslucentVolumesShowWhatIsBehindThem) {
+    Drawing drawing;
+    const std::vector<AnyVolume> volumes = {Ball{Vec3(0, -2, 0), 1}, Ball{Vec3(0, 2, 0), 0.5}};
+    Picture picture = picture_of(volumes, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.camera = fit_camera(orbit_axes(0, 0), support_of(volumes), {1, 0.04, true, 30});
+    pane.volumes[0].color = {0, 0, 255, 60};
+    pane.volumes[1].color = {255, 0, 0};
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);  // the nearest surface, though translucent
+    const Rgba8 over_ball = pixel(rendering.image, 50, 50);
+    EXPECT_GT(over_ball.r, over_ball.b);
+    std::reverse(pane.volumes.begin(), pane.volumes.end());
+    EXPECT_EQ(drawing.renderer.draw(picture).image, rendering.image);
+    pane.volumes[1].color.a = 0;
+    EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50), 2u);
+}
+
+TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 1}}),
+                   {1, 0.04, true, 30});
+    const Segment segment{Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0), {255, 0, 0}, 9, 3, true};
+    pane.segments = {segment};
+    Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    int rows = 0;
+    for (int y = 0; y < 101; ++y) rows += pixel(*rendering.ids, 50, y) == 9;
+    EXPECT_EQ(rows, 3);
+    pane.segments[0].on_top = false;
+    rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+}
+
+TEST(Renderer, PanesAreClippedToTheirRectangles) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 100, 100, 4);
+    picture.panes[0].viewport = {60, 10, 30, 20};
+    picture.panes[0].background = Rgba8{1, 2, 3};
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(rendering.image, 59, 15), picture.background);
+    EXPECT_EQ(pixel(rendering.image, 60, 10), (Rgba8{1, 2, 3}));
+    EXPECT_EQ(pixel(rendering.image, 89, 29), (Rgba8{1, 2, 3}));
+    EXPECT_EQ(pixel(rendering.image, 90, 30), picture.background);
+    EXPECT_EQ(pixel(*rendering.ids, 75, 20), 1u);
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,291 @@
+#include "render/figures/traversal_figure.h"
+
+#include <map>
+#include <tuple>
+
+#include "render/plots/icicle.h"
+#include "render/plots/icicle_plot.h"
+#include "tests/render/gl/gl_fixture.h"
+#include "tests/render/overlay/overlay_fixture.h"
+
+namespace scb {
+namespace {
+
+TraceHeader scb_header() {
+    TraceHeader header;
+    header.scene = "scene";
+    header.bodies = {TraceBody{"left", {}}, TraceBody{"right", {}}};
+    header.volume = VolumeKind::scb;
+    return header;
+}
+
+/// A frame of these events, with the counts that they have.
+TraceFrame frame_of(const Events& events) {
+    TraceFrame frame;
+    frame.events = events;
+    frame.found.n_v = events.volume_tests.size();
+    for (const VolumeTest& test : events.volume_tests) {
+        ++frame.found.stages[static_cast<std::size_t>(test.stage)];
+        frame.found.depth = std::max(frame.found.depth, test.depth_a + test.depth_b);
+    }
+    for (const TriangleTest& test : events.triangle_tests) {
+        ++frame.found.n_p;
+        if (test.intersect) frame.found.pairs.push_back(test.triangles);
+    }
+    return frame;
+}
+
+/// Five tests: the roots, divided; a child rejected and one divided; below it triangles that meet
+/// and a pair that is rejected.
+TraceFrame small_frame() {
+    return frame_of({{{{0, 0}, 0, 0, Stage::overlapping},
+                      {{1, 0}, 1, 0, Stage::slab_cylinder},
+                      {{2, 0}, 1, 0, Stage::overlapping},
+                      {{2, 1}, 1, 1, Stage::overlapping},
+                      {{2, 2}, 1, 1, Stage::ball_slab}},
+                     {{{5, 7}, 3, true}}});
+}
+
+/// The tests of a pair whose nodes overlap down to `depth`, all of the others rejected: every
+/// level has one of each.
+TraceFrame staircase(int depth, Stage stage) {
+    Events events;
+    events.volume_tests.push_back({{0, 0}, 0, 0, Stage::overlapping});
+    for (int d = 1; d <= depth; ++d) {
+        const auto node = static_cast<std::uint32_t>(2 * d);
+        const auto level = static_cast<std::uint16_t>(d);
+        events.volume_tests.push_back({{node - 1, 0}, level, 0, stage});
+        events.volume_tests.push_back({{node, 0}, level, 0, Stage::overlapping});
+    }
+    return frame_of(events);
+}
+
+/// A full tree of divisions, whose leaves are at one depth: of every 8 in the order of their tests
+/// the first `apart` are rejected, the others have triangles that meet.
+TraceFrame comb(int levels, std::size_t apart) {
+    Events events;
+    struct Node {
+        std::uint32_t index;
+        std::uint16_t depth;
+    };
+    std::vector<Node> pending = {{0, 0}};
+    events.volume_tests.push_back({{0, 0}, 0, 0, Stage::overlapping});
+    std::uint32_t next = 1;
+    std::size_t leaves = 0;
+    while (!pending.empty()) {
+        const Node node = pending.back();
+        pending.pop_back();
+        for (int child = 0; child < 2; ++child) {
+            const auto depth = static_cast<std::uint16_t>(node.depth + 1);
+            const bool leaf = depth == levels;
+            const bool rejected = leaf && leaves++ % 8 < apart;
+            events.volume_tests.push_back(
+                {{next, 0}, depth, 0, rejected ? Stage::ball_ball : Stage::overlapping});
+            if (!leaf) pending.push_back({next, depth});
+            if (leaf && !rejected)
+                events.triangle_tests.push_back(
+                    {{next, 0}, static_cast<std::uint32_t>(events.volume_tests.size() - 1), true});
+            ++next;
+        }
+    }
+    return frame_of(events);
+}
+
+std::vector<EndingGroup> groups_of(const TraceHeader& header) {
+    return ending_groups(endings_of(header.volume, header.options), light_theme);
+}
+
+Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
+    const TraceHeader header = scb_header();
+    return icicle(frame.events, test_tree(header, frame), groups_of(header), columns, rows);
+}
+
+std::string label_of(const IcicleRun& run) {
+    if (run.group == IcicleRun::divided) return "divided";
+    return std::string(groups_of(scb_header())[run.group].label);
+}
+
+TEST(Icicle, OfASmallQueryByHand) {
+    const Icicle icicle = icicle_of(small_frame(), 500, 100);
+    EXPECT_EQ(icicle.rows, 3);
+    EXPECT_EQ(icicle.depths_per_row, 1);
+    std::vector<std::string> runs;
+    for (const IcicleRun& run : icicle.runs)
+        runs.push_back(std::to_string(run.row) + ": " + std::to_string(run.begin) + "-" +
+                       std::to_string(run.end) + " " + label_of(run) + " " +
+                       std::to_string(run.test));
+    // Children below the left end of their pair, in the order of their tests.
+    const std::vector<std::string> expected = {
+        "0: 0-500 divided 0", "1: 0-100 slab A, cylinder B 1", "1: 100-400 divided 2",
+        "2: 100-200 triangles meet 3", "2: 200-300 ball A, slab B 4"};
+    EXPECT_EQ(runs, expected);
+}
+
+TEST(Icicle, RunsOfARowDoNotOverlapAndStayInside) {
+    for (const int columns : {1, 7, 100, 683})
+        for (const TraceFrame& frame :
+             {small_frame(), comb(9, 3), staircase(50, Stage::slab_ball)}) {
+            const Icicle icicle = icicle_of(frame, columns, 1000);
+            int row = -1, end = 0;
+            for (const IcicleRun& run : icicle.runs) {
+                if (run.row != row) end = 0;
+                EXPECT_GE(run.row, row);
+                EXPECT_GE(run.begin, end);
+                EXPECT_GT(run.end, run.begin);
+                EXPECT_LE(run.end, columns);
+                row = run.row;
+                end = run.end;
+            }
+            EXPECT_EQ(row + 1, icicle.rows);
+            EXPECT_EQ(row, frame.found.depth);
+        }
+}
+
+TEST(Icicle, SharedColumnsShowOutcomesInProportion) {
+    // About 20 leaves in a column, so that the less frequent outcome is never the most frequent
+    // one.
+    for (const std::size_t apart : {1u, 2u, 6u, 7u}) {
+        const Icicle icicle = icicle_of(comb(13, apart), 400, 100);
+        std::map<std::string, int> columns;
+        for (const IcicleRun& run : icicle.runs)
+            if (run.row == 13) columns[label_of(run)] += run.end - run.begin;
+        const int all = columns["ball A, ball B"] + columns["triangles meet"];
+        ASSERT_GT(all, 190);
+        EXPECT_NEAR(8.0 * columns["ball A, ball B"] / all, static_cast<double>(apart), 0.1);
+    }
+}
+
+TEST(Icicle, DepthsShareARowWhereTheyAreTooMany) {
+    const TraceFrame frame = staircase(400, Stage::ball_ball);
+    for (const auto& [rows, most, per_row] :
+         {std::tuple(401, 401, 1), {201, 400, 2}, {201, 201, 2}, {1, 1, 401}}) {
+        const Icicle icicle = icicle_of(frame, 50, most);
+        EXPECT_EQ(icicle.rows, rows);
+        EXPECT_EQ(icicle.depths_per_row, per_row);
+    }
+}
+
+TEST(Icicle, OfNothingIsEmpty) {
+    const Icicle icicle = icicle_of(TraceFrame{}, 100, 100);
+    EXPECT_EQ(icicle.rows, 0);
+    EXPECT_TRUE(icicle.runs.empty());
+}
+
+TEST(ShortCount, HasAtMostFourCharacters) {
+    const std::vector<std::pair<std::uint64_t, std::string>> expected = {{0, "0"},
+                                                                         {999, "999"},
+                                                                         {1000, "1k"},
+                                                                         {1049, "1.0k"},
+                                                                         {9999, "9.9k"},
+                                                                         {12345, "12k"},
+                                                                         {999'999, "999k"},
+                                                                         {1'000'000, "1M"},
+                                                                         {1'250'000, "1.2M"},
+                                                                         {45'000'000'000, "45G"}};
+    for (const auto& [count, text] : expected) EXPECT_EQ(short_count(count), text);
+}
+
+// ------------------------------------------------------------------------------------- pictures
+
+Image drawn(Drawing& drawing, const TraversalFigure& figure, const TraceHeader& header,
+            const TraceFrame& frame, int width, int height) {
+    Overlay overlay;
+    const Picture picture = compose(figure, header, frame, width, height, overlay);
+    return drawing.renderer.draw(picture, &overlay).image;
+}
+
+std::map<std::uint32_t, int> colors_of(const Image& image) {
+    std::map<std::uint32_t, int> counts;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Rgba8 c = pixel(image, x, y);
+            ++counts[static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b)];
+        }
+    return counts;
+}
+
+int count_in(const std::map<std::uint32_t, int>& counts, Rgba8 c) {
+    const auto at = counts.find(static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b));
+    return at == counts.end() ? 0 : at->second;
+}
+
+TEST(TraversalFigure, AreasAreProportionalToTests) {
+    Drawing drawing;
+    TraversalFigure figure;
+    figure.matrix = false;
+    for (const Theme* theme : {&light_theme, &dark_theme}) {
+        figure.theme = theme;
+        const auto counts =
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 1280, 720));
+        // One test each: a fifth of the width by a row; the swatches of the legend are the same.
+        const int one = count_in(counts, ending_color(Ending::triangles_meet, *theme));
+        EXPECT_GT(one, 240 * 30);
+        for (const Stage stage : {Stage::slab_cylinder, Stage::ball_slab})
+            EXPECT_NEAR(count_in(counts, ending_color(rejected_at(stage), *theme)), one, one / 50);
+        // Two that are divided, of 5 tests and of 3; less the digits and the swatch.
+        EXPECT_NEAR(count_in(counts, divided_color(*theme)), 8 * one, one / 4);
+    }
+}
+
+TEST(TraversalFigure, SaysThatNothingOverlaps) {
+    Drawing drawing;
+    const TraceFrame none = frame_of({{{{0, 0}, 0, 0, Stage::ball_ball}}, {}});
+    const auto counts = colors_of(drawn(drawing, {}, scb_header(), none, 1280, 720));
+    EXPECT_GT(count_in(counts, light_theme.accent), 50);
+    // The only test is as wide as all tests.
+    EXPECT_GT(count_in(counts, ending_color(rejected_at(Stage::ball_ball), light_theme)), 600 * 30);
+    const auto with_pairs = colors_of(drawn(drawing, {}, scb_header(), small_frame(), 1280, 720));
+    // Its accent is the color of triangles that meet, which fills a rectangle instead.
+    EXPECT_GT(count_in(with_pairs, light_theme.accent), 100 * 30);
+}
+
+TEST(TraversalFigure, DrawsOnlyWhatIsAskedFor) {
+    Drawing drawing;
+    for (const MatrixMeasure measure : {MatrixMeasure::tests, MatrixMeasure::share}) {
+        TraversalFigure figure;
+        figure.measure = measure;
+        figure.icicle = false;
+        const auto matrix =
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 640, 480));
+        // But for edges of letters.
+        EXPECT_LT(count_in(matrix, divided_color(light_theme)), 50);
+        // Of 5 tests 2 are rejected; the roots are not.
+        const Rgba8 roots = viridis(0);
+        EXPECT_GT(count_in(matrix, roots), 500);
+        figure.icicle = true;
+        figure.matrix = false;
+        const auto icicle =
+            colors_of(drawn(drawing, figure, scb_header(), small_frame(), 640, 480));
+        EXPECT_LT(count_in(icicle, roots), 50);
+        EXPECT_GT(count_in(icicle, divided_color(light_theme)), 5000);
+    }
+}
+
+TEST(TraversalFigure, LeavesTheMarginsFree) {
+    Drawing drawing;
+    TraceHeader header = scb_header();
+    header.bodies[0].name = std::string(60, 'W');
+    TraversalFigure figure;
+    figure.title = "a scene with a name that is far too long for the width · SCB · traversal";
+    figure.subtitle = "frame 250 of 0 to 499, test symmetric, descent by radius";
+    for (const auto& [width, height] : {std::pair(1280, 720),
+                                        {640, 480},
+                                        {720, 1280},
+                                        {320, 240},
+                                        {320, 480},
+                                        {1000, 300},
+                                        {600, 600}})
+        for (const TraceFrame& frame : {small_frame(), comb(9, 3), staircase(900, Stage::slab_ball),
+                                        staircase(0, Stage::slab_ball)}) {
+            const Image image = drawn(drawing, figure, header, frame, width, height);
+            const int margin = 6;
+            const auto [inside, outside] =
+                inside_and_outside(image, {margin, margin, width - 2 * margin, height - 2 * margin},
+                                   light_theme.background);
+            EXPECT_GT(inside, 500);
+            EXPECT_EQ(outside, 0) << width << "x" << height << ", " << frame.found.n_v;
+        }
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,73 @@
+#include "render/figures/tune_figure.h"
+
+#include "render/overlay/figure_layout.h"
+#include "tests/render/gl/gl_fixture.h"
+#include "tests/render/overlay/overlay_fixture.h"
+
+namespace scb {
+namespace {
+
+TuneFigure example(bool timed) {
+    TuneFigure figure;
+    figure.title = "scene · settings";
+    figure.subtitle = "50 frames, 0 to 490, base: symmetric, descent radius, growth ritter";
+    figure.footnote = std::string(300, 'W') + " " + std::string(50, 'W');
+    for (int i = 2; i < 20; ++i) {
+        figure.thresholds.push_back(i / 20.0);
+        TuneCosts costs{1 + 0.01 * i * i, 0.9 + 0.02 * i, {}};
+        if (timed) costs.time = 1.1 + 0.01 * i;
+        figure.over_threshold.push_back(costs);
+    }
+    for (int i = 0; i < 12; ++i) {
+        TuneBar bar{"setting " + std::to_string(i), {1, 1 + 0.05 * i, {}}, i == 1, i == 0, i == 2};
+        if (timed) bar.costs.time = 1.5 - 0.1 * i;
+        figure.bars.push_back(bar);
+    }
+    return figure;
+}
+
+Image drawn(Drawing& drawing, const TuneFigure& figure, int width, int height) {
+    Overlay overlay;
+    const Picture picture = compose(figure, width, height, overlay);
+    return drawing.renderer.draw(picture, &overlay).image;
+}
+
+TEST(TuneFigure, StaysWithinItsMargins) {
+    Drawing drawing;
+    TuneFigure wide = example(true);
+    for (TuneBar& bar : wide.bars) bar.name = std::string(80, 'W');
+    for (const TuneFigure& figure : {example(true), example(false), wide, TuneFigure{}})
+        for (const Theme* theme : {&light_theme, &dark_theme})
+            for (const auto& [width, height] :
+                 {std::pair{1280, 720}, {640, 480}, {400, 800}, {320, 240}, {64, 48}}) {
+                TuneFigure themed = figure;
+                themed.theme = theme;
+                const int margin = figure_layout(width, height).heading.x - 1;
+                const auto [inside, outside] = inside_and_outside(
+                    drawn(drawing, themed, width, height),
+                    {margin, margin, width - 2 * margin, height - 2 * margin}, theme->background);
+                EXPECT_EQ(outside, 0) << width << "x" << height;
+            }
+}
+
+TEST(TuneFigure, ShowsEveryBarAndThePlaceOfTheBest) {
+    Drawing drawing;
+    for (const auto& [width, height] : {std::pair{1280, 720}, {640, 480}}) {
+        const TuneFigure figure = example(true);
+        const Image image = drawn(drawing, figure, width, height);
+        for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+            TuneFigure other = figure;
+            other.bars[i].name.back() = 'W';
+            EXPECT_NE(drawn(drawing, other, width, height), image) << i;
+        }
+        TuneFigure other = figure;
+        other.bars[0].fewest_operations = false;
+        EXPECT_NE(drawn(drawing, other, width, height), image);
+        other = figure;
+        other.bars[1].misses_pairs = false;
+        EXPECT_NE(drawn(drawing, other, width, height), image);
+    }
+}
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,58 @@
+#include "render/figures/volume_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scb {
+namespace {
+
+TEST(VolumeColors, NamesAreReadBack) {
+    for (const ColorBy by : {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness})
+        EXPECT_EQ(color_by_of(color_by_name(by)), by);
+    EXPECT_FALSE(color_by_of("mood"));
+}
+
+TEST(VolumeColors, MagnitudesFollowTheirScales) {
+    const auto ball = [](double d) { return Ball{Vec3::Zero(), d / 2}; };
+    const ColorScale depth{ColorBy::depth, 20, 1}, radius{ColorBy::radius, 20, 4},
+        thickness{ColorBy::thickness, 20, 1};
+    EXPECT_DOUBLE_EQ(color_magnitude(depth, ball(1), 5), 0.25);
+    EXPECT_DOUBLE_EQ(color_magnitude(radius, ball(4), 0), 1);
+    EXPECT_DOUBLE_EQ(color_magnitude(radius, ball(0.5), 0), 1 - 3.0 / radius_halvings);
+    EXPECT_EQ(color_magnitude(radius, ball(1e-9), 0), 0);
+    EXPECT_EQ(color_magnitude(radius, ball(0), 0), 0);
+    for (double d = 1e-3; d < 4; d *= 1.07)
+        EXPECT_NEAR(color_magnitude(radius, ball(d), 0), 1 + std::log2(d / 4) / radius_halvings,
+                    1e-15);
+    EXPECT_DOUBLE_EQ(color_magnitude(thickness, ball(3), 0), 1);
+    EXPECT_DOUBLE_EQ(
+        color_magnitude(thickness, Scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.25}, 0), 0.5);
+    EXPECT_EQ(color_magnitude(thickness, Scb{}, 0), 0);
+}
+
+TEST(VolumeColors, BodiesKeepTheirHueAndNeighborsDiffer) {
+    const ColorScale scale;
+    const Ball ball{Vec3::Zero(), 1};
+    EXPECT_FALSE(volume_color(scale, ball, 0, 0, 1) == volume_color(scale, ball, 0, 0, 2));
+    EXPECT_EQ(volume_color(scale, ball, 0, 0, 1), volume_color(scale, ball, 3, 0, 1));
+    const Rgba8 a = volume_color(scale, ball, 0, 0, 7), b = volume_color(scale, ball, 0, 1, 7);
+    EXPECT_GT(a.b, a.r);  // blue
+    EXPECT_GT(b.r, b.b);  // orange
+}
+
+TEST(VolumeColors, LegendsHaveRisingTicks) {
+    for (const ColorBy by : {ColorBy::depth, ColorBy::radius, ColorBy::thickness})
+        for (const int deepest : {0, 3, 22}) {
+            const auto legend = legend_of({by, deepest, 2});
+            ASSERT_TRUE(legend);
+            for (std::size_t i = 0; i < legend->ticks.size(); ++i) {
+                EXPECT_GE(legend->ticks[i].first, i == 0 ? 0 : legend->ticks[i - 1].first + 0.01);
+                EXPECT_LE(legend->ticks[i].first, 1);
+            }
+        }
+    EXPECT_FALSE(legend_of({ColorBy::body, 3, 1}));
+}
+
+}  // namespace
+}  // namespace scb

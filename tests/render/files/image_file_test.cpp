@@ -1,0 +1,291 @@
+#include "render/files/image_file.h"
+#include "render/files/output_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "render/files/encode_queue.h"
+#include "scb/error.h"
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImageFile : public testing::Test {
+  protected:
+    ImageFile() {
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder = fs::temp_directory_path() / ("scb_image_file_" + name);
+        fs::remove_all(folder);
+        fs::create_directory(folder);
+    }
+    ~ImageFile() override { fs::remove_all(folder); }
+
+    std::ptrdiff_t file_count() const { return std::distance(fs::directory_iterator(folder), {}); }
+
+    fs::path folder;
+};
+
+Image gradient(bool opaque) {
+    Image image{37, 23, {}};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (const int value : {7 * x, 11 * y, x * y, opaque ? 255 : 5 * x})
+                image.rgba.push_back(static_cast<std::uint8_t>(value));
+    return image;
+}
+
+TEST_F(ImageFile, PicturesSurviveTheRoundTrip) {
+    for (const bool opaque : {true, false}) {
+        const Image image = gradient(opaque);
+        write_file_whole(folder / "picture.png", encode_png(image));
+        EXPECT_EQ(read_png(folder / "picture.png"), image);
+    }
+}
+
+TEST_F(ImageFile, IdsSurviveTheRoundTrip) {
+    const IdImage ids{3, 2, {0, 1, 0xFFFFFFFF, 0x01020304, 0x80000000, 255}};
+    write_file_whole(folder / "ids.png", encode_png(ids));
+    EXPECT_EQ(unpack_ids(read_png(folder / "ids.png")), ids);
+}
+
+TEST_F(ImageFile, WhatIsNoPngIsRefused) {
+    EXPECT_THROW(read_png(folder / "missing.png"), InputError);
+    std::ofstream(folder / "text.png") << "not a picture";
+    EXPECT_THROW(read_png(folder / "text.png"), InputError);
+    std::vector<std::uint8_t> half = encode_png(gradient(true));
+    half.resize(half.size() / 2);
+    write_file_whole(folder / "half.png", half);
+    EXPECT_THROW(read_png(folder / "half.png"), InputError);
+    std::vector<std::uint8_t> endless = encode_png(gradient(true));
+    constexpr std::size_t end_chunk = 12;
+    endless.resize(endless.size() - end_chunk);
+    write_file_whole(folder / "endless.png", endless);
+    try {
+        read_png(folder / "endless.png");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("it ends too early."), std::string::npos)
+            << error.what();
+    }
+    // Nobody writes into it, so reading would not end.
+    ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    EXPECT_THROW(read_png(folder / "pipe.png"), InputError);
+}
+
+// Two grey pixels of 16 bits, 0x8000 and 0x80ff: of 8 bits they would be the same.
+TEST_F(ImageFile, OfAnotherDepthIsRefused) {
+    constexpr std::uint8_t sixteen[] = {
+        0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+        0x44, 0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x10, 0x00, 0x00, 0x00,
+        0x00, 0x81, 0xd9, 0xfc, 0x15, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x44, 0x41, 0x54, 0x78,
+        0x9c, 0x63, 0x68, 0x60, 0x68, 0xf8, 0x0f, 0x00, 0x04, 0x04, 0x02, 0x00, 0x83, 0x24,
+        0x3b, 0xfb, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    write_file_whole(folder / "sixteen.png", sixteen);
+    try {
+        read_png(folder / "sixteen.png");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("has 16 bits a channel"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(ImageFile, AFileIsReplacedWhole) {
+    const std::vector<std::uint8_t> first(1000, 1), second(10, 2);
+    write_file_whole(folder / "file", first);
+    write_file_whole(folder / "file", second);
+    EXPECT_EQ(fs::file_size(folder / "file"), 10u);
+    EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(ImageFile, AFailureNamesTheFileAndLeavesNothingBehind) {
+    const std::vector<std::uint8_t> bytes(100, 1);
+    std::ofstream(folder / "file") << "kept";
+    fs::create_directory(folder / "folder");
+    std::ofstream(folder / "folder" / "inside") << "kept";
+    for (const fs::path& path :
+         {folder / "missing" / "picture.png", folder / "file" / "picture.png", folder / "folder"}) {
+        try {
+            write_file_whole(path, bytes);
+            ADD_FAILURE() << path;
+        } catch (const OutputError& error) {
+            EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_EQ(file_count(), 2);
+    EXPECT_EQ(fs::file_size(folder / "file"), 4u);
+}
+
+TEST_F(ImageFile, AFullDiskIsReported) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    try {
+        write_file_whole("/dev/full", std::vector<std::uint8_t>(100, 1));
+        ADD_FAILURE();
+    } catch (const OutputError& error) {
+        EXPECT_NE(std::string(error.what()).find("make room"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+TEST_F(ImageFile, AFileHasThePermissionsOfAnyNewFile) {
+    const mode_t before = ::umask(027);
+    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
+    ::umask(before);
+    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0640});
+}
+
+TEST_F(ImageFile, ALinkStaysAndWhatItLeadsToIsReplaced) {
+    std::ofstream(folder / "file") << "replaced";
+    fs::create_symlink("file", folder / "link");
+    write_file_whole(folder / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(fs::file_size(folder / "file"), 3u);
+    EXPECT_EQ(file_count(), 2);
+}
+
+TEST_F(ImageFile, NamesMayBeAsLongAsNamesCan) {
+    write_file_whole(folder / std::string(250, 'x'), "text");
+    EXPECT_EQ(file_count(), 1);
+}
+
+// While a file is written it has no name, so that nothing can leave a part of it behind.
+TEST_F(ImageFile, AnUnfinishedFileHasNoName) {
+    const int probe = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
+    ::close(probe);
+    const auto interrupted = [&] {
+        const rlimit most = {4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &most);  // the signal comes in the middle of the write
+        std::signal(SIGXFSZ, SIG_DFL);
+        write_file_whole(folder / "file", std::vector<std::uint8_t>(10000, 1));
+    };
+    EXPECT_EXIT(interrupted(), testing::KilledBySignal(SIGXFSZ), "");
+    EXPECT_EQ(file_count(), 0);
+}
+
+TEST_F(ImageFile, NoOtherFileIsTouched) {
+    const fs::path other = folder / ("file.part-" + std::to_string(::getpid()));
+    std::ofstream(other) << "kept";
+    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
+    EXPECT_EQ(file_count(), 2);
+    EXPECT_EQ(fs::file_size(other), 4u);
+}
+
+TEST_F(ImageFile, ThreadsMayWriteOnePath) {
+    const auto write = [&](std::uint8_t value) {
+        const std::vector<std::uint8_t> bytes(100000, value);
+        for (int i = 0; i < 100; ++i) EXPECT_NO_THROW(write_file_whole(folder / "file", bytes));
+    };
+    std::thread other(write, 1);
+    write(2);
+    other.join();
+    std::ifstream file(folder / "file", std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    ASSERT_EQ(bytes.size(), 100000u);
+    EXPECT_EQ(bytes.find_first_not_of(bytes[0]), std::string::npos);
+    EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(ImageFile, TheQueueWritesEverything) {
+    EncodeQueue queue(2, 2);
+    for (int i = 0; i < 20; ++i) queue.push(folder / (std::to_string(i) + ".png"), gradient(true));
+    queue.push(folder / "ids.png", IdImage{1, 1, {42}});
+    queue.finish();
+    EXPECT_EQ(file_count(), 21);
+    EXPECT_EQ(read_png(folder / "19.png"), gradient(true));
+}
+
+TEST_F(ImageFile, TheQueueReportsTheFirstErrorAndDoesNotHang) {
+    EncodeQueue queue(1);
+    EXPECT_THROW(
+        {
+            for (int i = 0; i < 20; ++i)
+                queue.push(folder / "missing" / "picture.png", gradient(true));
+            queue.finish();
+        },
+        OutputError);
+}
+
+TEST_F(ImageFile, TheQueueThrowsTheErrorUntilItIsFinished) {
+    EncodeQueue queue(4, 2);
+    queue.push(folder / "missing" / "picture.png", gradient(true));
+    const auto push_until_error = [&] {
+        for (int i = 0; i < 100000; ++i) queue.push(folder / "good.png", gradient(true));
+    };
+    EXPECT_THROW(push_until_error(), OutputError);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_THROW(queue.push(folder / "late.png", gradient(true)), OutputError);
+    EXPECT_THROW(queue.finish(), OutputError);
+    EXPECT_FALSE(fs::exists(folder / "late.png"));
+    queue.push(folder / "next.png", gradient(true));
+    EXPECT_NO_THROW(queue.finish());
+    EXPECT_EQ(read_png(folder / "next.png"), gradient(true));
+}
+
+TEST_F(ImageFile, TheQueueIsBoundedInBytes) {
+    const Image image = gradient(true);
+    EncodeQueue queue(100, 1, image.rgba.size() * 3 / 2);
+    // A pipe that no one reads keeps the only thread busy.
+    const fs::path pipe = folder / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    queue.push(pipe, image);
+    std::atomic<int> pushed = 0;
+    std::thread pusher([&] {
+        for (int i = 0; i < 3; ++i) {
+            queue.push(folder / (std::to_string(i) + ".png"), image);
+            ++pushed;
+        }
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(pushed, 1);
+    std::ifstream reader(pipe, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(reader), {});
+    pusher.join();
+    queue.finish();
+    EXPECT_EQ(bytes.size(), encode_png(image).size());
+    EXPECT_EQ(file_count(), 4);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+/// Leaves room for the stacks of a few threads.
+void limit_memory() {
+    std::ifstream status("/proc/self/statm");
+    rlim_t pages = 0;
+    status >> pages;
+    const rlim_t bytes = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + (40u << 20);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &limit);
+}
+
+TEST_F(ImageFile, TheQueueMakesDoWithFewerThreads) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto use_queue = [&] {
+        limit_memory();
+        EncodeQueue queue(4, 1000);
+        queue.push(folder / "picture.png", gradient(true));
+        queue.finish();
+        std::_Exit(fs::exists(folder / "picture.png") ? 0 : 1);
+    };
+    EXPECT_EXIT(use_queue(), testing::ExitedWithCode(0), "");
+}
+#endif
+
+}  // namespace
+}  // namespace scb

@@ -1,0 +1,186 @@
+#include <csignal>
+#include <cstdlib>
+#include <limits>
+
+#include "core/base/random.h"
+#include "scenes/meshes/isolated_run.h"
+#include "scenes/meshes/mesh_file.h"
+#include "tests/scenes/support.h"
+
+namespace scb {
+namespace {
+
+std::string ply(const std::string& vertices, const std::string& faces, const std::string& body,
+                const std::string& format = "ascii") {
+    return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + body;
+}
+
+const char* const three = "0 0 0\n1 0 0\n0 1 0\n";
+
+/// Loads bytes under a name; the refusal must name the file and be one line.
+std::string refused(const std::string& name, const std::string& bytes) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(name, bytes);
+    const std::string sentence = refusal([&] { load_mesh(file); });
+    EXPECT_EQ(sentence.rfind(file + ": ", 0), 0u) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.empty() ? '.' : sentence.back(), '.') << sentence;
+    return sentence.size() > file.size() + 2 ? sentence.substr(file.size() + 2) : sentence;
+}
+
+TEST(BadMeshFile, ThatIsMissingOrNoFileIsNamed) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(refusal([] { load_mesh("gone/horse.ply"); }),
+              "gone/horse.ply: there is no such file; check the path.");
+    EXPECT_EQ(refusal([&] { load_mesh(folder.path); }),
+              folder.path.string() + ": this is a directory; name a mesh file in it.");
+    expect_in("not a regular file", refusal([] { load_mesh("/dev/null"); }));
+}
+
+TEST(BadMeshFile, OfAnUnknownFormatIsToldTheFormats) {
+    expect_in(
+        "the format is not known; give a mesh as OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX",
+        refused("notes.xyz", "this is not a mesh\n"));
+}
+
+TEST(BadMeshFile, ThatIsEmptyOrRandomIsRefusedInEveryFormat) {
+    for (const char* extension : {"obj", "ply", "stl", "off", "gltf", "glb", "dae", "3ds", "fbx",
+                                  "x", "ase", "lwo", "ac", "md2"}) {
+        SCOPED_TRACE(extension);
+        const std::string name = std::string("bad.") + extension;
+        expect_in("the file is empty", refused(name, ""));
+        refused(name, "this is not a mesh\nnot 1 2 3\n");
+        Random random(42);
+        std::string noise;
+        for (int i = 0; i < 3000; ++i) noise += static_cast<char>(random.next() & 255);
+        refused(name, noise);
+    }
+}
+
+TEST(BadMeshFile, WithNoTriangleIsRefused) {
+    expect_in("no triangles", refused("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+    expect_in("no triangles", refused("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"));
+    expect_in("no triangles", refused("none.ply", ply("0", "0", "")));
+    expect_in("no triangles", refused("points.ply", ply("3", "0", three)));
+    expect_in("no triangles", refused("none.off", "OFF\n3 0 0\n" + std::string(three)));
+}
+
+TEST(BadMeshFile, WithAnIndexOutOfRangeNamesIt) {
+    expect_in("face 0 names vertex 7, but there are 3 vertices",
+              refused("a.ply", ply("3", "1", three + std::string("3 0 1 7\n"))));
+    expect_in("face 1 names vertex -1",
+              refused("b.ply", ply("3", "2", three + std::string("3 0 1 2\n3 0 1 -1\n"))));
+    expect_in("face 0 names vertex 3, but there are 3 vertices",
+              refused("a.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 3\n"));
+    expect_in("face 0 names vertex -1",
+              refused("b.off", "OFF 3 1 0\n" + std::string(three) + "3 0 1 -1\n"));
+    for (const char* face : {"1 2 9", "0 1 2", "-1 -2 -9", "1 2 99999999999999"})
+        expect_in("index", refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf " +
+                                                std::string(face) + "\n"));
+}
+
+TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
+    const std::string nan_line = "0 0 0\nnan 0 0\n0 1 0\n";
+    expect_in("vertex 1 of triangle 0 has the coordinate x = nan",
+              refused("a.ply", ply("3", "1", nan_line + "3 0 1 2\n")));
+    expect_in("x = nan", refused("a.off", "OFF\n3 1 0\n" + nan_line + "3 0 1 2\n"));
+    expect_in("x = nan", refused("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"));
+    expect_in("x = inf", refused("b.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
+    std::string body;
+    for (int i = 0; i < 9; ++i) {
+        const float value =
+            i == 5 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(i);
+        body.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    body += '\3';
+    for (const std::int32_t index : {0, 1, 2})
+        body.append(reinterpret_cast<const char*>(&index), sizeof index);
+    expect_in("vertex 1 of triangle 0 has the coordinate z = nan",
+              refused("b.ply", ply("3", "1", body, "binary_little_endian")));
+}
+
+TEST(BadMeshFile, WhosePlyHeaderLiesIsRefusedBeforeMemoryIsSpent) {
+    expect_in("vertex 3 of the 4000000000", refused("a.ply", ply("4000000000", "1", three)));
+    expect_in("face 1 of the 4000000000",
+              refused("b.ply", ply("3", "4000000000", three + std::string("3 0 1 2\n"))));
+    expect_in("vertex 2 of the 4000000000",
+              refused("c.ply", ply("4000000000", "1", std::string(30, 'x'), "binary_big_endian")));
+    expect_in("header line 3: element vertex needs a count",
+              refused("d.ply", ply("-3", "1", three)));
+    expect_in("header line 3: element vertex needs a count",
+              refused("e.ply", ply("99999999999999999999999", "1", three)));
+    expect_in("face 0", refused("f.ply", ply("3", "1", three + std::string("200 0 1 2\n"))));
+    expect_in("face 0 has a list with a length",
+              refused("g.ply", ply("3", "1", three + std::string("-3 0 1 2\n"))));
+    expect_in("vertex 3 of the 4000000000",
+              refused("a.off", "OFF\n4000000000 1 0\n" + std::string(three)));
+}
+
+TEST(BadMeshFile, WhosePlyHeaderIsBrokenNamesTheLine) {
+    expect_in("header line 2: the file ends before end_header", refused("a.ply", "ply\n"));
+    expect_in("header line 1: a PLY file starts", refused("b.ply", "plx\nend_header\n"));
+    expect_in("header line 2: the format must be",
+              refused("c.ply", "ply\nformat utf 1.0\nend_header\n"));
+    expect_in("header line 3: a property stands before",
+              refused("d.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n"));
+    expect_in(
+        "the type \"floa\" is not",
+        refused("e.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty floa x\nend_header\n"));
+    expect_in(
+        "no property y",
+        refused("f.ply",
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"));
+    expect_in(
+        "without any property",
+        refused("g.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n1\n"));
+}
+
+TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {
+    const std::string text = ply("3", "2", three + std::string("3 0 1 2\n3 2 1 0\n"));
+    for (std::size_t length = 1; length + 3 < text.size(); length += 3)
+        refused("cut.ply", text.substr(0, length));
+    std::string bytes = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
+    for (int face = 0; face < 2; ++face) bytes += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    const TemporaryFolder folder;
+    EXPECT_EQ(load_mesh(folder.write("whole.ply", bytes)).triangles.size(), 2u);
+    for (std::size_t length = 1; length < bytes.size(); length += 3)
+        refused("cut.ply", bytes.substr(0, length));
+    const std::string off = "OFF\n3 2 0\n" + std::string(three) + "3 0 1 2\n3 2 1 0\n";
+    for (std::size_t length = 1; length + 3 < off.size(); length += 3)
+        refused("cut.off", off.substr(0, length));
+    const std::string stl =
+        std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, '\0');
+    for (std::size_t length = 1; length < stl.size(); length += 7)
+        refused("cut.stl", stl.substr(0, length));
+}
+
+TEST(Trial, TellsWhetherAnActionComesToItsEnd) {
+    EXPECT_TRUE(survives([] {}));
+    EXPECT_TRUE(survives([] { throw InputError("refused."); }));
+    EXPECT_FALSE(survives([] { std::abort(); }));
+    EXPECT_FALSE(survives([] { std::raise(SIGSEGV); }));
+}
+
+TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
+    Random random(7);
+    std::string good = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
+    for (int face = 0; face < 2; ++face) good += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    const TemporaryFolder folder;
+    int loaded = 0;
+    for (int round = 0; round < 500; ++round) {
+        std::string bytes = good;
+        for (int k = 0; k < 1 + round % 4; ++k)
+            bytes[random.next() % bytes.size()] = static_cast<char>(random.next());
+        try {
+            load_mesh(folder.write("flipped.ply", bytes));
+            ++loaded;
+        } catch (const InputError&) {
+        }
+    }
+    EXPECT_GT(loaded, 0);
+}
+
+}  // namespace
+}  // namespace scb

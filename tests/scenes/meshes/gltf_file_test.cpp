@@ -1,0 +1,127 @@
+#include "scenes/meshes/mesh_file.h"
+
+#include "tests/scenes/meshes/sample_mesh.h"
+
+namespace scb {
+namespace {
+
+/// The four corners as floats, then two lists of indices: 0, 1, 2 and 0, 1, 2, 1, 2, 3.
+std::string buffer_of_two() { return corner_floats() + std::string("\0\1\2\0\1\2\1\2\3", 9); }
+
+/// Two meshes, of one triangle on the first three corners and of two on the first `vertices`;
+/// `extra` goes into the second one's primitive. The nodes name the second mesh first.
+std::string gltf_of_two(int vertices, const std::string& extra = "") {
+    const std::string box = R"(, "type": "VEC3", "min": [0, 0, 0], "max": [1, 2, 3]})";
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"mesh": 1}, {"mesh": 0}], "meshes": [
+{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]},
+{"primitives": [{"attributes": {"POSITION": 1}, "indices": 3)" +
+           extra +
+           R"(}]}],
+"buffers": [{"byteLength": 57, "uri": "data:application/octet-stream;base64,)" +
+           base64(buffer_of_two()) +
+           R"("}], "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+{"buffer": 0, "byteOffset": 48, "byteLength": 9}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 3)" +
+           box + R"(, {"bufferView": 0, "componentType": 5126, "count": )" +
+           std::to_string(vertices) + box + R"(,
+{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"},
+{"bufferView": 1, "byteOffset": 3, "componentType": 5121, "count": 6, "type": "SCALAR"}]})";
+}
+
+TEST(MeshFile, AppliesTheTransformsOfANodeAndOfThoseAboveIt) {
+    const TemporaryFolder folder;
+    const std::string nodes =
+        R"([{"children": [1], "scale": [2, 2, 2]}, {"children": [2], "translation": [1, 2, 3]}, {"mesh": 0}])";
+    expect_same_triangles(load_mesh(folder.write("a.gltf", gltf(nodes))), Vec3(2, 4, 6), 2);
+}
+
+TEST(MeshFile, JoinsInstancesInTheOrderOfTheNodesAndTurnsMirroredOnesOver) {
+    const TemporaryFolder folder;
+    const std::string nodes =
+        R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [10, 0, 0]}])";
+    const Mesh mesh = load_mesh(folder.write("a.gltf", gltf(nodes)));
+    ASSERT_EQ(mesh.triangles.size(), 12u);
+    EXPECT_EQ(mesh.vertices[1], Vec3(1, 0, 0));
+    EXPECT_EQ(mesh.vertices[5], Vec3(9, 0, 0));
+    Mesh first{mesh.vertices, {mesh.triangles.begin(), mesh.triangles.begin() + 4}};
+    Mesh second{mesh.vertices, {mesh.triangles.begin() + 6, mesh.triangles.begin() + 10}};
+    EXPECT_NEAR(signed_volume6(first), signed_volume6(second), 1e-12);
+}
+
+TEST(MeshFile, TakesGltfMeshesInTheOrderOfTheNodes) {
+    const TemporaryFolder folder;
+    const Mesh mesh = load_mesh(folder.write("a.gltf", gltf_of_two(4)));
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.vertices[mesh.triangles[1][2]], Vec3(0, 0, 3));
+}
+
+TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
+    const TemporaryFolder folder;
+    const std::string sentence = "mesh 1, primitive 0: index 5 names vertex 3, but there are 3 ";
+    const std::string text = gltf_of_two(3);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+    for (const char* mode : {", \"mode\": 5", ", \"mode\": 6"})
+        expect_in(sentence,
+                  refusal([&] { load_mesh(folder.write("b.gltf", gltf_of_two(3, mode))); }));
+
+    const std::string start = "data:application/octet-stream;base64,";
+    const std::size_t from = text.find(start), to = text.find('"', from);
+    std::string bytes = buffer_of_two();
+    folder.write("c.bin", bytes);
+    const std::string beside = text.substr(0, from) + "c.bin" + text.substr(to);
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("c.gltf", beside)); }));
+
+    std::string json = text.substr(0, text.rfind(", \"uri\"", from)) + text.substr(to + 1);
+    json += std::string(3 - (json.size() + 3) % 4, ' ');
+    bytes += std::string(3, '\0');
+    const auto chunk = [](std::uint32_t type, const std::string& data) {
+        return raw(static_cast<std::uint32_t>(data.size())) + raw(type) + data;
+    };
+    const std::string chunks = chunk(0x4e4f534a, json) + chunk(0x004e4942, bytes);
+    const std::string glb = "glTF" + raw(std::uint32_t{2}) +
+                            raw(static_cast<std::uint32_t>(chunks.size() + 12)) + chunks;
+    expect_in(sentence, refusal([&] { load_mesh(folder.write("d.glb", glb)); }));
+}
+
+TEST(MeshFile, LimitsTheCornersOfAllInstances) {
+    const TemporaryFolder folder;
+    // 1,000 instances of 100,000 triangles: fewer faces than the limit of 2^28, but more corners.
+    const std::size_t indices = 300000;
+    const std::string buffer = std::string(36, '\0') + std::string(indices, '\2');
+    std::string roots, nodes;
+    for (int i = 0; i < 1000; ++i) {
+        roots += (i == 0 ? "" : ",") + std::to_string(i);
+        nodes += std::string(i == 0 ? "" : ",") + R"({"mesh": 0})";
+    }
+    const std::string count = std::to_string(indices);
+    const std::string file = folder.write(
+        "a.gltf",
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [)" + roots +
+            R"(]}], "nodes": [)" + nodes +
+            R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"buffers": [{"byteLength": )" +
+            std::to_string(buffer.size()) + R"(, "uri": "data:application/octet-stream;base64,)" +
+            base64(buffer) + R"("}], "bufferViews": [{"buffer": 0, "byteLength": 36},
+{"buffer": 0, "byteOffset": 36, "byteLength": )" +
+            count + R"(}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5121, "count": )" +
+            count + R"(, "type": "SCALAR"}]})");
+    expect_in("add up to more than 268435456 vertices or corners",
+              refusal([&] { load_mesh(file); }));
+}
+
+TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
+    const TemporaryFolder folder;
+    // Lines are dropped, so their indices harm nobody.
+    EXPECT_EQ(load_mesh(folder.write("a.gltf", gltf_of_two(3, ", \"mode\": 1"))).triangles.size(),
+              1u);
+    std::string text = gltf_of_two(3);
+    const std::string indices = ", \"indices\": 3";
+    text.replace(text.find(indices), indices.size(), "");
+    EXPECT_EQ(load_mesh(folder.write("b.gltf", text)).triangles.size(), 2u);
+}
+
+}  // namespace
+}  // namespace scb

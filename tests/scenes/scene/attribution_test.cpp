@@ -1,0 +1,423 @@
+#include "core/analysis/attribution.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/analysis/alternative_test.h"
+#include "core/analysis/inspection.h"
+#include "core/analysis/operation_cost.h"
+#include "core/analysis/worst_pairs.h"
+#include "core/explain/overlap_steps.h"
+#include "core/explain/pair_explanation.h"
+#include "scenes/scene/builtin.h"
+#include "tests/core/analysis/traces.h"
+#include "tests/core/fit/point_sets.h"
+#include "tests/core/hierarchy/built_mesh.h"
+
+// Why pairs passed, on the built-in scenes, recomputed without what attribution.cpp is made of.
+
+namespace scb {
+namespace {
+
+#ifdef SCB_SANITIZED
+constexpr int explained_pairs = 20;
+#else
+constexpr int explained_pairs = 200;
+#endif
+
+std::set<std::uint32_t> triangles_below(const Topology& topology, std::uint32_t node) {
+    const TopologyNode& n = topology.nodes[node];
+    return {topology.order.begin() + n.first, topology.order.begin() + n.first + n.count};
+}
+
+struct Query {
+    const BuiltMesh &a, &b;
+    TraceHeader header;
+    TraceFrame frame;
+    TestTree tree;
+    std::vector<IndexPair> contacts;
+    Attribution result;
+
+    Query(const BuiltMesh& mesh_a, const BuiltMesh& mesh_b, const Pose& pose, VolumeKind kind,
+          OverlapTest test)
+        : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
+        frame = record_frame(a, b, 0, pose, header);
+        tree = test_tree(header, frame);
+        const auto i = static_cast<std::size_t>(kind);
+        contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
+        result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
+    }
+};
+
+void check_counts(const Query& q) {
+    const Attribution& r = q.result;
+    const std::vector<VolumeTest>& tests = q.frame.events.volume_tests;
+    std::uint64_t passed = 0;
+    for (const VolumeTest& test : tests) passed += test.stage == Stage::overlapping;
+    EXPECT_EQ(r.passed.size(), passed);
+    EXPECT_EQ(r.counts.passed(PassReason::weak_test) + r.counts.passed(PassReason::loose_fit) +
+                  r.counts.passed(PassReason::triangles_meet),
+              passed);
+    EXPECT_EQ(r.counts.all.volume_tests, q.frame.found.n_v);
+    EXPECT_EQ(r.counts.all.triangle_tests, q.frame.found.n_p);
+    EXPECT_EQ(r.counts.all.operations,
+              operation_count(q.header.volume, q.header.options.overlap, q.frame.found.stages));
+
+    // Test by test: wasted is what a false pair led to.
+    std::vector<char> is_false(tests.size());
+    for (const PassedPair& pair : r.passed)
+        is_false[pair.test] = pair.reason != PassReason::triangles_meet;
+    Work wasted, useful;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const std::uint32_t parent = q.tree.parents[i];
+        (parent != TestTree::no_parent && is_false[parent] ? wasted : useful) +=
+            {1, 0, operation_cost(q.header.volume, q.header.options.overlap, tests[i].stage)};
+    }
+    for (const TriangleTest& test : q.frame.events.triangle_tests)
+        ++(is_false[test.after] ? wasted : useful).triangle_tests;
+    EXPECT_EQ(r.counts.wasted, wasted);
+    // An exact test saves what a pair that passed a weak one led to, at whatever distance.
+    std::vector<char> is_weak(tests.size());
+    for (const PassedPair& pair : r.passed)
+        is_weak[pair.test] = pair.reason == PassReason::weak_test;
+    std::uint64_t saved = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        for (std::uint32_t at = q.tree.parents[i]; at != TestTree::no_parent;
+             at = q.tree.parents[at])
+            if (is_weak[at]) {
+                ++saved;
+                break;
+            }
+    EXPECT_EQ(r.counts.wasted_by_tests.volume_tests, saved);
+    // What was not found was missed by a wrong rejection.
+    EXPECT_EQ(q.frame.found.pairs.size() + r.counts.missed, q.contacts.size());
+    Work sum = useful;
+    sum += r.counts.wasted;
+    EXPECT_EQ(sum, r.counts.all);
+}
+
+/// The same per depth.
+void check_depths(const Query& q) {
+    const Inspection found = inspection(q.frame, q.tree, q.result);
+    DepthInspection sum;
+    for (const DepthInspection& depth : found.depths) {
+        sum.tests += depth.tests;
+        sum.wasted += depth.wasted;
+        sum.wasted_by_tests += depth.wasted_by_tests;
+    }
+    EXPECT_EQ(sum.tests, q.frame.found.n_v);
+    EXPECT_EQ(sum.wasted, q.result.counts.wasted.volume_tests);
+    EXPECT_EQ(sum.wasted_by_tests, q.result.counts.wasted_by_tests.volume_tests);
+}
+
+/// By sets of triangles, for some of the pairs.
+void check_contacts(const Query& q) {
+    const std::size_t step = std::max<std::size_t>(1, q.result.passed.size() / 50);
+    for (std::size_t k = 0; k < q.result.passed.size(); k += step) {
+        const PassedPair& pair = q.result.passed[k];
+        const IndexPair nodes = q.frame.events.volume_tests[pair.test].nodes;
+        const std::set<std::uint32_t> of_a = triangles_below(q.a.topology(), nodes.a),
+                                      of_b = triangles_below(q.b.topology(), nodes.b);
+        const bool contact = std::any_of(
+            q.contacts.begin(), q.contacts.end(),
+            [&](const IndexPair& c) { return of_a.contains(c.a) && of_b.contains(c.b); });
+        EXPECT_EQ(contact, pair.reason == PassReason::triangles_meet) << pair.test;
+        EXPECT_EQ(pair.reason == PassReason::weak_test,
+                  !contact && pair.exact == Contact::disjoint);
+    }
+}
+
+struct Case {
+    int frame = 0;
+    VolumeKind kind{};
+    OverlapTest test{};
+};
+
+/// Every hierarchy and every overlap test, at frames from the whole scene.
+std::vector<Case> cases(const Scene& scene) {
+#ifdef SCB_SANITIZED
+    const std::vector<int> frames = {scene.frames / 5};
+#else
+    const std::vector<int> frames = {0,
+                                     scene.frames / 5,
+                                     scene.frames * 2 / 5,
+                                     scene.frames * 3 / 5,
+                                     scene.frames * 4 / 5,
+                                     scene.frames - 1};
+#endif
+    std::vector<Case> cases;
+    for (const int frame : frames)
+        for (const VolumeKind kind : all_volume_kinds())
+            for (const OverlapTest test : all_overlap_tests())
+                if (kind == VolumeKind::scb || test == OverlapTest::symmetric)
+                    cases.push_back({frame, kind, test});
+    return cases;
+}
+
+TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
+    std::uint64_t weak = 0, loose = 0, wrong = 0;
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        if (!builtin.mesh_files.empty()) continue;
+        const Scene scene = load_builtin(builtin);
+        if (scene.bodies.size() != 2) continue;
+        SCOPED_TRACE(builtin.name);
+        std::vector<BuiltMesh> meshes;
+        for (const NamedMesh& mesh : scene.meshes) meshes.emplace_back(mesh.mesh);
+        const BuiltMesh &a = meshes[scene.bodies[0].mesh], &b = meshes[scene.bodies[1].mesh];
+        for (const auto& [frame, kind, test] : cases(scene)) {
+            const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                            pose_at(scene.bodies[1].motion, frame));
+            SCOPED_TRACE(std::string(volume_kind_name(kind)) + " " +
+                         std::string(overlap_test_name(test)) + ", frame " + std::to_string(frame));
+            const Query query(a, b, pose, kind, test);
+            check_counts(query);
+            check_depths(query);
+            check_contacts(query);
+            if (kind == VolumeKind::scb && test == OverlapTest::printed)
+                wrong += query.result.wrongly_rejected.size();
+            else
+                EXPECT_EQ(query.result.wrongly_rejected.size(), 0u);
+            if (kind != VolumeKind::scb) {
+                EXPECT_EQ(query.result.counts.passed(PassReason::weak_test), 0u)
+                    << "the test of these volumes is exact";
+            } else {
+                weak += query.result.counts.passed(PassReason::weak_test);
+            }
+            loose += query.result.counts.passed(PassReason::loose_fit);
+        }
+    }
+    EXPECT_GT(weak, 0u);
+    EXPECT_GT(loose, 0u);
+    EXPECT_GT(wrong, 0u) << "line 8 as printed rejects volumes that overlap";
+}
+
+TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    const std::vector<IndexPair> contacts =
+        collide(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh, pose, {}).pairs;
+    header.options.max_pairs = 1;
+    const TraceFrame frame = record_frame(a, b, 0, pose, header);
+    ASSERT_FALSE(frame.found.complete);
+    const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame,
+                                    test_tree(header, frame), contacts);
+    EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
+    // The roots are of a pair that meets, although it is not the one that was found.
+    EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
+}
+
+// The volumes are two discs with one point in common, and so are the triangles.
+TEST(Attribution, ARejectionOfVolumesThatTouchIsWrongWhereItLosesTriangles) {
+    const BuiltMesh a(Mesh{{{-10, -10, 0}, {10, -10, 0}, {0, 17, 0}}, {{0, 1, 2}}}),
+        b(Mesh{{{6, 0, 0}, {6, 0.5, 1}, {6, -0.5, 1}}, {{0, 1, 2}}});
+    const Query query(a, b, Pose{}, VolumeKind::scb, OverlapTest::printed);
+    ASSERT_EQ(query.contacts.size(), 1u);
+    ASSERT_EQ(query.frame.found.pairs.size(), 0u);
+    ASSERT_EQ(query.result.wrongly_rejected.size(), 1u);
+    EXPECT_EQ(query.result.wrongly_rejected[0], (WrongRejection{0, 1, Contact::touching}));
+    EXPECT_EQ(query.result.counts.wrongly_rejected, 1u);
+    EXPECT_EQ(query.result.counts.missed, 1u);
+    check_counts(query);
+}
+
+// At a distance from the origin where rounding says nothing of gaps, and near it.
+TEST(Attribution, VerdictsAreThoseOfTheExplanation) {
+    std::map<Contact, int> verdicts;
+    Random random(21);
+    for (const VolumeKind kind : all_volume_kinds())
+        for (const double away : {0.0, 1.0, 1e3, 1e6, 1e9})
+            for (int i = 0; i < explained_pairs; ++i) {
+                const auto triangle = [&](const Vec3& at) {
+                    Mesh mesh{{}, {{0, 1, 2}}};
+                    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(at + random_point(random));
+                    return mesh;
+                };
+                const Vec3 at = away * random_point(random);
+                const BuiltMesh a(triangle(at)), b(triangle(at));
+                Pose pose;
+                if (i % 2 == 1) {
+                    // To where the two hardly touch, and by as much as may be rounding farther.
+                    const double by = std::ldexp(1e-13, static_cast<int>(random.below(30)));
+                    pose.translation =
+                        (a.mesh.vertices[0] - b.mesh.vertices[0]) + Vec3(by * random_point(random));
+                }
+                const Query query(a, b, pose, kind, OverlapTest::symmetric);
+                const auto& of_a = query.a.hierarchies[static_cast<std::size_t>(kind)];
+                const auto& of_b = query.b.hierarchies[static_cast<std::size_t>(kind)];
+                const Contact explained = std::visit(
+                    [&]<class V>(const Hierarchy<V>& h) {
+                        const auto& other = std::get<Hierarchy<V>>(of_b);
+                        return explain(h.volumes[0], other.volumes[0],
+                                       query_placement(h, other, pose), {OverlapTest::symmetric})
+                            .proof.contact;
+                    },
+                    of_a);
+                if (query.result.passed.empty()) {
+                    EXPECT_EQ(query.result.wrongly_rejected.size(),
+                              explained == Contact::overlapping);
+                    continue;
+                }
+                ++verdicts[explained];
+                EXPECT_EQ(contact_name(query.result.passed[0].exact), contact_name(explained))
+                    << volume_kind_name(kind) << " at " << away << ", " << i;
+            }
+    for (const Contact contact : {Contact::disjoint, Contact::overlapping, Contact::touching})
+        EXPECT_GT(verdicts[contact], 0) << contact_name(contact);
+}
+
+TEST(Attribution, TrianglesAsFarApartAsRoundingTouch) {
+    const auto at_height = [](double z) {
+        return BuiltMesh(Mesh{{{1e6, 0, z}, {1e6 + 1, 0, z}, {1e6, 1, z}}, {{0, 1, 2}}});
+    };
+    const BuiltMesh a = at_height(0), b = at_height(2e-8);
+    const Query query(a, b, Pose{}, VolumeKind::scb, OverlapTest::symmetric);
+    ASSERT_EQ(query.result.passed.size(), 1u);
+    EXPECT_EQ(query.result.passed[0].exact, Contact::touching);
+    EXPECT_EQ(query.result.passed[0].reason, PassReason::loose_fit);
+}
+
+TEST(AllContacts, AreThoseOfAFullQueryWhereTheQueryEndedEarly) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    for (const VolumeKind kind : all_volume_kinds()) {
+        const auto i = static_cast<std::size_t>(kind);
+        const std::vector<IndexPair> full =
+            collide(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, pose, {}).pairs;
+        ASSERT_GT(full.size(), 1u);
+        TraceHeader first = asking(kind, OverlapTest::symmetric), coarse = first;
+        first.options.max_pairs = 1;
+        coarse.options.stop_level = 6;
+        for (const TraceHeader& header : {first, coarse}) {
+            const TraceFrame frame = record_frame(a, b, 0, pose, header);
+            ASSERT_NE(frame.found.pairs, full);
+            std::vector<IndexPair> all =
+                all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
+            EXPECT_EQ(all, full) << volume_kind_name(kind);
+        }
+    }
+}
+
+// By the steps of the other test, which are not what it is made of.
+TEST(OtherTest, CatchesTheWeakPairsThatItRejects) {
+    const Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    const Pose pose =
+        relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
+    const Query query(a, b, pose, VolumeKind::scb, OverlapTest::corrected);
+    const auto &of_a = std::get<Hierarchy<Scb>>(a.hierarchies[0]),
+               &of_b = std::get<Hierarchy<Scb>>(b.hierarchies[0]);
+    const Placement placed = query_placement(of_a, of_b, pose);
+    std::set<std::uint64_t> seen;
+    for (const OverlapOptions& other : other_tests(query.header)) {
+        std::uint64_t caught = 0, weak = 0;
+        for (const PassedPair& pair : query.result.passed) {
+            if (pair.reason != PassReason::weak_test) continue;
+            ++weak;
+            const IndexPair nodes = query.frame.events.volume_tests[pair.test].nodes;
+            caught += overlap_steps(of_a.volumes[nodes.a], of_b.volumes[nodes.b], placed, other)
+                          .decisive()
+                          .has_value();
+        }
+        const OtherTest found = try_other_test(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh,
+                                               query.header, query.frame, query.result, other);
+        EXPECT_EQ(found.caught, caught) << overlap_test_name(other.test);
+        EXPECT_LT(found.caught, weak);
+        EXPECT_EQ(found.pairs, query.contacts.size());
+        seen.insert(caught);
+    }
+    EXPECT_GT(seen.size(), 2u) << "tests that differ";
+    EXPECT_GT(*seen.rbegin(), 0u);
+}
+
+TEST(WorstRejections, AreTheSameInWhateverOrderFramesAreAdded) {
+    TraceFrame early, late;
+    early.frame = 1;
+    late.frame = 2;
+    for (TraceFrame* frame : {&early, &late})
+        for (std::uint32_t i = 0; i < 3; ++i)
+            frame->events.volume_tests.push_back({{i, i}, 0, 0, Stage::ball_slab});
+    Attribution found;
+    found.wrongly_rejected = {{0, 5}, {1, 7}, {2, 5}};
+    WorstRejections forward(3), backward(3);
+    forward.add(early, found);
+    forward.add(late, found);
+    backward.add(late, found);
+    backward.add(early, found);
+    for (const WorstRejections* worst : {&forward, &backward}) {
+        ASSERT_EQ(worst->pairs().size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(worst->pairs()[i].frame, 1);
+            EXPECT_EQ(worst->pairs()[i].rejection.test, (std::array{1u, 0u, 2u})[i]);
+        }
+    }
+}
+
+using Nodes = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Each pair of nodes once, with the most that it has at any frame, the worst first.
+std::vector<std::uint64_t> ranked(const std::map<Nodes, std::uint64_t>& most_of) {
+    std::vector<std::uint64_t> most;
+    for (const auto& [nodes, value] : most_of) most.push_back(value);
+    std::sort(most.rbegin(), most.rend());
+    return most;
+}
+
+TEST(Attribution, WorstPairsAreEachListedOnceAtTheirWorstFrame) {
+    const Scene scene = load_builtin(*find_builtin("line-8"));
+    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
+        b(scene.meshes[scene.bodies[1].mesh].mesh);
+    WorstRejections rejections(5);
+    WorstPairs weak(PassReason::weak_test, 6);
+    std::map<Nodes, std::uint64_t> missed, wasted;
+    for (int frame = 80; frame < 160; frame += 4) {
+        const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
+                                        pose_at(scene.bodies[1].motion, frame));
+        Query query(a, b, pose, VolumeKind::scb, OverlapTest::printed);
+        query.frame.frame = frame;
+        rejections.add(query.frame, query.result);
+        weak.add(query.frame, query.tree, query.result);
+        const auto raise = [&](std::map<Nodes, std::uint64_t>& most, std::uint32_t test,
+                               std::uint64_t value) {
+            const IndexPair nodes = query.frame.events.volume_tests[test].nodes;
+            std::uint64_t& so_far = most[{nodes.a, nodes.b}];
+            so_far = std::max(so_far, value);
+        };
+        for (const WrongRejection& rejection : query.result.wrongly_rejected)
+            raise(missed, rejection.test, rejection.missed);
+        for (const PassedPair& pair : query.result.passed)
+            if (pair.reason == PassReason::weak_test && !pair.within_weak_test)
+                raise(wasted, pair.test, pair.below.volume_tests + pair.below.triangle_tests);
+    }
+    EXPECT_GT(ranked(missed)[4], 0u);
+    ASSERT_EQ(rejections.pairs().size(), 5u);
+    std::set<Nodes> seen;
+    for (std::size_t i = 0; i < 5; ++i) {
+        const WronglyRejectedPair& pair = rejections.pairs()[i];
+        EXPECT_EQ(pair.rejection.missed, ranked(missed)[i]);
+        EXPECT_NE(pair.test.stage, Stage::overlapping);
+        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
+    }
+    ASSERT_EQ(weak.pairs().size(), 6u);
+    seen.clear();
+    for (std::size_t i = 0; i < 6; ++i) {
+        const FalsePair pair = weak.pairs()[i];
+        EXPECT_EQ(pair.pair.below.volume_tests + pair.pair.below.triangle_tests, ranked(wasted)[i]);
+        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
+    }
+}
+
+}  // namespace
+}  // namespace scb
