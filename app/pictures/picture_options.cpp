@@ -103,6 +103,10 @@ void add_drawing(const Command& command, PictureOptions& options) {
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
         .type_name("NAME")
         .show_default();
+    command
+        .add_flag("--shift-color", options.shift_color,
+                  "An error on purpose, for `scb golden selftest`")
+        .hide();
 }
 
 void add_jobs(const Command& command, PictureOptions& options) {
@@ -127,10 +131,6 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
     add_json(command, options);
-    command
-        .add_flag("--shift-color", options.shift_color,
-                  "An error on purpose, for `scb golden selftest`")
-        .hide();
 }
 
 void add_picture_options(const Command& command, PictureOptions& options) {
