@@ -56,7 +56,7 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
 /// The traversal, compiled for one volume type, overlap test, descent rule and observer.
 template <DescentRule rule, Volume V, class Test, class O>
 void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& placed, const Test& test,
-              const CollideOptions& options, O& observer, Collision& result) {
+              const CollideOptions& options, [[maybe_unused]] O& observer, Collision& result) {
     const Topology& topology_a = *a.hierarchy.topology;
     const Topology& topology_b = *b.hierarchy.topology;
     const TopologyNode* const nodes_a = topology_a.nodes.data();
