@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace scb::app {

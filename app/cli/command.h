@@ -14,7 +14,7 @@ namespace scb::app {
 using Check = std::string (*)(const std::string& text);
 
 /// An option of a command, being described. A handle: copies are of the same option. Behind it is
-/// CLI11, which only command.cpp and main.cpp include, since it takes five seconds to compile.
+/// CLI11, which no header includes, since it takes five seconds to compile.
 class Option {
   public:
     explicit Option(CLI::Option* option) : option_(option) {}

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <vector>
+
 #include "app/cli/command.h"
 
 namespace scb::app {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <functional>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/cli/console.h"
 
 namespace scb::app {

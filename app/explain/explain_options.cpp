@@ -1,8 +1,8 @@
 #include "app/explain/explain_options.h"
-#include "app/cli/validators.h"
 
 #include <charconv>
 
+#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/query_options.h"
 #include "scenes/text/number_list.h"

@@ -1,10 +1,10 @@
 #include "app/golden/options.h"
-#include "app/cli/validators.h"
 
 #include <algorithm>
 #include <set>
 #include <thread>
 
+#include "app/cli/validators.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/scene_options.h"
 #include "golden/suite/shell_word.h"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "golden/run/run_case.h"
 
 namespace scb::app {

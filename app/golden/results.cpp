@@ -1,11 +1,11 @@
 #include "app/golden/results.h"
-#include "app/cli/validators.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <optional>
 
+#include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/query/scene_options.h"
 #include "golden/compare/number_words.h"

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 #include <string>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/golden/options.h"
 #include "golden/compare/result.h"

@@ -33,8 +33,9 @@ void add_level_options(const Command& command, LevelOptions& options) {
     add_scene_options(command, options.scene, true);
     add_hierarchy_options(command, options.hierarchy);
     command
-        .add_option("--levels", options.levels,
+        .add_option("--levels,--level", options.levels,
                     "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves; auto is all of them")
+        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);

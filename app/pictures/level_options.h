@@ -2,8 +2,8 @@
 
 #include <optional>
 #include <string>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/scene_options.h"
 #include "render/figures/volume_colors.h"

@@ -1,9 +1,9 @@
 #include "app/pictures/picture_options.h"
-#include "app/cli/validators.h"
 
 #include <algorithm>
 #include <thread>
 
+#include "app/cli/validators.h"
 #include "app/query/scene_options.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 #include <string>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/pictures/scene_camera.h"
 #include "app/pictures/video_options.h"
 #include "render/gl/context.h"

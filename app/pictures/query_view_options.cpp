@@ -1,6 +1,6 @@
 #include "app/pictures/query_view_options.h"
-#include "app/cli/validators.h"
 
+#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
 #include "app/query/query_sources.h"

@@ -312,8 +312,9 @@ void add_render_rejections(const Command& render_command, const Console& console
     command.add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
         .check(real_number)
         .show_default();
-    command.add_flag("--nested", options->nested,
-                     "Also nodes that hold others of the front (give an --opacity to see both)");
+    command.add_flag(
+        "--nested", options->nested,
+        "Also nodes that hold others at which paths ended (give an --opacity to see both)");
     command
         .add_option("--steps", options->steps,
                     "An animation: a picture of the first N tests, of the first 2N, and so on, "

@@ -1,6 +1,6 @@
 #include "app/pictures/video_options.h"
-#include "app/cli/validators.h"
 
+#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "render/files/output_file.h"
 #include "render/files/video_file.h"

@@ -2,8 +2,8 @@
 
 #include <optional>
 #include <string>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/query/scene_options.h"
 
 namespace scb::app {

@@ -1,8 +1,8 @@
 #include "app/query/layout_options.h"
-#include "app/cli/validators.h"
 
 #include <set>
 
+#include "app/cli/validators.h"
 #include "app/query/scene_options.h"
 #include "scb/error.h"
 #include "scb/packed_hierarchy.h"

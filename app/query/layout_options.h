@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "scb/packed_layout.h"
 
 namespace scb::app {

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "app/query/output_guard.h"
 #include "app/query/scene_options.h"
 
 namespace scb::app {

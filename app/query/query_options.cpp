@@ -122,6 +122,7 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
         .show_default();
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
+        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_bodies_option(command, options);
@@ -136,6 +137,7 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
         .add_option(
             "--levels,--level", limits.levels,
             "Stop at this level: one number, or 'leaves'; finds pairs of nodes, tests no triangles")
+        .check(has_name)
         .type_name("K");
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/query/scene_options.h"
 #include "scb/collide.h"
 

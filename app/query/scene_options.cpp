@@ -1,11 +1,11 @@
 #include "app/query/scene_options.h"
-#include "app/cli/validators.h"
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <sstream>
 
+#include "app/cli/validators.h"
 #include "core/base/text_format.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
@@ -77,6 +77,7 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         command
             .add_option("--frames,--frame", options.frames,
                         "The frame: one number; else the scene's own")
+            .check(has_name)
             .type_name("N");
 }
 

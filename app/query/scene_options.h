@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "app/cli/command.h"
 
+#include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/query/mutation.h"
 #include "scb/any_hierarchy.h"

@@ -18,16 +18,22 @@ Pose SceneQuery::b_to_a(int frame) const {
                          scenes::pose_at(scene.bodies[b].motion, frame));
 }
 
+CollideOptions SceneQuery::mutated_options() const {
+    CollideOptions mutated = options;
+    mutate(mutation, mutated.overlap);
+    return mutated;
+}
+
 Collision SceneQuery::collide(int frame) const {
-    Collision found =
-        scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options);
+    Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
+                                   mutated_options());
     mutate(mutation, found, kind, options.overlap);
     return found;
 }
 
 Collision SceneQuery::collide(int frame, EventRecorder& recorder) const {
     Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
-                                   options, recorder);
+                                   mutated_options(), recorder);
     mutate(mutation, found, kind, options.overlap);
     mutate(mutation, recorder.events);
     return found;
@@ -67,7 +73,6 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     SceneQuery result;
     result.options = query.collide();
     result.mutation = hierarchy.mutation;
-    mutate(result.mutation, result.options.overlap);
     result.build = hierarchy.build();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);

@@ -25,6 +25,10 @@ struct SceneQuery {
     Pose b_to_a(int frame) const;
     Collision collide(int frame) const;
     Collision collide(int frame, EventRecorder& recorder) const;
+
+  private:
+    /// What is asked, which pictures and tables say, with the error that the mutation puts into it.
+    CollideOptions mutated_options() const;
 };
 
 /// The bodies that `names` ("A,B") names, or the only two. Throws InputError where that leaves a

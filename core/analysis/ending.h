@@ -18,7 +18,8 @@ std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Traver
 EndingCounts ending_counts(const TraceFrame& frame, const TraversalTree& tree);
 
 /// The endings that queries of these volumes and options can have, in order: the stages of the
-/// test, then the others. `triangles` where triangles were tested, else `found`.
+/// test, then the others. `triangles_apart` and `triangles_meet` where
+/// triangles were tested, else `found`; `left_over` last.
 std::vector<Outcome> endings_of(VolumeKind kind, const CollideOptions& options);
 
 }  // namespace scb

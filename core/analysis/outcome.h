@@ -8,9 +8,9 @@
 
 namespace scb {
 
-/// What became of a pair of nodes whose volumes were tested. Values below stage_count are the
-/// stages at which the test rejected the pair, see rejected_at. A path of the traversal ends with
-/// every outcome but the last two.
+/// What became of a pair of nodes whose volumes were tested. Values from 1 to stage_count - 1
+/// are the stages at which the test rejected the pair, see rejected_at. A path of the traversal
+/// ends with every outcome but the last two.
 enum class Outcome : std::uint8_t {
     triangles_apart = stage_count,  ///< two leaves that overlap, whose triangles do not intersect
     triangles_meet,                 ///< two leaves that overlap, whose triangles intersect
@@ -24,7 +24,7 @@ inline constexpr std::size_t ending_count = stage_count + 4;
 
 constexpr Outcome rejected_at(Stage stage) { return static_cast<Outcome>(stage); }
 constexpr bool is_rejection(Outcome outcome) {
-    return static_cast<std::size_t>(outcome) < stage_count;
+    return outcome != Outcome{} && static_cast<std::size_t>(outcome) < stage_count;
 }
 constexpr bool is_ending(Outcome outcome) {
     return static_cast<std::size_t>(outcome) < ending_count;

@@ -86,7 +86,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
     fields.push_back({"descent", std::string(descent_rule_name(options.descent))});
     fields.push_back({"max pairs", std::to_string(options.max_pairs)});
     fields.push_back(
-        {"level", options.stop_level < 0 ? "leaves" : std::to_string(options.stop_level)});
+        {"level", options.stop_level < 0 ? "none" : std::to_string(options.stop_level)});
     return fields;
 }
 

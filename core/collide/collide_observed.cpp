@@ -1,5 +1,4 @@
 #include "core/collide/dual_traversal.h"
-#include "core/collide/event_recorder-inl.h"
 
 // The second translation unit of collide.h: with somebody to tell.
 namespace scb {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/compare/image_difference.h"
+#include "golden/suite/color_tolerance.h"
 
 namespace scb::golden {
 

@@ -65,6 +65,11 @@ struct SpawnSettings {
     SpawnSettings(const SpawnSettings&) = delete;
     SpawnSettings& operator=(const SpawnSettings&) = delete;
 
+    /// Keeps the first error of what was asked for.
+    void keep(int result) {
+        if (error == 0) error = result;
+    }
+
     void give(int descriptor, int as) {
         // From a copy above all that are given, lest one takes the place of another before that has
         // had its turn: this program itself may run with its standard input closed.
@@ -79,7 +84,7 @@ struct SpawnSettings {
             ::close(copy);
             throw;
         }
-        posix_spawn_file_actions_adddup2(&files, copy, as);
+        keep(posix_spawn_file_actions_adddup2(&files, copy, as));
     }
 };
 
@@ -126,8 +131,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     settings.give(output_.descriptor(), STDOUT_FILENO);
     settings.give(errors_.descriptor(), STDERR_FILENO);
     settings.give(output.descriptor(), output_descriptor);
-    posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given);
-    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&settings.files, folder.c_str());
+    settings.keep(posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given));
+    if (!folder.empty())
+        settings.keep(posix_spawn_file_actions_addchdir_np(&settings.files, folder.c_str()));
     given.close();
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -52,7 +52,10 @@ int write_all(int file, std::span<const std::uint8_t> bytes) {
 /// Waits until what was written is on the disk: before a file gets its name, so that a loss of
 /// power leaves the old file or the new one. Some file systems cannot, and say so.
 int synchronized(int file) {
-    return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+    int result;
+    do result = ::fsync(file);
+    while (result != 0 && errno == EINTR);
+    return result == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
 /// A name beside `path` that no one else has. `take` is to make it, and returns -1 and EEXIST where

@@ -31,8 +31,8 @@ void WorkQueue::push(std::size_t bytes, std::function<void()> job) {
     std::unique_lock lock(mutex_);
     room_or_idle_.wait(lock, [&] { return has_room_for(bytes) || first_error_; });
     if (first_error_) std::rethrow_exception(first_error_);
-    waiting_bytes_ += bytes;
     waiting_.push_back({bytes, std::move(job)});
+    waiting_bytes_ += bytes;
     work_or_stop_.notify_one();
 }
 

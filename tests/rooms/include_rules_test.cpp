@@ -38,7 +38,7 @@ TEST(IncludeRules, KnowEveryPublicHeader) {
          fs::directory_iterator(fs::path(SCB_SOURCE_DIR) / "core/include/scb"))
         names.push_back(entry.path().stem().string());
     EXPECT_EQ(homeless_headers(names), std::vector<std::string>{});
-    EXPECT_EQ(homeless_headers({"nowhere"}).size(), 36u);
+    EXPECT_EQ(homeless_headers({"nowhere"}).size(), 32u);
 }
 
 // Each rule, broken once.
@@ -64,6 +64,19 @@ TEST(IncludeRules, AreSeenToBreak) {
         {"render/plots/bar_plot.cpp", "render/draw/renderer.h"},
         {"golden/compare/comparison.cpp", "golden/report/junit.h"},
         {"golden/report/junit.cpp", "golden/run/run_case.h"},
+        {"core/collide/collide.cpp", "core/packed/collapse.h"},
+        {"core/overlap/overlap.cpp", "scb/hierarchy.h"},
+        {"scenes/text/utf8.cpp", "scenes/shapes/procedural.h"},
+        {"scenes/meshes/polygon.cpp", "scenes/scene/scene.h"},
+        {"scenes/scene/scene.cpp", "scenes/traces/trace_file.h"},
+        {"render/files/image_file.cpp", "render/gl/context.h"},
+        {"render/view/camera.cpp", "render/overlay/overlay.h"},
+        {"render/overlay/overlay.cpp", "render/plots/bar_plot.h"},
+        {"render/plots/bar_plot.cpp", "render/figures/bench_figure.h"},
+        {"golden/suite/suite.cpp", "golden/compare/comparison.h"},
+        {"golden/run/run_case.cpp", "golden/report/junit.h"},
+        {"app/query/collide.cpp", "app/pictures/picture_run.h"},
+        {"app/pictures/picture_run.cpp", "app/timing/bench.h"},
         {"app/cli/console.cpp", "app/query/scene_query.h"},
         {"app/timing/bench.cpp", "app/explain/explain_json.h"},
         {"app/golden/check.cpp", "app/inspect/inspect_report.h"},

@@ -7,7 +7,7 @@
 namespace scb {
 
 /// `collide` for hierarchies whose volume type was chosen at run time. Throws
-/// InputError where theirs are two.
+/// InputError where A and B hold different types of volumes.
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options = {});
 
@@ -19,7 +19,9 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
 /// The stages at which a query on these volumes can reject.
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);
 
-/// transform_count for a kind of volume.
+/// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
+/// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
+/// center; of boxes the center and three axes.
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options);
 

@@ -13,7 +13,8 @@ using AnyPacked = AnyCodec<PackedHierarchy>;
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
-/// `collide_packed` for hierarchies of one layout. Throws InputError where theirs are two.
+/// `collide_packed` for hierarchies of one layout. Throws InputError where A and
+/// B have different layouts.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a,
                                const PackedOptions& options = {},

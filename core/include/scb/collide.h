@@ -59,12 +59,12 @@ template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options = {});
 
-/// The same, and `recorder` keeps every test.
+/// The same, and `recorder` keeps every test. Throws std::length_error too, see EventRecorder.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, EventRecorder& recorder);
 
-/// The same, told to whom `calls` says.
+/// The same, and `calls` is told of every test. What it throws comes out.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, const ObserverCalls& calls);

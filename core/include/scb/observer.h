@@ -22,13 +22,16 @@ concept Observer = requires(O& observer, IndexPair pair, int depth, Stage stage,
     observer.triangle_test(pair, intersect);
 };
 
-/// An observer of any type as three pointers, for a traversal that was compiled without it.
+/// An observer of any type as three pointers, for a traversal that was compiled without it. Both
+/// functions must be set.
 struct ObserverCalls {
     void* observer = nullptr;
-    void (*volume_test)(void* observer, IndexPair nodes, int depth_a, int depth_b, Stage stage);
-    void (*triangle_test)(void* observer, IndexPair triangles, bool intersect);
+    void (*volume_test)(void* observer, IndexPair nodes, int depth_a, int depth_b,
+                        Stage stage) = nullptr;
+    void (*triangle_test)(void* observer, IndexPair triangles, bool intersect) = nullptr;
 };
 
+/// The calls of this observer, which must live as long as they do.
 template <Observer O>
 ObserverCalls calls_of(O& observer) {
     return {&observer,

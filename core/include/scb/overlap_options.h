@@ -15,8 +15,8 @@ enum class OverlapTest {
     printed,    ///< Figure 8 as printed, with both errors: to show what they do
     line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
     corrected,  ///< Figure 8 with both corrected
-    symmetric,  ///< overlap_symmetric
-    extents,    ///< overlap_extents
+    symmetric,  ///< Figure 8 without cases and threshold: rejects all that `corrected` rejects
+    extents,    ///< by exact extents along both normals and the line through the centers
 };
 
 /// "printed", "line8", "corrected", "symmetric", "extents".

@@ -50,7 +50,7 @@ struct Topology {
 /// How nodes are divided.
 enum class SplitMethod {
     section_3,  ///< by the rules of Section 3
-    cost,       ///< where the halves, weighed by their volumes, cost least; see sah_split
+    cost,       ///< where the halves, by a surface area heuristic, cost least
 };
 
 /// "paper", "cost": the names of the command line.

@@ -96,7 +96,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"render levels spheres-l1 --levels 3:1" + small, 2, "names nothing"},
         {"render levels spheres-l1 --levels five" + small, 2, "'five' is not a whole number"},
         {"render levels spheres-l1 --levels 0:2000000000" + small, 2, "there is no level"},
-        {"render levels spheres-l1 --levels ''" + small, 2, "no whole number"},
+        {"render levels spheres-l1 --levels ''" + small, 2, "--levels: the name is empty"},
         {"render levels spheres-l1 --levels 2 --frame 500" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --frame -1" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --size 0x0 -o " + out, 2, "--size 0x0"},

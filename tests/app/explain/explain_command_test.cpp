@@ -302,7 +302,7 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
         {"spheres-l1 --pair 1,2 --size 100x100", "--size"},
         {"spheres-l1 --pair 1,2 --background dark", "say where with -o DIR"},
         {"spheres-l1 --pairs " + file, "leave out one of them"},
-        {"--pairs " + file + " --frame 3", "--frame: it is of scenes"},
+        {"--pairs " + file + " --frame 3", "--frames: it is of scenes"},
         {"--pairs " + file + " --volume obb", "--volume: it is of scenes"},
         {"--pairs " + index_file + " -o " + folder.path.string(), "its index.json is the file"},
         {"--pairs none.json", "none.json: there is no such file"},

@@ -112,8 +112,8 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
         inspected.err.find("with another mesh of A: it had 2 triangles and 6 vertices as that of "),
         std::string::npos)
         << inspected.err;
-    EXPECT_NE(inspected.err.find("other coordinates or indices; it is a baseline, and `scb golden "
-                                 "check` says what differs from it."),
+    EXPECT_NE(inspected.err.find("other coordinates or indices; record it again, or, where it is "
+                                 "a baseline, see what `scb golden check` says."),
               std::string::npos)
         << inspected.err;
 }

@@ -258,7 +258,7 @@ TEST(InspectCommand, NamesFromOutsideStayText) {
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_NE(html.find("&lt;script&gt;"), std::string::npos);
     EXPECT_NE(html.find("scb explain &apos;"), std::string::npos);
-    EXPECT_NE(html.find("it&apos;\\&apos;&apos;s &lt;b&gt;.json&apos; --frame 0"),
+    EXPECT_NE(html.find("it&apos;\\&apos;&apos;s &lt;b&gt;.json&apos; --frames 0"),
               std::string::npos);
 }
 

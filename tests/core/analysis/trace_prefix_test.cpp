@@ -8,7 +8,7 @@
 namespace scb {
 namespace {
 
-TEST(FirstTests, AreTheQueryUpToThere) {
+TEST(TracePrefix, AreTheQueryUpToThere) {
     const BuiltMesh mesh(height_field(9));
     Pose pose;
     pose.translation = Vec3(0.3, 0.11, 0.02);

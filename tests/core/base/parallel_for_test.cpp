@@ -10,7 +10,7 @@
 namespace scb {
 namespace {
 
-TEST(InThreads, CallsEachOnce) {
+TEST(ParallelFor, CallsEachOnce) {
     for (const int threads : {1, 2, 7})
         for (const std::size_t count : {0u, 1u, 2u, 3u, 1000u}) {
             std::vector<std::atomic<int>> calls(count);
@@ -19,7 +19,7 @@ TEST(InThreads, CallsEachOnce) {
         }
 }
 
-TEST(InThreads, BlocksMakeUpAll) {
+TEST(ParallelFor, BlocksMakeUpAll) {
     for (const int threads : {1, 2, 7})
         for (const std::size_t count : {0u, 1u, 8192u, 8193u, 100000u}) {
             std::atomic<std::size_t> sum = 0;
@@ -38,11 +38,11 @@ int leaves(int threads, int depth) {
     return first + second;
 }
 
-TEST(InThreads, BothMayBeNested) {
+TEST(ParallelFor, BothMayBeNested) {
     for (const int threads : {1, 2, 5}) EXPECT_EQ(leaves(threads, 9), 512);
 }
 
-TEST(InThreads, ThrowsWhatWasThrown) {
+TEST(ParallelFor, ThrowsWhatWasThrown) {
     const auto fail = [] { throw std::runtime_error("on purpose"); };
     const auto succeed = [] {};
     for (const int threads : {1, 2, 5}) {
@@ -57,7 +57,7 @@ TEST(InThreads, ThrowsWhatWasThrown) {
     }
 }
 
-TEST(InThreads, SeveralMayCallAtOnce) {
+TEST(ParallelFor, SeveralMayCallAtOnce) {
     std::vector<std::thread> callers;
     std::atomic<int> sum = 0;
     for (int i = 0; i < 4; ++i)

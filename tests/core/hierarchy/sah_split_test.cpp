@@ -33,7 +33,7 @@ double cost_of(const Topology& topology, const Mesh& mesh) {
     return sum;
 }
 
-TEST(CostSplit, IsValidForEveryKindOfMesh) {
+TEST(SahSplit, IsValidForEveryKindOfMesh) {
     std::vector<Mesh> meshes;
     for (const int count : {1, 2, 3, 4, 9, 10, 15, 16, 17, 100, 3000})
         meshes.push_back(random_soup(41, count, 0.2));
@@ -55,7 +55,7 @@ TEST(CostSplit, IsValidForEveryKindOfMesh) {
     }
 }
 
-TEST(CostSplit, FallsBackToTheRulesOfThePaper) {
+TEST(SahSplit, FallsBackToTheRulesOfThePaper) {
     Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
     same.triangles.assign(100, {0, 1, 2});
     const Topology topology = by_cost(same);
@@ -63,12 +63,12 @@ TEST(CostSplit, FallsBackToTheRulesOfThePaper) {
     EXPECT_LE(depth_of(topology), 11);
 }
 
-TEST(CostSplit, CostsLessThanTheRulesOfThePaper) {
+TEST(SahSplit, CostsLessThanTheRulesOfThePaper) {
     for (const Mesh& mesh : {height_field(40), random_soup(43, 2000, 0.05)})
         EXPECT_LT(cost_of(by_cost(mesh), mesh), 0.99 * cost_of(build_topology(mesh), mesh));
 }
 
-TEST(CostSplit, TriesEveryDivisionOfAFew) {
+TEST(SahSplit, TriesEveryDivisionOfAFew) {
     // Two clusters, of 3 and 9 triangles, along y.
     Mesh mesh = random_soup(44, 12, 0.1);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
@@ -78,7 +78,7 @@ TEST(CostSplit, TriesEveryDivisionOfAFew) {
     EXPECT_EQ(topology.nodes[1].count, 3u);
 }
 
-TEST(CostSplit, IsTheSameForAnyNumberOfThreads) {
+TEST(SahSplit, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = height_field(100);
     const Topology one = by_cost(mesh);
     const Topology three = build_topology(mesh, {.split = SplitMethod::cost, .threads = 3});
@@ -88,7 +88,7 @@ TEST(CostSplit, IsTheSameForAnyNumberOfThreads) {
         ASSERT_EQ(one.nodes[i].left, three.nodes[i].left) << i;
 }
 
-TEST(CostSplit, QueriesFindTheSamePairs) {
+TEST(SahSplit, QueriesFindTheSamePairs) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const SmallScene scene = small_scene(seed);
         const std::vector<IndexPair> expected = brute_force(scene.a.mesh, scene.b.mesh, scene.pose);
