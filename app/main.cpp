@@ -6,14 +6,13 @@
 #include <new>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
-#include "app/cli/mutation.h"
 #include "app/cli/version.h"
+#include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 // The command that was named last, and what stands before it.
@@ -52,7 +51,7 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
             if (argv[i][0] != '-') word = argv[i];
         }
         sentence = (word.empty() ? "`" + command + "` needs a command"
-                                 : "'" + word + "' is no command of `" + command + "`") +
+                                 : "unknown command '" + word + "' of `" + command + "`") +
                    "; give one of " + names;
     }
     // The parser takes the value of an option that it does not know for one word too many.
@@ -63,11 +62,12 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
         for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
             known = app->get_option_no_throw(word) != nullptr;
         if (!known) {
-            sentence = "'" + word + "' is no option of `" + command + "`";
+            sentence = "unknown option '" + word + "' of `" + command + "`";
             for (const CLI::Option* option : named.command->get_options())
                 for (const std::string& name : option->get_lnames())
-                    if (name.starts_with(word.substr(2)) || word.substr(2).starts_with(name))
-                        sentence += ", but '--" + name + "' is";
+                    if (!option->get_group().empty() &&
+                        (name.starts_with(word.substr(2)) || word.substr(2).starts_with(name)))
+                        sentence += ", which has '--" + name + "'";
             break;
         }
     }
@@ -103,36 +103,26 @@ int run(int argc, char** argv) {
             throw CLI::Success();
         },
         "Versions of scb and of what it draws with");
-    program
-        .add_option_function<std::string>(
-            "--mutation",
-            [](const std::string& name) {
-                const std::optional<Mutation> mutation = mutation_of(name);
-                if (!mutation) throw CLI::ValidationError("--mutation", "there is no " + name);
-                set_mutation(*mutation);
-            },
-            "An error on purpose, for `scb golden selftest`")
-        ->group("");
     program.fallthrough();
 
     CLI::App* render = program.add_subcommand("render", "Draw pictures");
     render->require_subcommand(1);
     render->fallthrough();
-    add_render_levels(*render, console, action);
-    add_render_pairs(*render, console, action);
-    add_render_rejections(*render, console, action);
-    add_render_traversal(*render, console, action);
-    add_inspect(program, console, action);
-    add_collide(program, console, action);
-    add_bench(program, console, action);
-    add_tune(program, console, action);
-    add_trace(program, console, action);
-    add_diff(program, action);
-    add_explain(program, console, action);
-    add_golden(program, console, action);
-    add_stats(program, console, action);
-    add_export(program, console, action);
-    add_scenes(program, action);
+    add_render_levels(Command(*render), console, action);
+    add_render_pairs(Command(*render), console, action);
+    add_render_rejections(Command(*render), console, action);
+    add_render_traversal(Command(*render), console, action);
+    add_inspect(Command(program), console, action);
+    add_collide(Command(program), console, action);
+    add_bench(Command(program), console, action);
+    add_tune(Command(program), console, action);
+    add_trace(Command(program), console, action);
+    add_diff(Command(program), action);
+    add_explain(Command(program), console, action);
+    add_golden(Command(program), console, action);
+    add_stats(Command(program), console, action);
+    add_export(Command(program), console, action);
+    add_scenes(Command(program), action);
 
     try {
         try {
@@ -158,13 +148,13 @@ int run(int argc, char** argv) {
     } catch (const InputError& error) {
         console.error(error.what());
         return exit_bad_input;
-    } catch (const OutputError& error) {
+    } catch (const render::OutputError& error) {
         console.error(error.what());
         return exit_environment;
-    } catch (const GlError& error) {
+    } catch (const render::GlError& error) {
         console.error(error.what());
         return exit_no_gl;
-    } catch (const DrawError& error) {
+    } catch (const render::DrawError& error) {
         console.error(error.what());
         return exit_environment;
     } catch (const std::filesystem::filesystem_error& error) {
@@ -181,7 +171,7 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app
 
 int main(int argc, char** argv) {
     // A file that may not grow is reported as an error of the write. A closed pipe ends the program
@@ -189,5 +179,5 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     // Whoever started this program may ignore it, and then nobody learns how a child of it ended.
     std::signal(SIGCHLD, SIG_DFL);
-    return scb::run(argc, argv);
+    return scb::app::run(argc, argv);
 }

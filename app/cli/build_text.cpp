@@ -2,7 +2,7 @@
 
 #include "core/base/text_format.h"
 
-namespace scb {
+namespace scb::app {
 
 std::vector<std::string> build_parts(const BuildOptions& options) {
     const BuildOptions defaults;
@@ -27,4 +27,4 @@ std::string build_sentence(const BuildOptions& options) {
     return text.empty() ? "" : "Hierarchies: " + text.substr(2) + ".";
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/hierarchy/build_options.h"
+#include "scb/hierarchy.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What of the options is not as by default: {"growth radius", "margin 0.1", "split by cost"}.
 std::vector<std::string> build_parts(const BuildOptions& options);
@@ -17,4 +17,4 @@ std::string build_text(const BuildOptions& options);
 /// As a sentence: "Hierarchies: growth radius, split by cost."; or nothing.
 std::string build_sentence(const BuildOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

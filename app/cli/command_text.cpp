@@ -1,13 +1,15 @@
 #include "app/cli/command_text.h"
 
+#include <CLI/CLI.hpp>
+
 #include "golden/suite/shell_word.h"
 
-namespace scb {
+namespace scb::app {
 
-std::string given_text(const CLI::App& command, const std::vector<std::string>& options) {
+std::string given_text(const Command& command, const std::vector<std::string>& options) {
     std::string text;
     for (const std::string& name : options) {
-        const CLI::Option* option = command.get_option(name);
+        const CLI::Option* option = command.app().get_option(name);
         if (option->count() == 0) continue;
         const bool positional = option->get_positional();
         if (!positional) text += " " + name;
@@ -17,11 +19,11 @@ std::string given_text(const CLI::App& command, const std::vector<std::string>& 
             const char* separator = values.empty() ? "" : positional ? " " : ",";
             // A name that begins like an option.
             const bool dashed = positional && value.starts_with('-');
-            values += separator + shell_word(dashed ? "./" + value : value);
+            values += separator + golden::shell_word(dashed ? "./" + value : value);
         }
         text += " " + values;
     }
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::app

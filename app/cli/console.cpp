@@ -9,7 +9,7 @@
 #include "render/files/output_file.h"
 #include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 bool colored(ColorMode mode, int file) {
@@ -18,17 +18,10 @@ bool colored(ColorMode mode, int file) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-    text = as_utf8(std::move(text));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    return text;
-}
-
 bool Console::colors_results() const { return colored(color, STDOUT_FILENO); }
 
 void Console::error(std::string_view text) const {
-    const std::string sentence = printable(std::string(text));
+    const std::string sentence = scenes::printable(std::string(text));
     const bool red = colored(color, STDERR_FILENO);
     std::fprintf(stderr, "%sscb: error:%s %.*s\n", red ? "\033[1;31m" : "", red ? "\033[0m" : "",
                  static_cast<int>(sentence.size()), sentence.data());
@@ -36,12 +29,12 @@ void Console::error(std::string_view text) const {
 
 void Console::alarm(std::string_view line) const {
     const bool red = colored(color, STDERR_FILENO);
-    std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "", printable(std::string(line)).c_str(),
-                 red ? "\033[0m" : "");
+    std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "",
+                 scenes::printable(std::string(line)).c_str(), red ? "\033[0m" : "");
 }
 
 void Console::note(std::string_view line) const {
-    if (!quiet) std::fprintf(stderr, "%s\n", printable(std::string(line)).c_str());
+    if (!quiet) std::fprintf(stderr, "%s\n", scenes::printable(std::string(line)).c_str());
 }
 
 void Console::progress(std::string_view what, std::size_t done, std::size_t total) const {
@@ -58,8 +51,8 @@ void print_result(std::string_view text) {
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (written) return;
-    throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno) +
-                      "; send it elsewhere.");
+    throw render::OutputError(std::string("cannot write to standard output: ") +
+                              std::strerror(errno) + "; send it elsewhere.");
 }
 
-}  // namespace scb
+}  // namespace scb::app

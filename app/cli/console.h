@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::app {
 
 /// Where the program talks: results to standard output, messages and progress to standard error.
 enum class ColorMode { automatic, always, never };
@@ -25,12 +25,8 @@ struct Console {
     void progress(std::string_view what, std::size_t done, std::size_t total) const;
 };
 
-/// The text with '?' for control characters and for what is no UTF-8: names from outside may hold
-/// anything, and what is printed is one line and does not steer the terminal.
-std::string printable(std::string text);
-
 /// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed
 /// pipe, a full disk).
 void print_result(std::string_view text);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,11 +6,12 @@
 #include <csignal>
 #include <cstdint>
 
-namespace scb {
+namespace scb::app {
 namespace {
 
-// What a signal handler may write.
-volatile sig_atomic_t received = 0;
+// What a signal handler may write and other threads read.
+std::atomic<int> received = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<std::int64_t> received_at = 0;  // nanoseconds
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
@@ -54,4 +55,4 @@ InterruptWatch::~InterruptWatch() {
 
 int InterruptWatch::signal() const { return received; }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace scb {
+namespace scb::app {
 
 /// While one of these exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the program but are
 /// remembered, so that a long run can stop between two results and leave what it has finished. A
@@ -23,4 +23,4 @@ class InterruptWatch {
     std::array<struct sigaction, 3> before_{};
 };
 
-}  // namespace scb
+}  // namespace scb::app

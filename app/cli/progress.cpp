@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string remaining(double seconds) {
@@ -32,4 +32,4 @@ void Progress::step(std::string_view what) {
                       done_, total_);
 }
 
-}  // namespace scb
+}  // namespace scb::app

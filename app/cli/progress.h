@@ -5,7 +5,7 @@
 
 #include "app/cli/console.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The progress of a run of many like steps, with an estimate of the time that remains, shown ten
 /// times a second at most.
@@ -24,4 +24,4 @@ class Progress {
     Clock::time_point start_ = Clock::now(), shown_{};
 };
 
-}  // namespace scb
+}  // namespace scb::app

@@ -5,9 +5,9 @@
 
 #include <imgui.h>
 
-namespace scb {
+namespace scb::app {
 
-std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl) {
+std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* gl) {
     std::vector<std::pair<std::string, std::string>> list = {{"scb", SCB_VERSION}};
     if (gl != nullptr) {
         list.emplace_back("gl", gl->backend + ", OpenGL " + gl->version + ", " + gl->renderer);
@@ -25,17 +25,17 @@ std::string compiler_text() { return SCB_COMPILER; }
 
 std::string version_text() {
     std::string text;
-    const auto add = [&text](const GlInfo* gl) {
+    const auto add = [&text](const render::GlInfo* gl) {
         for (const auto& [name, version] : versions(gl))
             text += name + std::string(name.size() < 6 ? 6 - name.size() : 0, ' ') + " " + version +
                     "\n";
     };
-    for (const GlBackend backend : {GlBackend::osmesa, GlBackend::egl}) {
+    for (const render::GlBackend backend : {render::GlBackend::osmesa, render::GlBackend::egl}) {
         try {
-            const Context context(backend);
+            const render::Context context(backend);
             add(&context.info());
             return text;
-        } catch (const GlError&) {
+        } catch (const render::GlError&) {
             // The other back end may still have it.
         }
     }
@@ -43,4 +43,4 @@ std::string version_text() {
     return text + "gl     none\n";
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,11 +6,11 @@
 
 #include "render/gl/context.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order.
 /// Without an OpenGL context, the first and the last ones.
-std::vector<std::pair<std::string, std::string>> versions(const GlInfo* gl);
+std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* gl);
 
 /// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
 std::string compiler_text();
@@ -18,4 +18,4 @@ std::string compiler_text();
 /// The versions as text, one a line; makes a context to ask it.
 std::string version_text();
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,15 +1,17 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
 #include "app/explain/explain_volumes.h"
+#include "app/query/output_guard.h"
+#include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
+#include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,9 +25,9 @@ struct SceneAtFrame {
 SceneAtFrame open_scene(const ExplainOptions& options) {
     QueryOptions query = options.query;
     const std::string& name = options.scene.names[0];
-    const bool trace = options.scene.names.size() == 1 && names_trace(name);
+    const bool trace = options.scene.names.size() == 1 && scenes::names_trace(name);
     if (trace) refuse_for_trace(options.recording, name);
-    if (trace && options.scene.frame) query.frames = std::to_string(*options.scene.frame);
+    if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
     QuerySource source(options.scene, options.hierarchy, query, {});
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
     if (trace) source.frame(frame);  // refuses bodies that are elsewhere by now
@@ -35,7 +37,7 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
 int explain_scene(const ExplainOptions& options, const Console& console) {
     const SceneAtFrame at = open_scene(options);
     const SceneQuery& query = at.source.query();
-    const Scene& scene = query.scene;
+    const scenes::Scene& scene = query.scene;
     note_doubts(options.scene, options.query, {query.kind}, console);
     const ExplainedPair pair =
         explained_nodes(query, at.frame, options.nodes(), "--pair " + options.pair);
@@ -43,8 +45,9 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     if (status != exit_done) console.alarm("scb: the test rejected volumes that overlap.");
     Json entry = {{"scene", scene.name}, {"frame", at.frame}};
     entry.update(explanation_json(pair));
-    const std::string title = printable(scene.name) + ", frame " + std::to_string(at.frame) + ": " +
-                              printable(node_names(pair)) + "\n",
+    const std::string title = scenes::printable(scene.name) + ", frame " +
+                              std::to_string(at.frame) + ": " +
+                              scenes::printable(node_names(pair)) + "\n",
                       text = title + explanation_text(pair, console.colors_results());
     if (!options.draws()) {
         print_result(options.picture.json ? json_text(Json::array({entry}), 2) + "\n" : text);
@@ -57,8 +60,8 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     const auto& [a, b] = *pair.nodes;
     picture.name =
         explain_name(scene.name, query.kind, at.frame, {{{a.body, a.index}, {b.body, b.index}}});
-    picture.title = scene.name + " · " + std::string(volume_title(query.kind)) + " · explain · " +
-                    node_names(pair);
+    picture.title = scene.name + " · " + std::string(render::volume_title(query.kind)) +
+                    " · explain · " + node_names(pair);
     picture.subtitle = asked_words(pair);
     if (scene.frames > 1)
         picture.subtitle += (picture.subtitle.empty() ? "" : ", ") + format("frame %d", at.frame);
@@ -81,12 +84,12 @@ int run(const ExplainOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_explain(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand(
+void add_explain(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
         "explain", "One overlap test of two volumes, step by step, and whether it is right");
     const auto options = std::make_shared<ExplainOptions>();
-    add_explain_options(*command, *options);
-    command->footer(
+    add_explain_options(command, *options);
+    command.footer(
         "A step that separates has a positive slack: by that much; the first one made decides. "
         "Then what is so, exactly,\nwith what proves it, and what the other tests say. Exit status "
         "1 "
@@ -97,14 +100,14 @@ void add_explain(CLI::App& program, const Console& console, Action& action) {
         "  {\"center\": [x,y,z], \"radius\": r}\n"
         "  {\"center\": [x,y,z], \"axes\": [[x,y,z],[x,y,z],[x,y,z]], \"half\": [x,y,z]}\n\n"
         "Examples:\n"
-        "  scb explain spheres-l1 --frame 250 --pair 7164,1873 --test corrected\n"
-        "  scb explain spheres-l1 --frame 50 --pair 25912,15272 --test printed\n"
+        "  scb explain spheres-l1 --frames 250 --pair 7164,1873 --test corrected\n"
+        "  scb explain spheres-l1 --frames 50 --pair 25912,15272 --test printed\n"
         "  scb explain --pairs volumes.json --json\n"
         "  scb explain --pairs volumes.json -o out/");
-    command->callback([&action, &console, command, options] {
-        note_given(*command, *options);
+    command.callback([&action, &console, command, options] {
+        note_given(command, *options);
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,7 +2,7 @@
 
 #include "app/explain/explain_report.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -28,7 +28,7 @@ Json json_of(const Obb& box) {
               json_of(Vec3(box.axes.col(2)))}},
             {"half", json_of(box.half)}};
 }
-Json json_of(const AnyVolume& volume) {
+Json json_of(const render::AnyVolume& volume) {
     return std::visit([](const auto& v) { return json_of(v); }, volume);
 }
 
@@ -67,14 +67,14 @@ Json steps_json(const OverlapSteps& steps) {
 }
 
 Json proof_json(const ExplainedPair& pair) {
-    const ContactProof& proof = pair.found.proof;
+    const ContactCertificate& proof = pair.found.proof;
     if (proof.contact == Contact::touching) return nullptr;
     Json result;
     if (proof.contact == Contact::disjoint) {
         result["direction"] = json_of(proof.direction);
         result["gap"] = proof.margin;
     } else {
-        result["point"] = json_of(Vec3(center(pair.a) + proof.point));
+        result["point"] = json_of(Vec3(render::center(pair.a) + proof.point));
         result["depth"] = proof.margin;
     }
     result["verified"] = pair.found.proven;
@@ -112,13 +112,13 @@ Json explanation_json(const ExplainedPair& pair) {
     result["a"] = json_of(pair.a);
     result["b"] = json_of(pair.b);
     result["pose"] = json_of(pair.placed.b_to_a);
-    const AnyVolume b = b_seen_from_a(pair);
+    const render::AnyVolume b = b_seen_from_a(pair);
     result["b_in_a"] = json_of(b);
     if (pair.kind == VolumeKind::scb) {
         result["thickness"] = {thickness(std::get<Scb>(pair.a)), thickness(std::get<Scb>(b))};
         result["normal_angle"] = normal_angle(pair);
     }
-    result["center_distance"] = std::sqrt(squared_norm(center(b) - center(pair.a)));
+    result["center_distance"] = std::sqrt(squared_norm(render::center(b) - render::center(pair.a)));
     result["margin"] = found.steps.margin;
     for (const OverlapQuantity& q : found.steps.quantities)
         result["quantities"][std::string(q.key)] = q.value;
@@ -131,4 +131,4 @@ std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace scb
+}  // namespace scb::app

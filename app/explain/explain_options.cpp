@@ -1,13 +1,16 @@
 #include "app/explain/explain_options.h"
+#include "app/cli/validators.h"
 
 #include <charconv>
 
+#include "app/query/output_guard.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 std::array<std::int64_t, 2> ExplainOptions::nodes() const {
-    const std::vector<std::string> parts = split_list(pair);
+    const std::vector<std::string> parts = scenes::split_list(pair);
     std::array<std::int64_t, 2> nodes{};
     bool good = parts.size() == 2;
     for (std::size_t i = 0; good && i < 2; ++i) {
@@ -28,7 +31,7 @@ void ExplainOptions::check() const {
         throw InputError(of_scene
                              ? "--pairs: the file has the volumes, so there is no scene to name; "
                                "leave out one of them."
-                             : "there is nothing to explain; give SCENE --frame N --pair I,J, or "
+                             : "there is nothing to explain; give SCENE --frames N --pair I,J, or "
                                "--pairs FILE.json.");
     if (of_scene && pair.empty())
         throw InputError(
@@ -56,38 +59,38 @@ void ExplainOptions::check_folder() const {
                          ": its index.json is the file that --pairs reads; name another folder.");
 }
 
-void add_explain_options(CLI::App& command, ExplainOptions& options) {
+void add_explain_options(const Command& command, ExplainOptions& options) {
     add_scene_options(command, options.scene, true);
-    command.get_option("SCENE")->required(false)->expected(0, 2)->description(
+    command.get_option("SCENE").required(false).expected(0, 2).description(
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a "
         "trace (see `scb trace`)");
     command
         .add_option("--pair", options.pair,
                     "Node I of the first body's hierarchy and J of the second's")
-        ->type_name("I,J");
+        .type_name("I,J");
     command
         .add_option("--pairs", options.pairs_file,
                     "In place of a scene: pairs of volumes of your own engine, see below")
-        ->check(has_name())
-        ->type_name("FILE.json");
+        .check(has_name)
+        .type_name("FILE.json");
     add_hierarchy_options(command, options.hierarchy, false);
     add_overlap_options(command, options.query, false);
     add_bodies_option(command, options.query);
     add_picture_options(command, options.picture, options.camera);
-    command.remove_option(command.get_option("--ids"));
+    command.remove_option("--ids");
     command.get_option("--output")
-        ->default_str("")
-        ->description("Also draw a picture of every pair into this folder");
-    command.get_option("--json")->description("Print a list with an object per pair");
+        .default_str("")
+        .description("Also draw a picture of every pair into this folder");
+    command.get_option("--json").description("Print a list with an object per pair");
     command.get_option("--camera")
-        ->description(
+        .description(
             "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else "
             "one that shows the step");
 }
 
-void note_given(const CLI::App& command, ExplainOptions& options) {
-    for (const char* option :
-         {"--pair", "--frame", "--pose", "--bodies", "--volume", "--growth", "--margin", "--split"})
+void note_given(const Command& command, ExplainOptions& options) {
+    for (const char* option : {"--pair", "--frames", "--pose", "--bodies", "--volume", "--growth",
+                               "--margin", "--split"})
         if (command.count(option) > 0) options.of_scenes.emplace_back(option);
     for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
                                "--threshold", "--bodies"})
@@ -97,4 +100,4 @@ void note_given(const CLI::App& command, ExplainOptions& options) {
         if (command.count(option) > 0) options.of_pictures.emplace_back(option);
 }
 
-}  // namespace scb
+}  // namespace scb::app

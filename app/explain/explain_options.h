@@ -4,18 +4,19 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "app/cli/command.h"
 
 #include "app/pictures/picture_options.h"
 #include "app/query/query_options.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What `scb explain` understands.
 struct ExplainOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
+    QueryOptions query{.frames = scenes::auto_frames};
     PictureOptions picture{.output = ""};
     CameraOptions camera;
     std::string pair, pairs_file;
@@ -33,8 +34,8 @@ struct ExplainOptions {
     void check_folder() const;
 };
 
-void add_explain_options(CLI::App& command, ExplainOptions& options);
+void add_explain_options(const Command& command, ExplainOptions& options);
 /// Notes which of them were given.
-void note_given(const CLI::App& command, ExplainOptions& options);
+void note_given(const Command& command, ExplainOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

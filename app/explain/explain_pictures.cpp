@@ -5,14 +5,15 @@
 #include "render/figures/explain_layout.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::app {
 
-std::optional<CameraSpec> asked_camera(const CameraOptions& options, const Scene* scene) {
+std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
+                                               const scenes::Scene* scene) {
     if ((options.camera.empty() && options.up.empty()) || options.follows_contact())
         return std::nullopt;
     if (scene != nullptr) return camera_spec_for(options, *scene);
-    CameraSpec spec;
-    if (!options.camera.empty()) spec = parse_camera(options.camera);
+    scenes::CameraView spec;
+    if (!options.camera.empty()) spec = scenes::parse_camera(options.camera);
     if (!options.up.empty()) spec.up = options.up_vector();
     if (options.orthographic) spec.orthographic = true;
     return spec;
@@ -23,7 +24,7 @@ std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
     std::string name =
         scene + "_" + std::string(volume_kind_name(kind)) + format("_explain_frame-%04d", frame);
     for (const auto& [body, node] : nodes)
-        name += "_" + file_name_of(body) + "-" + std::to_string(node);
+        name += "_" + scenes::file_name_of(body) + "-" + std::to_string(node);
     return name;
 }
 
@@ -33,7 +34,7 @@ void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
     picture.triangles.emplace();
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t body = bodies[side];
-        picture.to_world[side] = pose_at(query.scene.bodies[body].motion, frame);
+        picture.to_world[side] = scenes::pose_at(query.scene.bodies[body].motion, frame);
         (*picture.triangles)[side] = node_mesh(query.mesh(body), topology_of(query.hierarchy(body)),
                                                (*pair.nodes)[side].index);
     }
@@ -42,7 +43,7 @@ void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
 void draw_explanation(PictureRun& pictures, const PictureOptions& options,
                       const ExplainedPair& pair, const ExplainPicture& picture,
                       nlohmann::ordered_json entry) {
-    ExplainFigure figure;
+    render::ExplainFigure figure;
     figure.title = picture.title;
     figure.subtitle = picture.subtitle;
     figure.but = picture.but;
@@ -64,22 +65,25 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     if (picture.triangles) {
         figure.triangles.emplace();
         for (std::size_t side = 0; side < 2; ++side) {
-            MeshDraw& mesh = (*figure.triangles)[side];
+            render::MeshDraw& mesh = (*figure.triangles)[side];
             mesh.mesh = pictures.renderer().upload((*picture.triangles)[side]);
             mesh.pose = picture.to_world[side];
         }
     }
     const int width = options.width(), height = options.height();
     if (picture.camera) {
-        const std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
-                                                placed(figure.b, figure.to_world)};
-        const PixelRect view = explain_layout(width, height, figure).view_box();
-        figure.camera = camera_for(*picture.camera, support_of(volumes), aspect_of(view));
+        const std::vector<render::AnyVolume> volumes = {render::placed(figure.a, figure.to_world),
+                                                        render::placed(figure.b, figure.to_world)};
+        const render::PixelRect view = render::explain_layout(width, height, figure).view_box();
+        figure.camera =
+            camera_for(*picture.camera, render::support_of(volumes), render::aspect_of(view));
     }
-    const Picture composed = compose(figure, width, height, options.samples, pictures.overlay());
+    const render::Picture composed =
+        render::compose(figure, width, height, options.samples, pictures.overlay());
     pictures.draw(picture.name, composed, std::move(entry));
     if (figure.triangles)
-        for (const MeshDraw& mesh : *figure.triangles) pictures.renderer().release(mesh.mesh);
+        for (const render::MeshDraw& mesh : *figure.triangles)
+            pictures.renderer().release(mesh.mesh);
 }
 
 std::string asked_words(const ExplainedPair& pair) {
@@ -97,4 +101,4 @@ nlohmann::ordered_json explain_index_head(const ExplainOptions& options) {
     return head;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,7 +6,7 @@
 #include "render/figures/explain_figure.h"
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What a picture of a pair says beside the pair itself, and where it goes.
 struct ExplainPicture {
@@ -15,7 +15,7 @@ struct ExplainPicture {
     std::string but{};                               ///< see ExplainFigure
     std::array<Pose, 2> to_world{};                  ///< from the frames of A and B
     std::optional<std::array<Mesh, 2>> triangles{};  ///< what the volumes bound, in these frames
-    std::optional<CameraSpec> camera{};              ///< that the user asked for
+    std::optional<scenes::CameraView> camera{};      ///< that the user asked for
     bool orthographic = false;                       ///< without such a camera
 };
 
@@ -34,7 +34,8 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
 
 /// The camera that was asked for: of a scene, or else of raw volumes; nothing where it is left to
 /// the picture.
-std::optional<CameraSpec> asked_camera(const CameraOptions& options, const Scene* scene);
+std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
+                                               const scenes::Scene* scene);
 
 /// "test corrected, threshold 0.5", for subtitles; nothing of balls and boxes.
 std::string asked_words(const ExplainedPair& pair);
@@ -42,4 +43,4 @@ std::string asked_words(const ExplainedPair& pair);
 /// What index.json says of the run.
 nlohmann::ordered_json explain_index_head(const ExplainOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -5,7 +5,7 @@
 
 #include "app/explain/explained_pair.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The explanation for a reader, several lines; `colored`: with the escape codes of a terminal for
 /// what is wrong.
@@ -20,4 +20,4 @@ std::string json_text(const nlohmann::ordered_json& json, int indent);
 /// "A 412, B 97"; empty for raw volumes.
 std::string node_names(const ExplainedPair& pair);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,8 +6,9 @@
 #include "app/cli/console.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
+#include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string number(double value) { return format("%.6g", value); }
@@ -50,30 +51,30 @@ std::string place_text(const Obb& box) { return "center " + point(box.center); }
 
 std::string volumes_text(const ExplainedPair& pair) {
     std::string text;
-    const AnyVolume* volumes[] = {&pair.a, &pair.b};
+    const render::AnyVolume* volumes[] = {&pair.a, &pair.b};
     for (std::size_t side = 0; side < 2; ++side) {
         text += side == 0 ? "  A: " : "  B: ";
         if (pair.nodes) {
             const ExplainedNode& node = (*pair.nodes)[side];
-            text += "node " + std::to_string(node.index) + " of " + printable(node.body) +
+            text += "node " + std::to_string(node.index) + " of " + scenes::printable(node.body) +
                     ", depth " + std::to_string(node.depth) + ", " +
                     std::to_string(node.triangles) +
                     (node.triangles == 1 ? " triangle\n     " : " triangles\n     ");
         }
         text += std::visit([](const auto& v) { return volume_text(v); }, *volumes[side]) + "\n";
     }
-    const AnyVolume b = b_seen_from_a(pair);
+    const render::AnyVolume b = b_seen_from_a(pair);
     const bool same_frame = pair.placed.b_to_a.rotation == Mat3::Identity() &&
                             pair.placed.b_to_a.translation == Vec3::Zero();
     if (!same_frame)
         text += "     in A's frame: " + std::visit([](const auto& v) { return place_text(v); }, b) +
                 "\n";
-    text += "  The centers are " + number(std::sqrt(squared_norm(center(b) - center(pair.a)))) +
-            " apart";
+    text += "  The centers are " +
+            number(std::sqrt(squared_norm(render::center(b) - render::center(pair.a)))) + " apart";
     if (pair.kind == VolumeKind::scb)
         text += ", the normals at " + number(normal_angle(pair)) + "°";
     text += ".\n";
-    for (const std::string& note : pair.notes) text += "  " + printable(note) + "\n";
+    for (const std::string& note : pair.notes) text += "  " + scenes::printable(note) + "\n";
     return text;
 }
 
@@ -124,14 +125,14 @@ std::string steps_text(const OverlapSteps& steps) {
 }
 
 std::string exact_text(const ExplainedPair& pair) {
-    const ContactProof& proof = pair.found.proof;
+    const ContactCertificate& proof = pair.found.proof;
     const std::string checked = pair.found.proven ? ", verified" : "";
     switch (proof.contact) {
         case Contact::disjoint:
             return "disjoint: at least " + number(proof.margin) + " apart along " +
                    point(proof.direction) + checked;
         case Contact::overlapping:
-            return "overlapping: " + point(Vec3(center(pair.a) + proof.point)) +
+            return "overlapping: " + point(Vec3(render::center(pair.a) + proof.point)) +
                    " is in both, and B is at least " + number(proof.margin) + " deep in A" +
                    checked;
         case Contact::touching:
@@ -202,4 +203,4 @@ std::string explanation_text(const ExplainedPair& pair, bool colored) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::app

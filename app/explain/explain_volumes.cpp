@@ -1,16 +1,17 @@
 #include "app/explain/explain_volumes.h"
 
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
+#include "app/query/output_guard.h"
+#include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 #include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -84,8 +85,8 @@ class VolumesReport {
             // One alone is for people, many are for programs.
             out((i == 0 ? "\n" : ",\n") + json_text(entry, pairs_ == 1 ? 2 : -1));
         else
-            out("pair " + std::to_string(i) + " of " + printable(options_.pairs_file) + "\n" +
-                explanation_text(pair, console_.colors_results()) + "\n");
+            out("pair " + std::to_string(i) + " of " + scenes::printable(options_.pairs_file) +
+                "\n" + explanation_text(pair, console_.colors_results()) + "\n");
     }
 
     const Summary& finish() {
@@ -102,7 +103,7 @@ class VolumesReport {
         else
             pictures_->say(std::move(text_));
         Json head = explain_index_head(options_);
-        head["pairs"] = as_utf8(options_.pairs_file);
+        head["pairs"] = scenes::as_utf8(options_.pairs_file);
         pictures_->finish(std::move(head));
         return summary_;
     }
@@ -118,10 +119,10 @@ class VolumesReport {
     }
     std::string draw(const ExplainedPair& pair, std::size_t i, const Json& entry) {
         const std::string stem =
-            file_name_of(std::filesystem::path(options_.pairs_file).stem().string());
+            scenes::file_name_of(std::filesystem::path(options_.pairs_file).stem().string());
         ExplainPicture picture;
         picture.name = stem + format("_explain_pair-%03zu", i);
-        picture.title = stem + " · " + std::string(volume_title(pair.kind)) + " · explain" +
+        picture.title = stem + " · " + std::string(render::volume_title(pair.kind)) + " · explain" +
                         (pairs_ == 1 ? "" : format(" · pair %zu", i));
         picture.subtitle = asked_words(pair);
         picture.camera = asked_camera(options_.camera, nullptr);
@@ -143,7 +144,7 @@ class VolumesReport {
 
 int explain_volumes(const ExplainOptions& options, const Console& console) {
     const InterruptWatch watch;
-    const std::vector<AnyRawPair> pairs = read_raw_pairs(options.pairs_file);
+    const std::vector<scenes::AnyRawPair> pairs = scenes::read_raw_pairs(options.pairs_file);
     if (options.draws() && pairs.size() > most_pictures)
         throw InputError("-o " + options.picture.output + ": " + options.pairs_file + " has " +
                          std::to_string(pairs.size()) + " pairs, and at most " +
@@ -151,7 +152,7 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
                          " are drawn; leave out -o, or give those that matter.");
     const OverlapOptions overlap = options.query.overlap();
     std::vector<VolumeKind> kinds;
-    for (const AnyRawPair& pair : pairs)
+    for (const scenes::AnyRawPair& pair : pairs)
         kinds.push_back(pair.index() == 0 ? VolumeKind::scb : VolumeKind::ball);
     if (!pairs.empty()) note_doubts(options.query, kinds, console);
 
@@ -172,4 +173,4 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
     return exit_interrupted(watch.signal());
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,10 +2,10 @@
 
 #include "app/explain/explain_options.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Explains the pairs of --pairs, one after the other: text or JSON, and pictures where they were
 /// asked for. Returns the exit status.
 int explain_volumes(const ExplainOptions& options, const Console& console);
 
-}  // namespace scb
+}  // namespace scb::app

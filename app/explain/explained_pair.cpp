@@ -1,12 +1,13 @@
 #include "app/explain/explained_pair.h"
 
 #include "app/cli/build_text.h"
+#include "core/collide/query_placement.h"
 
 #include <cmath>
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 ExplainedNode node_of(const SceneQuery& query, std::size_t body, std::int64_t node,
@@ -48,9 +49,9 @@ ExplainedPair explained_nodes(const SceneQuery& query, int frame,
         query.hierarchy(query.a));
 }
 
-ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& options) {
+ExplainedPair explained_volumes(const scenes::AnyRawPair& pair, const OverlapOptions& options) {
     return std::visit(
-        [&]<class V>(const RawPair<V>& p) -> ExplainedPair {
+        [&]<class V>(const scenes::RawPair<V>& p) -> ExplainedPair {
             const Placement placed = placement(p.b_to_a, reach(p.a), reach(p.b));
             return {raw_kind<V>, p.a, p.b, placed, options, explain(p.a, p.b, placed, options),
                     p.notes};
@@ -58,8 +59,8 @@ ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& op
         pair);
 }
 
-AnyVolume b_seen_from_a(const ExplainedPair& pair) {
-    return std::visit([&](const auto& b) { return AnyVolume(seen_from_a(b, pair.placed)); },
+render::AnyVolume b_seen_from_a(const ExplainedPair& pair) {
+    return std::visit([&](const auto& b) { return render::AnyVolume(seen_from_a(b, pair.placed)); },
                       pair.b);
 }
 
@@ -72,4 +73,4 @@ double normal_angle(const ExplainedPair& pair) {
     return std::round(degrees * 1e9) / 1e9;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -10,7 +10,7 @@
 #include "render/view/any_volume.h"
 #include "scenes/scene/raw_pairs.h"
 
-namespace scb {
+namespace scb::app {
 
 /// A node of a body's hierarchy.
 struct ExplainedNode {
@@ -23,7 +23,7 @@ struct ExplainedNode {
 /// Two volumes, what an overlap test says of them step by step, and what is so.
 struct ExplainedPair {
     VolumeKind kind{};
-    AnyVolume a, b;  ///< of one type, each in its own frame
+    render::AnyVolume a, b;  ///< of one type, each in its own frame
     Placement placed;
     OverlapOptions options;
     PairExplanation found;
@@ -37,13 +37,13 @@ struct ExplainedPair {
 ExplainedPair explained_nodes(const SceneQuery& query, int frame,
                               const std::array<std::int64_t, 2>& nodes, const std::string& option);
 
-ExplainedPair explained_volumes(const AnyRawPair& pair, const OverlapOptions& options);
+ExplainedPair explained_volumes(const scenes::AnyRawPair& pair, const OverlapOptions& options);
 
 /// B as seen from A.
-AnyVolume b_seen_from_a(const ExplainedPair& pair);
+render::AnyVolume b_seen_from_a(const ExplainedPair& pair);
 
 /// The angle between the normals of two slab cut balls, in degrees, without the digits in which C
 /// libraries differ.
 double normal_angle(const ExplainedPair& pair);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,12 +2,12 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/golden/commands.h"
 #include "app/golden/results.h"
 #include "app/query/scene_options.h"
+#include "core/base/exit_status.h"
 #include "golden/run/check_cases.h"
 #include "golden/run/completion.h"
 #include "golden/run/work_folder.h"
@@ -15,7 +15,7 @@
 #include "golden/suite/shard.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options : GoldenOptions {
@@ -24,17 +24,17 @@ struct Options : GoldenOptions {
     bool trace = false;
 };
 
-std::vector<GoldenCase> cases_of(const Options& options, const Suite& suite) {
-    std::vector<GoldenCase> cases = options.chosen(suite);
+std::vector<golden::GoldenCase> cases_of(const Options& options, const golden::Suite& suite) {
+    std::vector<golden::GoldenCase> cases = options.chosen(suite);
     if (cases.empty())
         throw InputError(options.suite +
                          ": there is no case to check; add some, or name another file with "
                          "--suite.");
     if (options.shard.empty()) return cases;
-    const Shard shard = parse_shard(options.shard);
-    std::vector<GoldenCase> mine;
+    const golden::Shard shard = golden::parse_shard(options.shard);
+    std::vector<golden::GoldenCase> mine;
     for (std::size_t i = 0; i < cases.size(); ++i)
-        if (in_shard(shard, i)) mine.push_back(std::move(cases[i]));
+        if (golden::in_shard(shard, i)) mine.push_back(std::move(cases[i]));
     return mine;
 }
 
@@ -43,30 +43,30 @@ int run(const Options& options, const Console& console) {
     if (options.trace && options.files.report.empty())
         throw InputError(
             "--trace: traces are kept in the folder of the report; name one with --report DIR.");
-    const Suite suite = load_suite(options.suite);
-    check_readable(options.baselines_folder());
+    const golden::Suite suite = golden::load_suite(options.suite);
+    golden::check_readable(options.baselines_folder());
     options.files.check(options.suite, options.baselines_folder());
-    const GoldenWork work;
-    GoldenCheck check;
+    const golden::GoldenWork work;
+    golden::GoldenCheck check;
     check.cases = cases_of(options, suite);
     check.settings = options.settings();
     check.folders = {options.baselines_folder(), work.candidates(), work.report()};
     check.jobs = options.job_count();
     check.traces = options.trace;
 
-    SuiteResult result;
+    golden::SuiteResult result;
     result.suite = options.suite;
     result.shard = options.shard;
     const InterruptWatch watch;
     check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
-    const CheckedCases checked = check_cases(check, [&] {
+    const golden::CheckedCases checked = golden::check_cases(check, [&] {
         progress.step("cases");
         return watch.signal() == 0;
     });
     result.cases = checked.results;
-    for (CaseResult& c : result.cases)
-        complete_result(c, case_of(c.name, check.cases), check.folders);
+    for (golden::CaseResult& c : result.cases)
+        golden::complete_result(c, case_of(c.name, check.cases), check.folders);
     if (result.cases.size() < check.cases.size())
         result.incomplete = "The run was interrupted: " + std::to_string(result.cases.size()) +
                             " of " + std::to_string(check.cases.size()) + " cases were checked.";
@@ -74,35 +74,36 @@ int run(const Options& options, const Console& console) {
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
     write_results(result, options.files, work.report());
-    for (const std::string& file : uncompared_images(check.folders.baselines, suite))
+    for (const std::string& file : golden::uncompared_images(check.folders.baselines, suite))
         console.note("scb: " + (check.folders.baselines / file).string() + " " + why_uncompared);
-    if (has_failed(result) && options.files.report.empty())
+    if (golden::has_failed(result) && options.files.report.empty())
         console.note("scb: --report DIR writes a page that shows what differs.");
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (std::filesystem::path(options.files.report) / "report.html").string() + ".");
     if (watch.signal() != 0) return exit_interrupted(watch.signal());
-    const auto failures = std::count_if(result.cases.begin(), result.cases.end(),
-                                        [](const CaseResult& c) { return is_failure(c.verdict); });
+    const auto failures =
+        std::count_if(result.cases.begin(), result.cases.end(),
+                      [](const golden::CaseResult& c) { return golden::is_failure(c.verdict); });
     if (failures == 0) return exit_done;
     return static_cast<std::size_t>(failures) == checked.lacked_gl ? exit_no_gl : exit_different;
 }
 
 }  // namespace
 
-void add_golden_check(CLI::App& golden, const Console& console, Action& action) {
-    CLI::App* command =
+void add_golden_check(const Command& golden, const Console& console, Action& action) {
+    const Command command =
         golden.add_subcommand("check", "Run the cases and compare them with their baselines");
     const auto options = std::make_shared<Options>();
-    add_golden_options(*command, *options);
+    add_golden_options(command, *options);
     command
-        ->add_option("--shard", options->shard,
-                     "Only every N-th case, beginning with the K-th: of N machines, this is K")
-        ->type_name("K/N");
-    add_result_files(*command, options->files);
-    command->add_flag("--trace", options->trace,
-                      "Keep the traces of failing cases in the folder of the report");
-    command->footer(
+        .add_option("--shard", options->shard,
+                    "Only every N-th case, beginning with the K-th: of N machines, this is K")
+        .type_name("K/N");
+    add_result_files(command, options->files);
+    command.add_flag("--trace", options->trace,
+                     "Keep the traces of failing cases in the folder of the report");
+    command.footer(
         "Compared are counts, then the ids of what owns each pixel, then colors: exactly, unless a "
         "case declares how far\ncolors may differ. Exit status 1 where a case differs, has no "
         "baseline or could not run; 77 where\nnothing is wrong but that there is no OpenGL "
@@ -112,9 +113,9 @@ void add_golden_check(CLI::App& golden, const Console& console, Action& action) 
         "  scb golden check\n"
         "  scb golden check --report out/ --junit out/junit.xml\n"
         "  scb golden check --suite my/cases.json --baselines my/baselines --shard 2/4");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

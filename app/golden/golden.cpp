@@ -1,23 +1,22 @@
 #include "app/cli/commands.h"
 
-namespace scb {
+namespace scb::app {
 
-void add_golden(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* golden = program.add_subcommand(
+void add_golden(const Command& program, const Console& console, Action& action) {
+    const Command golden = program.add_subcommand(
         "golden", "Counts and pictures as baselines: check, update, list, report, selftest");
-    golden->require_subcommand(1);
-    golden->fallthrough();
-    golden->footer(
+    golden.require_subcommand();
+    golden.footer(
         "A suite is a file of cases, each a command of scb; its baselines are files beside it. See "
         "golden/README.md.\n\n"
         "Examples:\n"
         "  scb golden check --report out/\n"
         "  scb golden update levels-spheres-scb");
-    add_golden_check(*golden, console, action);
-    add_golden_update(*golden, console, action);
-    add_golden_list(*golden, action);
-    add_golden_report(*golden, console, action);
-    add_golden_selftest(*golden, console, action);
+    add_golden_check(golden, console, action);
+    add_golden_update(golden, console, action);
+    add_golden_list(golden, action);
+    add_golden_report(golden, console, action);
+    add_golden_selftest(golden, console, action);
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,4 +1,5 @@
 #include "app/golden/options.h"
+#include "app/cli/validators.h"
 
 #include <algorithm>
 #include <set>
@@ -8,13 +9,15 @@
 #include "app/query/scene_options.h"
 #include "golden/suite/shell_word.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 void GoldenOptions::check() const {
     if (jobs < 0 || jobs > 256)
         throw InputError("--jobs " + std::to_string(jobs) + ": give 1 to 256.");
-    if (!gl_backend_from_string(gl)) throw InputError("--gl " + gl + ": give osmesa or egl.");
+    if (!render::gl_backend_from_string(gl))
+        throw InputError("--gl " + gl + ": give osmesa or egl.");
 }
 
 std::filesystem::path GoldenOptions::baselines_folder() const {
@@ -22,20 +25,20 @@ std::filesystem::path GoldenOptions::baselines_folder() const {
     return std::filesystem::path(suite).parent_path() / "baselines";
 }
 
-std::vector<GoldenCase> GoldenOptions::chosen(const Suite& all) const {
+std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) const {
     std::set<std::string> wanted(names.begin(), names.end());
-    std::vector<GoldenCase> cases;
-    for (const GoldenCase& golden : all.cases)
+    std::vector<golden::GoldenCase> cases;
+    for (const golden::GoldenCase& golden : all.cases)
         if (names.empty() || wanted.erase(golden.name) > 0)
-            cases.push_back(seen_from_here(golden, all.file.parent_path(), models));
+            cases.push_back(golden::seen_from_here(golden, all.file.parent_path(), models));
     if (!wanted.empty())
         throw InputError(*wanted.begin() + ": " + suite +
                          " has no case of that name; `scb golden list` shows them.");
     return cases;
 }
 
-GoldenRunSettings GoldenOptions::settings() const {
-    GoldenRunSettings settings;
+golden::GoldenRunSettings GoldenOptions::settings() const {
+    golden::GoldenRunSettings settings;
     std::error_code error;
     settings.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
     if (error)
@@ -44,7 +47,7 @@ GoldenRunSettings GoldenOptions::settings() const {
     settings.folder = std::filesystem::absolute(suite).parent_path().string();
     if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
     settings.gl = gl;
-    for (const std::string& word : split_list(runner, ' '))
+    for (const std::string& word : scenes::split_list(runner, ' '))
         if (!word.empty()) settings.runner.push_back(word);
     // Not one that PATH has: cases run in another folder.
     if (!settings.runner.empty() && settings.runner[0].find('/') != std::string::npos)
@@ -59,47 +62,47 @@ std::size_t GoldenOptions::job_count() const {
 
 std::string GoldenOptions::suite_words() const {
     std::string words;
-    if (suite != GoldenOptions{}.suite) words += " --suite " + shell_word(suite);
-    if (!baselines.empty()) words += " --baselines " + shell_word(baselines);
+    if (suite != GoldenOptions{}.suite) words += " --suite " + golden::shell_word(suite);
+    if (!baselines.empty()) words += " --baselines " + golden::shell_word(baselines);
     return words;
 }
 
-void add_suite_options(CLI::App& command, GoldenOptions& options) {
+void add_suite_options(const Command& command, GoldenOptions& options) {
     command.add_option("NAME", options.names, "Cases; all of them where none is named")
-        ->type_name("");
+        .type_name("");
     command.add_option("--suite", options.suite, "The file that describes the cases")
-        ->check(has_name())
-        ->type_name("FILE.json")
-        ->capture_default_str();
+        .check(has_name)
+        .type_name("FILE.json")
+        .show_default();
     command
         .add_option("--baselines", options.baselines,
                     "The folder of the baselines; else baselines/ beside the suite")
-        ->check(has_name())
-        ->type_name("DIR");
+        .check(has_name)
+        .type_name("DIR");
 }
 
-void add_golden_options(CLI::App& command, GoldenOptions& options) {
+void add_golden_options(const Command& command, GoldenOptions& options) {
     add_suite_options(command, options);
     options.gl = PictureOptions{}.gl;
     command
         .add_option("--models", options.models,
                     "Where meshes are looked for that are not beside the suite or their scene file")
-        ->envname("SCB_MODELS")
-        ->check(has_name())
-        ->type_name("DIR");
+        .envname("SCB_MODELS")
+        .check(has_name)
+        .type_name("DIR");
     command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
-        ->check(decimal_number())
-        ->type_name("J")
-        ->capture_default_str();
+        .check(decimal_number)
+        .type_name("J")
+        .show_default();
     command
         .add_option("--runner", options.runner,
                     "Run each case, in the folder of the suite, with this program in front: "
                     "\"qemu-x86_64 -cpu Nehalem\"")
-        ->check(has_name())
-        ->type_name("WORDS");
+        .check(has_name)
+        .type_name("WORDS");
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
-        ->type_name("NAME")
-        ->capture_default_str();
+        .type_name("NAME")
+        .show_default();
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
+#include "app/cli/command.h"
 
 #include "golden/run/run_case.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What every command of `scb golden` that runs cases understands.
 struct GoldenOptions {
@@ -23,16 +23,16 @@ struct GoldenOptions {
     /// The cases named, in the order of the suite; all where none is. Their files are looked for
     /// beside the suite, then in the folder of models. Throws InputError where the suite has no
     /// case of a name.
-    std::vector<GoldenCase> chosen(const Suite& all) const;
-    GoldenRunSettings settings() const;
+    std::vector<golden::GoldenCase> chosen(const golden::Suite& all) const;
+    golden::GoldenRunSettings settings() const;
     std::size_t job_count() const;
     /// " --suite S --baselines B", as far as they are not what is taken without; for commands of
     /// `scb golden` that are shown.
     std::string suite_words() const;
 };
 
-void add_suite_options(CLI::App& command, GoldenOptions& options);
+void add_suite_options(const Command& command, GoldenOptions& options);
 /// These and how cases are run.
-void add_golden_options(CLI::App& command, GoldenOptions& options);
+void add_golden_options(const Command& command, GoldenOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,10 +1,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/golden/commands.h"
 #include "app/golden/results.h"
 #include "app/query/scene_options.h"
+#include "core/base/exit_status.h"
 #include "golden/report/merge.h"
 #include "golden/run/work_folder.h"
 #include "render/files/output_file.h"
@@ -12,7 +12,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,57 +24,59 @@ struct Options {
 
 /// Copies what a result names into the work folder, so that results of several folders can be one
 /// report.
-void gather(const CaseResult& result, const fs::path& folder, const fs::path& work) {
-    for (const std::string& name : files_of(result)) {
+void gather(const golden::CaseResult& result, const fs::path& folder, const fs::path& work) {
+    for (const std::string& name : golden::files_of(result)) {
         // A name, not a path: results may come from elsewhere.
         if (fs::path(name).filename() != name)
             throw InputError((folder / "results.json").string() + ": '" + name +
-                             "' is no name of a file beside it.");
+                             "' is not a name of a file beside it.");
         std::error_code ignored;
         if (fs::exists(folder / name, ignored))
-            write_file_whole(work / name, file_bytes((folder / name).string()));
+            render::write_file_whole(work / name, scenes::file_bytes((folder / name).string()));
     }
 }
 
 int run(const Options& options, const Console& console) {
-    const GoldenWork work;
-    std::vector<ResultPart> parts;
+    const golden::GoldenWork work;
+    std::vector<golden::ResultPart> parts;
     for (const std::string& file : options.from)
         parts.push_back(
-            {file, result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file), file)});
-    SuiteResult merged = merge_results(parts);
+            {file, golden::result_of(
+                       scenes::parse_json(scenes::read_text_file(file, std::size_t{1} << 30), file),
+                       file)});
+    golden::SuiteResult merged = golden::merge_results(parts);
     if (!options.files.report.empty()) add_diff_commands(merged, options.files.report);
-    for (const ResultPart& part : parts)
-        for (const CaseResult& c : part.result.cases)
+    for (const golden::ResultPart& part : parts)
+        for (const golden::CaseResult& c : part.result.cases)
             gather(c, fs::path(part.file).parent_path(), work.report());
     write_results(merged, options.files, work.report());
     if (!options.files.report.empty())
         console.note("scb: the report is " +
                      (fs::path(options.files.report) / "report.html").string() + ".");
-    return has_failed(merged) ? exit_different : exit_done;
+    return golden::has_failed(merged) ? exit_different : exit_done;
 }
 
 }  // namespace
 
-void add_golden_report(CLI::App& golden, const Console& console, Action& action) {
-    CLI::App* command = golden.add_subcommand(
+void add_golden_report(const Command& golden, const Console& console, Action& action) {
+    const Command command = golden.add_subcommand(
         "report", "Make one report of the results of one run or of several shards");
     const auto options = std::make_shared<Options>();
     command
-        ->add_option("--from", options->from,
-                     "results.json of each shard, with the pictures beside it")
-        ->required()
-        ->expected(1, 1000)
-        ->type_name("FILE.json...");
-    add_result_files(*command, options->files);
-    command->footer(
+        .add_option("--from", options->from,
+                    "results.json of each shard, with the pictures beside it")
+        .required()
+        .expected(1, 1000)
+        .type_name("FILE.json...");
+    add_result_files(command, options->files);
+    command.footer(
         "Exit status as of `scb golden check`; 1 too where a shard is missing, or no case was "
         "checked.\n\n"
         "Example:\n"
         "  scb golden report --from shard-1/results.json shard-2/results.json --report out/");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

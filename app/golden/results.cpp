@@ -1,4 +1,5 @@
 #include "app/golden/results.h"
+#include "app/cli/validators.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +19,7 @@
 #include "render/gl/context.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,36 +36,39 @@ fs::path one_name(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
 }
 
-void tell_github(const SuiteResult& result) {
-    if (environment_value("GITHUB_ACTIONS") == "true") print_result(github_annotations(result));
+void tell_github(const golden::SuiteResult& result) {
+    if (environment_value("GITHUB_ACTIONS") == "true")
+        print_result(golden::github_annotations(result));
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
     std::error_code ignored;
     // A pipe would wait for a reader.
-    if (fs::exists(summary, ignored) && !is_there(summary))
-        throw OutputError("Cannot write \"" + summary +
-                          "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
-                          "one.");
+    if (fs::exists(summary, ignored) && !render::is_there(summary))
+        throw render::OutputError(
+            "Cannot write \"" + summary +
+            "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
+            "one.");
     std::ofstream file(summary, std::ios::app | std::ios::binary);
-    file << github_summary(result);
+    file << golden::github_summary(result);
     if (!file.flush())
-        throw OutputError("Cannot write \"" + summary + "\", which GITHUB_STEP_SUMMARY names.");
+        throw render::OutputError("Cannot write \"" + summary +
+                                  "\", which GITHUB_STEP_SUMMARY names.");
 }
 
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> golden_environment(
-    const GoldenRunSettings& settings) {
-    const auto with_compiler = [](const GlInfo* info) {
+    const golden::GoldenRunSettings& settings) {
+    const auto with_compiler = [](const render::GlInfo* info) {
         auto all = versions(info);
         all.emplace_back("compiler", compiler_text());
         return all;
     };
     try {
-        const Context context(*gl_backend_from_string(settings.gl));
-        const GlInfo info = context.info();
+        const render::Context context(*render::gl_backend_from_string(settings.gl));
+        const render::GlInfo info = context.info();
         return with_compiler(&info);
-    } catch (const GlError&) {
+    } catch (const render::GlError&) {
         // Then the cases have said so.
         return with_compiler(nullptr);
     }
@@ -90,65 +94,71 @@ void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const 
     }
 }
 
-void add_result_files(CLI::App& command, ResultFiles& files) {
+void add_result_files(const Command& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
                     "Folder for report.html, results.json and the pictures of failing cases")
-        ->check(has_name())
-        ->type_name("DIR");
+        .check(has_name)
+        .type_name("DIR");
     command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
-        ->check(has_name())
-        ->type_name("FILE.xml");
+        .check(has_name)
+        .type_name("FILE.xml");
     command.add_option("--json", files.json, "Also write the results as JSON")
-        ->check(has_name())
-        ->type_name("FILE.json");
+        .check(has_name)
+        .type_name("FILE.json");
 }
 
-void write_results(const SuiteResult& result, const ResultFiles& files, const fs::path& work) {
-    std::optional<OutputError> failed;
+void write_results(const golden::SuiteResult& result, const ResultFiles& files,
+                   const fs::path& work) {
+    std::optional<render::OutputError> failed;
     // Where one cannot be written, the others still can: the terminal may have gone.
     const auto attempt = [&](auto write) {
         try {
             write();
-        } catch (const OutputError& error) {
+        } catch (const render::OutputError& error) {
             if (!failed) failed = error;
         }
     };
     attempt([&] { print_result(results_text(result)); });
-    if (!files.report.empty()) attempt([&] { write_report_folder(result, files.report, work); });
-    if (!files.junit.empty()) attempt([&] { write_file_whole(files.junit, junit_xml(result)); });
-    if (!files.json.empty()) attempt([&] { write_file_whole(files.json, results_json(result)); });
+    if (!files.report.empty())
+        attempt([&] { golden::write_report_folder(result, files.report, work); });
+    if (!files.junit.empty())
+        attempt([&] { render::write_file_whole(files.junit, golden::junit_xml(result)); });
+    if (!files.json.empty())
+        attempt([&] { render::write_file_whole(files.json, golden::results_json(result)); });
     attempt([&] { tell_github(result); });
     if (failed) throw *failed;
 }
 
-std::string results_text(const SuiteResult& result) {
+std::string results_text(const golden::SuiteResult& result) {
     std::string text;
-    std::map<Verdict, std::size_t> counts;
+    std::map<golden::Verdict, std::size_t> counts;
     std::size_t tolerated = 0;
-    for (const CaseResult& c : result.cases) {
+    for (const golden::CaseResult& c : result.cases) {
         ++counts[c.verdict];
-        tolerated += is_tolerated(c);
-        if (c.verdict == Verdict::same) continue;
-        text += plain_text(c.name) + ": " + std::string(verdict_name(c.verdict)) + ". " +
-                plain_text(c.message) + "\n";
-        for (const std::string& line : result_lines(c)) text += "    " + line + "\n";
-        if (!c.reproduce.empty()) text += "    " + plain_text(c.reproduce) + "\n";
-        if (!c.diff.empty()) text += "    " + plain_text(c.diff) + "\n";
-        if (!c.update.empty()) text += "    " + plain_text(c.update) + "\n";
+        tolerated += golden::is_tolerated(c);
+        if (c.verdict == golden::Verdict::same) continue;
+        text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_name(c.verdict)) +
+                ". " + golden::plain_text(c.message) + "\n";
+        for (const std::string& line : golden::result_lines(c)) text += "    " + line + "\n";
+        if (!c.reproduce.empty()) text += "    " + golden::plain_text(c.reproduce) + "\n";
+        if (!c.diff.empty()) text += "    " + golden::plain_text(c.diff) + "\n";
+        if (!c.update.empty()) text += "    " + golden::plain_text(c.update) + "\n";
     }
-    if (!result.incomplete.empty()) text += "incomplete. " + plain_text(result.incomplete) + "\n";
-    text += words::counted(result.cases.size(), "case", "cases");
+    if (!result.incomplete.empty())
+        text += "incomplete. " + golden::plain_text(result.incomplete) + "\n";
+    text += golden::words::counted(result.cases.size(), "case", "cases");
     if (result.cases.empty() && !result.shard.empty())
-        text += "; none are left for shard " + plain_text(result.shard);
+        text += "; none are left for shard " + golden::plain_text(result.shard);
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
-        text += separator + std::to_string(count) + " " + std::string(verdict_name(verdict));
-        if (verdict == Verdict::same && tolerated > 0)
+        text +=
+            separator + std::to_string(count) + " " + std::string(golden::verdict_name(verdict));
+        if (verdict == golden::Verdict::same && tolerated > 0)
             text += " (" + std::to_string(tolerated) + " within the tolerance)";
         separator = ", ";
     }
     return text + "\n";
 }
 
-}  // namespace scb
+}  // namespace scb::app

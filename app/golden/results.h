@@ -2,16 +2,17 @@
 
 #include <filesystem>
 #include <string>
+#include "app/cli/command.h"
 
 #include "app/cli/console.h"
 #include "app/golden/options.h"
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What drew and compared: versions, as index.json has them.
 std::vector<std::pair<std::string, std::string>> golden_environment(
-    const GoldenRunSettings& settings);
+    const golden::GoldenRunSettings& settings);
 
 /// Behind the name of one of uncompared_images.
 inline constexpr const char* why_uncompared =
@@ -25,16 +26,16 @@ struct ResultFiles {
     void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
 };
 
-void add_result_files(CLI::App& command, ResultFiles& files);
+void add_result_files(const Command& command, ResultFiles& files);
 
 /// Prints the result; writes the folder of the report, with what is in `work`; JUnit and JSON into
 /// their files; and, where the environment has them, annotations and a summary for GitHub Actions:
 /// as many of them as can be written. Throws OutputError where one cannot.
-void write_results(const SuiteResult& result, const ResultFiles& files,
+void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const std::filesystem::path& work);
 
 /// A line per case that is not the same, with what differs, and one with how many cases came to
 /// what.
-std::string results_text(const SuiteResult& result);
+std::string results_text(const golden::SuiteResult& result);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,24 +2,25 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/mutation.h"
 #include "app/cli/progress.h"
 #include "app/golden/results.h"
+#include "app/query/mutation.h"
+#include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "golden/run/check_cases.h"
 #include "golden/run/work_folder.h"
 #include "golden/suite/baseline.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 /// In which comparisons of a suite a mutation must show, by the kind of case in which it does; null
 /// where it need not show.
 struct Expected {
-    Mutation mutation;
+    const char* name;
+    golden::RunMutation mutation;
     const char *counts, *ids, *colors;
 };
 
@@ -27,12 +28,17 @@ constexpr const char *a_query = "`collide` of slab cut balls and many frames",
                      *level_7 = "`levels --levels 7`", *level_5 = "`levels --levels 5`",
                      *rejections = "`rejections` of slab cut balls";
 
-constexpr Expected expectations[] = {
-    {Mutation::drop_node, a_query, level_7, level_7},
-    {Mutation::nudge_radius, nullptr, level_5, level_5},
-    {Mutation::flip_comparison, a_query, rejections, rejections},
-    {Mutation::swap_stages, a_query, nullptr, rejections},
-    {Mutation::shift_color, nullptr, nullptr, "`levels`"},
+golden::RunMutation of_hierarchy_or_query(Mutation mutation) {
+    return {{"--mutation", std::string(mutation_name(mutation))}};
+}
+
+const Expected expectations[] = {
+    {"drop-node", of_hierarchy_or_query(Mutation::drop_node), a_query, level_7, level_7},
+    {"nudge-radius", of_hierarchy_or_query(Mutation::nudge_radius), nullptr, level_5, level_5},
+    {"flip-comparison", of_hierarchy_or_query(Mutation::flip_comparison), a_query, rejections,
+     rejections},
+    {"swap-stages", of_hierarchy_or_query(Mutation::swap_stages), a_query, nullptr, rejections},
+    {"shift-color", {{"--shift-color"}, true}, nullptr, nullptr, "`levels`"},
 };
 
 /// What the cases that run compare: no more can be asked of them.
@@ -45,10 +51,11 @@ struct Caught {
     std::vector<std::string> counts, ids, colors, could_not_run;
     std::size_t cases = 0;
 
-    void add(const CaseResult& result) {
-        if (!is_failure(result.verdict)) return;
+    void add(const golden::CaseResult& result) {
+        if (!golden::is_failure(result.verdict)) return;
         // What crashed has compared nothing.
-        if (result.verdict == Verdict::could_not_run) return could_not_run.push_back(result.name);
+        if (result.verdict == golden::Verdict::could_not_run)
+            return could_not_run.push_back(result.name);
         ++cases;
         if (!result.counts.empty()) counts.push_back(result.name);
         if (result.ids) ids.push_back(result.name);
@@ -89,9 +96,7 @@ Judgement judgement(const Expected& expected, const Compared& compared, const Ca
     if (!caught.could_not_run.empty())
         lines += "    could not run " + some_of(caught.could_not_run) + "\n";
     judged.caught = lacking.empty();
-    judged.text =
-        format("%-16s caught by %zu of %zu cases",
-               std::string(mutation_name(expected.mutation)).c_str(), caught.cases, cases);
+    judged.text = format("%-16s caught by %zu of %zu cases", expected.name, caught.cases, cases);
     if (!judged.caught) judged.text += ": NOT CAUGHT by " + lacking;
     judged.text += "\n" + lines + advice;
     return judged;
@@ -99,15 +104,17 @@ Judgement judgement(const Expected& expected, const Compared& compared, const Ca
 
 /// What the cases compare, those left out that were skipped. Throws InputError where one differs:
 /// then nothing would be proven.
-Compared compared_by(const std::vector<GoldenCase>& cases, const std::vector<CaseResult>& results) {
+Compared compared_by(const std::vector<golden::GoldenCase>& cases,
+                     const std::vector<golden::CaseResult>& results) {
     Compared compared;
-    for (const CaseResult& result : results) {
-        if (is_failure(result.verdict))
+    for (const golden::CaseResult& result : results) {
+        if (golden::is_failure(result.verdict))
             throw InputError(result.name + " differs without any error: " + result.message +
                              " Mend or update that first.");
-        if (result.verdict == Verdict::skipped) continue;
-        const auto golden = std::find_if(
-            cases.begin(), cases.end(), [&](const GoldenCase& c) { return c.name == result.name; });
+        if (result.verdict == golden::Verdict::skipped) continue;
+        const auto golden =
+            std::find_if(cases.begin(), cases.end(),
+                         [&](const golden::GoldenCase& c) { return c.name == result.name; });
         compared.counts |= golden->counts;
         compared.ids |= golden->ids;
         compared.colors |= golden->colors;
@@ -119,35 +126,34 @@ Compared compared_by(const std::vector<GoldenCase>& cases, const std::vector<Cas
 
 int run(const GoldenOptions& options, const Console& console) {
     options.check();
-    const Suite suite = load_suite(options.suite);
-    check_readable(options.baselines_folder());
-    GoldenCheck check;
+    const golden::Suite suite = golden::load_suite(options.suite);
+    golden::check_readable(options.baselines_folder());
+    golden::GoldenCheck check;
     check.cases = options.chosen(suite);
     check.settings = options.settings();
     check.jobs = options.job_count();
     const InterruptWatch watch;
     check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
-    const auto results = [&](const std::string& mutation) {
-        const GoldenWork work;
+    const auto results = [&](const golden::RunMutation& mutation) {
+        const golden::GoldenWork work;
         check.folders = {options.baselines_folder(), work.candidates(), ""};
         check.settings.mutation = mutation;
-        return check_cases(check,
-                           [&] {
-                               progress.step("cases");
-                               return watch.signal() == 0;
-                           })
+        return golden::check_cases(check,
+                                   [&] {
+                                       progress.step("cases");
+                                       return watch.signal() == 0;
+                                   })
             .results;
     };
-    const std::vector<CaseResult> unharmed = results("");
+    const std::vector<golden::CaseResult> unharmed = results({});
     const Compared compared = watch.signal() == 0 ? compared_by(check.cases, unharmed) : Compared{};
     std::string text;
     bool all_caught = true;
     for (const Expected& expected : expectations) {
         if (watch.signal() != 0) break;
         Caught caught;
-        for (const CaseResult& result : results(std::string(mutation_name(expected.mutation))))
-            caught.add(result);
+        for (const golden::CaseResult& result : results(expected.mutation)) caught.add(result);
         if (watch.signal() != 0) break;
         const Judgement judged = judgement(expected, compared, caught, check.cases.size());
         all_caught &= judged.caught;
@@ -163,19 +169,19 @@ int run(const GoldenOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_golden_selftest(CLI::App& golden, const Console& console, Action& action) {
-    CLI::App* command = golden.add_subcommand(
+void add_golden_selftest(const Command& golden, const Console& console, Action& action) {
+    const Command command = golden.add_subcommand(
         "selftest", "Prove that the suite can fail: errors on purpose must turn cases red");
     const auto options = std::make_shared<GoldenOptions>();
-    add_golden_options(*command, *options);
-    command->footer(
+    add_golden_options(command, *options);
+    command.footer(
         "The errors: a node dropped, a radius nudged by a thousandth, a comparison of the overlap "
         "test flipped, two of\nits stages swapped, a color shifted by 1 of 255. Each must show in "
         "counts, ids and colors wherever it can, as far\nas the cases compare them. Exit status 1 "
         "where one does not; then it says which kind of case would show it.");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

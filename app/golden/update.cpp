@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/golden/results.h"
+#include "core/base/exit_status.h"
 #include "golden/compare/number_words.h"
 #include "golden/report/plain_text.h"
 #include "golden/run/check_cases.h"
@@ -15,7 +15,7 @@
 #include "golden/suite/baseline_lock.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options : GoldenOptions {
@@ -23,7 +23,7 @@ struct Options : GoldenOptions {
 
     void check() const;
     /// Whether the baseline of a case that came to that is replaced.
-    bool takes(Verdict verdict) const;
+    bool takes(golden::Verdict verdict) const;
 };
 
 void Options::check() const {
@@ -37,10 +37,11 @@ void Options::check() const {
         throw InputError("which baselines? Give names of cases, or --failing, --missing or --all.");
 }
 
-bool Options::takes(Verdict verdict) const {
-    if (verdict == Verdict::could_not_run || verdict == Verdict::skipped) return false;
-    if (missing) return verdict == Verdict::missing_baseline;
-    if (failing) return is_failure(verdict);
+bool Options::takes(golden::Verdict verdict) const {
+    if (verdict == golden::Verdict::could_not_run || verdict == golden::Verdict::skipped)
+        return false;
+    if (missing) return verdict == golden::Verdict::missing_baseline;
+    if (failing) return golden::is_failure(verdict);
     return true;
 }
 
@@ -51,62 +52,64 @@ struct Updated {
 };
 
 /// Updates the baseline of a case that came to `result`, where that is asked for.
-void update_case(const Options& options, const GoldenCheck& check, const GoldenCase& golden,
-                 const CaseResult& result, Updated& updated) {
+void update_case(const Options& options, const golden::GoldenCheck& check,
+                 const golden::GoldenCase& golden, const golden::CaseResult& result,
+                 Updated& updated) {
     const auto fail = [&](const std::string& sentence) {
-        updated.text += plain_text(result.name + ": " + sentence) + "\n";
+        updated.text += golden::plain_text(result.name + ": " + sentence) + "\n";
         ++updated.failed;
     };
-    if (result.verdict == Verdict::could_not_run && !has_run(golden, check.folders))
+    if (result.verdict == golden::Verdict::could_not_run && !golden::has_run(golden, check.folders))
         return fail("could not run. " + result.message);
-    if (result.verdict == Verdict::skipped && !options.names.empty())
+    if (result.verdict == golden::Verdict::skipped && !options.names.empty())
         fail("skipped. " + result.message);
     // A baseline that cannot be read is replaced where it is asked for.
-    const bool broken = result.verdict == Verdict::could_not_run && !options.missing;
+    const bool broken = result.verdict == golden::Verdict::could_not_run && !options.missing;
     if (!broken && !options.takes(result.verdict)) return;
-    const std::string trouble = record_trace(golden, check.settings, check.folders.candidates);
+    const std::string trouble =
+        golden::record_trace(golden, check.settings, check.folders.candidates);
     if (check.settings.stopped()) return;
     if (!trouble.empty())
         fail("its trace could not be recorded, and the old one stays as it is. " + trouble);
-    const std::vector<std::string> files =
-        replace_baseline(check.folders.baselines, check.folders.candidates, result.name,
-                         trouble.empty() ? OldTrace::removed : OldTrace::kept);
+    const std::vector<std::string> files = golden::replace_baseline(
+        check.folders.baselines, check.folders.candidates, result.name,
+        trouble.empty() ? golden::OldTrace::removed : golden::OldTrace::kept);
     if (files.empty()) return;
     ++updated.cases;
-    for (const std::string& file : files) updated.text += plain_text(file) + "\n";
+    for (const std::string& file : files) updated.text += golden::plain_text(file) + "\n";
 }
 
 void print(const Updated& updated, std::size_t cases) {
-    print_result(updated.text + words::grouped(updated.cases) + " of " +
-                 words::counted(cases, "case", "cases") + " updated\n");
+    print_result(updated.text + golden::words::grouped(updated.cases) + " of " +
+                 golden::words::counted(cases, "case", "cases") + " updated\n");
 }
 
 int run(const Options& options, const Console& console) {
     options.check();
-    const Suite suite = load_suite(options.suite);
-    const GoldenWork work;
-    GoldenCheck check;
+    const golden::Suite suite = golden::load_suite(options.suite);
+    const golden::GoldenWork work;
+    golden::GoldenCheck check;
     check.cases = options.chosen(suite);
     check.settings = options.settings();
     check.folders = {options.baselines_folder(), work.candidates(), ""};
     check.jobs = options.job_count();
-    const BaselineLock lock(check.folders.baselines);
-    if (lock.held()) remove_unfinished(check.folders.baselines);
+    const golden::BaselineLock lock(check.folders.baselines);
+    if (lock.held()) golden::remove_unfinished(check.folders.baselines);
     const InterruptWatch watch;
     check.settings.stopped = [&watch] { return watch.signal() != 0; };
     Progress progress(console, check.cases.size());
-    const std::vector<CaseResult> results = check_cases(check, [&] {
-                                                progress.step("cases");
-                                                return watch.signal() == 0;
-                                            }).results;
+    const std::vector<golden::CaseResult> results = golden::check_cases(check, [&] {
+                                                        progress.step("cases");
+                                                        return watch.signal() == 0;
+                                                    }).results;
 
     Updated updated;
     try {
-        for (const CaseResult& result : results) {
+        for (const golden::CaseResult& result : results) {
             if (watch.signal() != 0) break;
             const auto golden =
                 std::find_if(check.cases.begin(), check.cases.end(),
-                             [&](const GoldenCase& c) { return c.name == result.name; });
+                             [&](const golden::GoldenCase& c) { return c.name == result.name; });
             update_case(options, check, *golden, result, updated);
         }
     } catch (...) {
@@ -114,9 +117,9 @@ int run(const Options& options, const Console& console) {
         throw;
     }
     if (options.all)
-        for (const std::string& file : stray_files(check.folders.baselines, suite))
-            updated.text +=
-                plain_text(file) + ": belongs to no case; remove it by hand if it is not needed.\n";
+        for (const std::string& file : golden::stray_files(check.folders.baselines, suite))
+            updated.text += golden::plain_text(file) +
+                            ": belongs to no case; remove it by hand if it is not needed.\n";
     print(updated, results.size());
     if (watch.signal() != 0) {
         console.note("scb: interrupted; what is listed was updated, the rest is as it was.");
@@ -127,25 +130,25 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_golden_update(CLI::App& golden, const Console& console, Action& action) {
-    CLI::App* command =
+void add_golden_update(const Command& golden, const Console& console, Action& action) {
+    const Command command =
         golden.add_subcommand("update", "Run cases and make what they give their baselines");
     const auto options = std::make_shared<Options>();
-    add_golden_options(*command, *options);
-    command->get_option("NAME")->description("Cases");
-    command->add_flag("--failing", options->failing, "All cases that differ or have no baseline");
-    command->add_flag("--missing", options->missing, "All cases that have no baseline");
-    command->add_flag("--all", options->all, "All cases");
-    command->footer(
+    add_golden_options(command, *options);
+    command.get_option("NAME").description("Cases");
+    command.add_flag("--failing", options->failing, "All cases that differ or have no baseline");
+    command.add_flag("--missing", options->missing, "All cases that have no baseline");
+    command.add_flag("--all", options->all, "All cases");
+    command.footer(
         "Lists the files that changed. A baseline is replaced whole or not at all; other accepted "
         "pictures of a case\nare removed where its picture changes. Refused where CI is set, and "
         "while another update has the baselines.\n\n"
         "Examples:\n"
         "  scb golden update levels-spheres-scb\n"
         "  scb golden update --failing --suite my/cases.json");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

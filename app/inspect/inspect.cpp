@@ -2,19 +2,21 @@
 
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/explain/explain_report.h"
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
+#include "app/query/output_guard.h"
 #include "app/query/query_source.h"
+#include "core/base/exit_status.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 /// With -o: nobody looks at more, and they fill disks.
@@ -32,7 +34,6 @@ struct Options {
     std::vector<std::string> recording;    ///< see given_recording_options
     std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
     std::string command, explain;          ///< see InspectPage
-    std::optional<int> frame;
     int top = 10;
 
     bool draws() const { return !picture.output.empty(); }
@@ -46,8 +47,7 @@ void Options::check() {
     if (top < 1 || top > 10000)
         throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
     for (const std::string& name : scene.names)
-        if (names_trace(name)) refuse_for_trace(recording, name);
-    if (frame) query.frames = std::to_string(*frame);
+        if (scenes::names_trace(name)) refuse_for_trace(recording, name);
     picture.check();
     if (!draws() && !of_pictures.empty())
         throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
@@ -70,7 +70,7 @@ class Inspector {
           weak_tests_(PassReason::weak_test, static_cast<std::size_t>(top)),
           loose_fits_(PassReason::loose_fit, static_cast<std::size_t>(top)) {
         report_.header = source.header();
-        for (const OverlapOptions& other : other_tests(report_.header)) {
+        for (const OverlapOptions& other : alternative_tests(report_.header)) {
             report_.others.emplace_back();
             report_.others.back().overlap = other;
         }
@@ -79,7 +79,7 @@ class Inspector {
     void add(const TraceFrame& frame) {
         const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
         const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
-        const TestTree tree = test_tree(report_.header, frame);
+        const TraversalTree tree = traversal_tree(report_.header, frame);
         const Attribution attribution =
             attribute(a, b, report_.header, frame, tree,
                       all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
@@ -88,9 +88,9 @@ class Inspector {
         wrong_.add(frame, attribution);
         weak_tests_.add(frame, tree, attribution);
         loose_fits_.add(frame, tree, attribution);
-        for (OtherTest& other : report_.others)
-            other.add(try_other_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
-                                     other.overlap));
+        for (AlternativeTest& other : report_.others)
+            other.add(try_alternative_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
+                                           other.overlap));
     }
 
     std::size_t frames() const { return report_.frames.size(); }
@@ -125,9 +125,12 @@ bool write_report(PictureRun& pictures, const Options& options, const SceneQuery
         return watch.signal() == 0;
     };
     const bool whole = draw_inspection(pictures, options.picture, query, report, step);
-    const InspectPage page{
-        inspect_summary_name(report) + ".png",   options.picture.width(), options.picture.height(),
-        options.picture.theme() == &light_theme, options.command,         options.explain};
+    const InspectPage page{inspect_summary_name(report) + ".png",
+                           options.picture.width(),
+                           options.picture.height(),
+                           options.picture.theme() == &render::light_theme,
+                           options.command,
+                           options.explain};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
     if (whole) {
@@ -144,21 +147,10 @@ void print_report(const Options& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
-QuerySource open_source(const Options& options) {
-    try {
-        return {options.scene, options.hierarchy, options.query, options.limits};
-    } catch (const InputError& error) {
-        // --frame is one of --frames, but not what the user typed.
-        const std::string said = error.what(), frames = "--frames ";
-        if (!options.frame || !said.starts_with(frames)) throw;
-        throw InputError("--frame " + said.substr(frames.size()));
-    }
-}
-
 int run(Options& options, const Console& console) {
     const InterruptWatch watch;
     options.check();
-    QuerySource source = open_source(options);
+    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     std::optional<PictureRun> pictures;
@@ -214,35 +206,30 @@ int run(Options& options, const Console& console) {
 
 }  // namespace
 
-void add_inspect(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand(
+void add_inspect(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
         "inspect", "Which pairs passed the overlap test that should not have, and what that cost");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    command->get_option("SCENE")->description(
+    add_scene_options(command, options->scene, false);
+    command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
         "trace`)");
-    add_hierarchy_options(*command, options->hierarchy, false);
-    add_query_options(*command, options->query, false);
-    add_query_limits(*command, options->limits);
-    CLI::Option* frames = command->get_option("--frames");
-    command->add_option("--frame", options->frame, "One frame")
-        ->check(decimal_number())
-        ->excludes(frames)
-        ->type_name("N");
+    add_hierarchy_options(command, options->hierarchy, false);
+    add_query_options(command, options->query, false);
+    add_query_limits(command, options->limits);
     command
-        ->add_option("--top", options->top,
-                     "How many of the worst pairs to list, of each reason, each at its worst frame")
-        ->check(decimal_number())
-        ->type_name("K")
-        ->capture_default_str();
-    add_picture_options(*command, options->picture);
+        .add_option("--top", options->top,
+                    "How many of the worst pairs to list, of each reason, each at its worst frame")
+        .check(decimal_number)
+        .type_name("K")
+        .show_default();
+    add_picture_options(command, options->picture);
     options->picture.samples = PictureOptions{}.samples;
-    command->get_option("--output")
-        ->default_str("")
-        ->description("Also write a page with pictures of the worst pairs, CSV and JSON");
-    command->get_option("--json")->description("Print JSON");
-    command->footer(
+    command.get_option("--output")
+        .default_str("")
+        .description("Also write a page with pictures of the worst pairs, CSV and JSON");
+    command.get_option("--json").description("Print JSON");
+    command.footer(
         "A pair of nodes passes the test for one of three reasons: triangles below it intersect "
         "(true); its volumes\n"
         "meet, but no triangles do (fit: the volumes are too loose); or not even the volumes meet "
@@ -253,21 +240,21 @@ void add_inspect(CLI::App& program, const Console& console, Action& action) {
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"
-        "  scb inspect knots-l1 --frame 0 --json");
-    command->callback([&action, &console, command, options] {
-        options->recording = given_recording_options(*command);
+        "  scb inspect knots-l1 --frames 0 --json");
+    command.callback([&action, &console, command, options] {
+        options->recording = given_recording_options(command);
         for (const char* option : {"--size", "--background", "--gl", "--jobs"})
-            if (command->count(option) > 0) options->of_pictures.emplace_back(option);
+            if (command.count(option) > 0) options->of_pictures.emplace_back(option);
         const std::vector<std::string> of_queries = {
             "SCENE",    "--pose",  "--models", "--volume",    "--growth",
             "--margin", "--split", "--test",   "--threshold", "--bodies"};
-        options->explain = "scb explain" + given_text(*command, of_queries);
-        options->command = "scb inspect" + given_text(*command, of_queries) +
-                           given_text(*command, {"--descent", "--frames", "--frame", "--max-pairs",
-                                                 "--level", "--top", "--size", "--background"}) +
+        options->explain = "scb explain" + given_text(command, of_queries);
+        options->command = "scb inspect" + given_text(command, of_queries) +
+                           given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",
+                                                "--top", "--size", "--background"}) +
                            " -o DIR";
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include "core/base/text_format.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string row(std::initializer_list<std::uint64_t> values) {
@@ -67,4 +67,4 @@ std::string pairs_csv(const InspectReport& report) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::app

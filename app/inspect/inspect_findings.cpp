@@ -6,15 +6,15 @@
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
-    return share_text(static_cast<double>(part), static_cast<double>(whole));
+    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
 std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return count_text(count) + " " + (count == 1 ? one : many);
+    return render::count_text(count) + " " + (count == 1 ? one : many);
 }
 
 std::string triangles(const PassCounts& counts) {
@@ -65,15 +65,16 @@ std::string change(std::uint64_t from, std::uint64_t to, const char* saves, cons
 
 std::string best_other(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
-    const OtherTest& best = *std::max_element(
+    const AlternativeTest& best = *std::max_element(
         report.others.begin(), report.others.end(),
-        [](const OtherTest& x, const OtherTest& y) { return x.caught < y.caught; });
-    const std::string weak = count_text(report.sum.counts.passed(PassReason::weak_test));
+        [](const AlternativeTest& x, const AlternativeTest& y) { return x.caught < y.caught; });
+    const std::string weak = render::count_text(report.sum.counts.passed(PassReason::weak_test));
     if (best.caught == 0)
         return "None of the other tests catches any of the " + weak +
                " pairs whose volumes are disjoint.";
     return "Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
-           count_text(best.caught) + " of the " + weak + " pairs whose volumes are disjoint: it " +
+           render::count_text(best.caught) + " of the " + weak +
+           " pairs whose volumes are disjoint: it " +
            change(all.volume_tests, best.all.volume_tests, "saves", "makes") +
            (best.all.volume_tests < all.volume_tests ? " of the volume tests"
                                                      : " more volume tests") +
@@ -112,4 +113,4 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
     return sentences;
 }
 
-}  // namespace scb
+}  // namespace scb::app

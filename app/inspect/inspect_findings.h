@@ -5,7 +5,7 @@
 
 #include "app/inspect/inspect_report.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What a reader should know first, a sentence each: how much was wasted and why, where, and which
 /// other test would have helped most.
@@ -17,4 +17,4 @@ std::string wrong_rejections_sentence(const PassCounts& counts);
 /// "12 pairs of triangles missed"
 std::string missed_words(const WrongRejection& rejection);
 
-}  // namespace scb
+}  // namespace scb::app

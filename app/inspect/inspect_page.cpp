@@ -15,14 +15,14 @@
 
 SCB_DECLARE_EMBEDDED(inspect_html)
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
-    return share_text(static_cast<double>(part), static_cast<double>(whole));
+    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
 std::string percents(std::uint64_t part, std::uint64_t whole) {
@@ -36,18 +36,18 @@ data frame_row(const std::string& name, const Inspection& found) {
                         by_tests = counts.wasted_by_tests.volume_tests;
     data row;
     row["frame"] = name;
-    row["pairs"] = count_text(found.pairs);
-    row["n_v"] = count_text(all);
-    row["passed"] = count_text(counts.passed());
+    row["pairs"] = render::count_text(found.pairs);
+    row["n_v"] = render::count_text(all);
+    row["passed"] = render::count_text(counts.passed());
     for (const PassReason reason :
          {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
-        row[std::string(pass_reason_name(reason))] = count_text(counts.passed(reason));
-    row["wasted"] = count_text(wasted);
+        row[std::string(pass_reason_name(reason))] = render::count_text(counts.passed(reason));
+    row["wasted"] = render::count_text(wasted);
     const std::uint64_t n_p = counts.wasted.triangle_tests;
-    row["wasted_n_p"] = count_text(n_p);
+    row["wasted_n_p"] = render::count_text(n_p);
     row["share_n_p"] = share(n_p, counts.all.triangle_tests);
-    row["wrong"] = count_text(counts.wrongly_rejected);
-    row["missed"] = count_text(counts.missed);
+    row["wrong"] = render::count_text(counts.wrongly_rejected);
+    row["missed"] = render::count_text(counts.missed);
     row["share"] = share(wasted, all);
     row["true_width"] = percents(all - wasted, all);
     row["fit_width"] = percents(wasted - by_tests, all);
@@ -78,11 +78,11 @@ data reason_rows(const PassCounts& counts) {
         data row;
         row["because"] = because;
         row["color"] = color;
-        row["inner"] = count_text(counts.inner[r]);
-        row["leaves"] = count_text(counts.leaves[r]);
-        row["n_v"] = wasted == nullptr ? "" : count_text(wasted->volume_tests);
-        row["n_p"] = wasted == nullptr ? "" : count_text(wasted->triangle_tests);
-        row["operations"] = wasted == nullptr ? "" : count_text(wasted->operations);
+        row["inner"] = render::count_text(counts.inner[r]);
+        row["leaves"] = render::count_text(counts.leaves[r]);
+        row["n_v"] = wasted == nullptr ? "" : render::count_text(wasted->volume_tests);
+        row["n_p"] = wasted == nullptr ? "" : render::count_text(wasted->triangle_tests);
+        row["operations"] = wasted == nullptr ? "" : render::count_text(wasted->operations);
         rows << row;
     };
     const Work by_fit = counts.wasted_by_fit();
@@ -95,16 +95,16 @@ data reason_rows(const PassCounts& counts) {
 data other_rows(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
     data rows(data::type::list);
-    for (const OtherTest& other : report.others) {
+    for (const AlternativeTest& other : report.others) {
         data row;
         row["test"] = overlap_title(other.overlap);
-        row["caught"] = count_text(other.caught);
-        row["n_v"] = count_text(other.all.volume_tests);
-        row["n_v_change"] = change_text(all.volume_tests, other.all.volume_tests);
-        row["n_p"] = count_text(other.all.triangle_tests);
-        row["n_p_change"] = change_text(all.triangle_tests, other.all.triangle_tests);
-        row["operations"] = count_text(other.all.operations);
-        row["operations_change"] = change_text(all.operations, other.all.operations);
+        row["caught"] = render::count_text(other.caught);
+        row["n_v"] = render::count_text(other.all.volume_tests);
+        row["n_v_change"] = render::change_text(all.volume_tests, other.all.volume_tests);
+        row["n_p"] = render::count_text(other.all.triangle_tests);
+        row["n_p_change"] = render::change_text(all.triangle_tests, other.all.triangle_tests);
+        row["operations"] = render::count_text(other.all.operations);
+        row["operations_change"] = render::change_text(all.operations, other.all.operations);
         rows << row;
     }
     return rows;
@@ -127,11 +127,12 @@ class Group {
         const std::string nodes = std::to_string(test.nodes.a) + "," + std::to_string(test.nodes.b);
         data pair;
         pair["file"] = file_of(report_, frame, test);
-        pair["caption"] = printable(bodies[0].name) + " " + std::to_string(test.nodes.a) + ", " +
-                          printable(bodies[1].name) + " " + std::to_string(test.nodes.b);
+        pair["caption"] = scenes::printable(bodies[0].name) + " " + std::to_string(test.nodes.a) +
+                          ", " + scenes::printable(bodies[1].name) + " " +
+                          std::to_string(test.nodes.b);
         pair["detail"] =
             format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
-        pair["command"] = page_.explain + " --frame " + std::to_string(frame) + " --pair " + nodes;
+        pair["command"] = page_.explain + " --frames " + std::to_string(frame) + " --pair " + nodes;
         pairs_ << pair;
         empty_ = false;
     }
@@ -150,7 +151,8 @@ class Group {
 };
 
 std::string wasted_words(const Work& below) {
-    return count_text(below.volume_tests) + " volume and " + count_text(below.triangle_tests) +
+    return render::count_text(below.volume_tests) + " volume and " +
+           render::count_text(below.triangle_tests) +
            (below.triangle_tests == 1 ? " triangle test wasted" : " triangle tests wasted");
 }
 
@@ -174,7 +176,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
                "The volumes are disjoint, and the test did not see it: a stronger one would have.");
     for (const FalsePair& p : report.weak_tests)
         weak.add(p.frame, p.test,
-                 wasted_words(p.pair.below) + ", " + number_text(p.margin) + " apart");
+                 wasted_words(p.pair.below) + ", " + render::number_text(p.margin) + " apart");
     weak.append_to(groups);
     return groups;
 }
@@ -182,14 +184,14 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 }  // namespace
 
 std::string inspect_title(const InspectReport& report) {
-    return printable(report.header.scene) + " · " +
-           std::string(volume_title(report.header.volume)) + " · inspect";
+    return scenes::printable(report.header.scene) + " · " +
+           std::string(render::volume_title(report.header.volume)) + " · inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    std::string text =
-        printable(header.bodies[0].name) + " and " + printable(header.bodies[1].name);
+    std::string text = scenes::printable(header.bodies[0].name) + " and " +
+                       scenes::printable(header.bodies[1].name);
     if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
     return text + (report.frames.size() == 1
                        ? ", frame " + std::to_string(report.frames[0].frame)
@@ -217,20 +219,20 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frame_rows)
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
-                                count_text(report.frames.size()) +
+                                render::count_text(report.frames.size()) +
                                 " frames; frames.csv has all of them.";
     values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
                                                                       : data::type::bool_false);
     values["has_others"] =
         data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
     values["others"] = other_rows(report);
-    values["weak"] = count_text(report.sum.counts.passed(PassReason::weak_test));
+    values["weak"] = render::count_text(report.sum.counts.passed(PassReason::weak_test));
     values["groups"] = groups_of(report, page);
     values["version"] = SCB_VERSION;
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};
     assert(html.is_valid() && "the template is part of the program");
-    return as_utf8(html.render(values));
+    return scenes::as_utf8(html.render(values));
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include "app/inspect/inspect_report.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What the page of `scb inspect -o` needs beside the report.
 struct InspectPage {
@@ -22,4 +22,4 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page);
 std::string inspect_title(const InspectReport& report);
 std::string inspect_subtitle(const InspectReport& report);
 
-}  // namespace scb
+}  // namespace scb::app

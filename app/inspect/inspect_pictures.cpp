@@ -9,7 +9,7 @@
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -18,14 +18,15 @@ const std::string loose = "fit too loose";
 
 void draw_summary(PictureRun& pictures, const PictureOptions& options,
                   const InspectReport& report) {
-    InspectFigure figure;
+    render::InspectFigure figure;
     figure.title = inspect_title(report);
     figure.subtitle = inspect_subtitle(report);
     figure.frames = report.frames;
     figure.sum = report.sum;
     figure.others = report.others;
     figure.theme = options.theme();
-    const Picture picture = compose(figure, options.width(), options.height(), pictures.overlay());
+    const render::Picture picture =
+        render::compose(figure, options.width(), options.height(), pictures.overlay());
     pictures.draw(inspect_summary_name(report), picture, Json{{"summary", true}});
 }
 
@@ -40,7 +41,8 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
     picture.title = reason + " · " + node_names(pair);
     const std::string asked = asked_words(pair);
     picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
-                       " · " + query.scene.name + " · " + std::string(volume_title(query.kind));
+                       " · " + query.scene.name + " · " +
+                       std::string(render::volume_title(query.kind));
     if (reason == loose) picture.but = "the fit is too loose";
     place_nodes(picture, query, frame, pair);
     draw_explanation(pictures, options, pair, picture,
@@ -68,11 +70,11 @@ bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const 
             const std::uint64_t wasted = p.pair.below.volume_tests;
             draw_pair(pictures, options, query, report, p.frame, p.test,
                       worst == &report.loose_fits ? loose : "test too weak",
-                      count_text(wasted) +
+                      render::count_text(wasted) +
                           (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
             if (!step()) return false;
         }
     return true;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 #include "app/pictures/picture_run.h"
 #include "app/query/scene_query.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The name of the picture of the whole, without .png.
 std::string inspect_summary_name(const InspectReport& report);
@@ -14,4 +14,4 @@ std::string inspect_summary_name(const InspectReport& report);
 bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
                      const InspectReport& report, const std::function<bool()>& step);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -11,8 +11,9 @@
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
+#include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 unsigned long long wide(std::uint64_t value) { return value; }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
-    return share_text(static_cast<double>(part), static_cast<double>(whole));
+    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
 std::string frame_row(const std::string& name, const Inspection& i) {
@@ -93,8 +94,8 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
                        const char* title) {
     if (worst.empty()) return std::string(title) + ": none\n\n";
     std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
-                              printable(report.header.bodies[0].name).c_str(),
-                              printable(report.header.bodies[1].name).c_str());
+                              scenes::printable(report.header.bodies[0].name).c_str(),
+                              scenes::printable(report.header.bodies[1].name).c_str());
     text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
     for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
@@ -129,9 +130,9 @@ std::string others_text(const InspectReport& report) {
         wide(weak), overlap_title(report.header.options.overlap).c_str());
     const Work& base = report.sum.counts.all;
     const auto changed = [](int width, std::uint64_t from, std::uint64_t to) {
-        return format(" %*llu ", width, wide(to)) + right_aligned(change_text(from, to), 8);
+        return format(" %*llu ", width, wide(to)) + right_aligned(render::change_text(from, to), 8);
     };
-    for (const OtherTest& other : report.others)
+    for (const AlternativeTest& other : report.others)
         text += format("%-19s %8llu", overlap_title(other.overlap).c_str(), wide(other.caught)) +
                 changed(9, base.volume_tests, other.all.volume_tests) +
                 changed(9, base.triangle_tests, other.all.triangle_tests) +
@@ -195,9 +196,9 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
 
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    std::string title =
-        printable(header.scene + ": " + header.bodies[0].name + " and " + header.bodies[1].name) +
-        ", " + std::string(volume_title(header.volume));
+    std::string title = scenes::printable(header.scene + ": " + header.bodies[0].name + " and " +
+                                          header.bodies[1].name) +
+                        ", " + std::string(render::volume_title(header.volume));
     if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);
     title += build_text(build_options(header));
@@ -243,7 +244,7 @@ Json inspect_json(const InspectReport& report) {
         json["worst_rejections"].push_back(std::move(entry));
     }
     json["other_tests"] = Json::array();
-    for (const OtherTest& other : report.others) {
+    for (const AlternativeTest& other : report.others) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};
         if (has_threshold(other.overlap.test)) entry["threshold"] = other.overlap.threshold;
         entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
@@ -253,4 +254,4 @@ Json inspect_json(const InspectReport& report) {
     return json;
 }
 
-}  // namespace scb
+}  // namespace scb::app

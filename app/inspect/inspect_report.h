@@ -8,7 +8,7 @@
 #include "core/analysis/inspection.h"
 #include "core/analysis/worst_pairs.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Everything that `scb inspect` found.
 struct InspectReport {
@@ -17,7 +17,7 @@ struct InspectReport {
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<WronglyRejectedPair> wrong;         ///< those that miss the most
-    std::vector<OtherTest> others;
+    std::vector<AlternativeTest> others;
     bool drawn = false;  ///< there is a picture of each pair
 };
 
@@ -31,7 +31,7 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
 std::string inspect_text(const InspectReport& report);
 
 /// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
-/// `worst`, `worst_rejections`, `other_tests`.
+/// `worst`, `worst_rejections`, `alternative_tests`.
 nlohmann::ordered_json inspect_json(const InspectReport& report);
 
-}  // namespace scb
+}  // namespace scb::app

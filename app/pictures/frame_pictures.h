@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/pictures/picture_run.h"
 #include "app/query/query_sources.h"
+#include "core/base/exit_status.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Calls `draw(queries, watch)` for each frame that was asked for until a signal comes; then
 /// finishes the pictures with the index that `head` gives. `draw` returns whether it drew all of
@@ -32,4 +32,4 @@ int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& cons
     return exit_interrupted(watch.signal());
 }
 
-}  // namespace scb
+}  // namespace scb::app

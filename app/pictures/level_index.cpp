@@ -1,8 +1,9 @@
 #include "app/pictures/level_index.h"
 
 #include "app/query/trace_report.h"
+#include "core/hierarchy/level_statistics.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -11,8 +12,9 @@ Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(
 
 }  // namespace
 
-Json level_entry(VolumeKind kind, int level, int frame, const std::vector<LevelBody>& bodies) {
-    const LevelNumbers numbers = level_numbers(bodies, level);
+Json level_entry(VolumeKind kind, int level, int frame,
+                 const std::vector<render::LevelBody>& bodies) {
+    const render::LevelNumbers numbers = render::level_numbers(bodies, level);
     Json list = Json::array();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const VolumeStatistics& s = numbers.bodies[b];
@@ -31,13 +33,13 @@ Json level_entry(VolumeKind kind, int level, int frame, const std::vector<LevelB
             {"bodies", std::move(list)}};
 }
 
-Json level_head(const LevelOptions& options, const Scene& scene, int frame,
-                const std::vector<int>& levels, const CameraSpec& camera) {
+Json level_head(const LevelOptions& options, const scenes::Scene& scene, int frame,
+                const std::vector<int>& levels, const scenes::CameraView& camera) {
     Json levels_json = Json::array(), kinds = Json::array();
     for (const int level : levels) levels_json.push_back(level_json(level));
     for (const VolumeKind kind : options.hierarchy.kinds()) kinds.push_back(volume_kind_name(kind));
     Json bodies = Json::array();
-    for (const Body& body : scene.bodies)
+    for (const scenes::Body& body : scene.bodies)
         bodies.push_back(body_json({body.name, fingerprint(scene.meshes[body.mesh].mesh)}));
     return {{"command", "render levels"},
             {"scene", scene.name},
@@ -52,11 +54,11 @@ Json level_head(const LevelOptions& options, const Scene& scene, int frame,
               {"size", {options.picture.width(), options.picture.height()}},
               {"samples", options.picture.samples},
               {"background", options.picture.background},
-              {"color_by", color_by_name(options.resolved_color_by(scene.bodies.size()))},
+              {"color_by", render::color_by_name(options.resolved_color_by(scene.bodies.size()))},
               {"opacity", options.resolved_opacity()},
               {"mesh", options.mesh},
               {"edges", options.edges}}},
-            {"camera", Json::parse(camera_json(camera))}};
+            {"camera", Json::parse(scenes::camera_json(camera))}};
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -7,14 +7,15 @@
 #include "app/pictures/level_options.h"
 #include "render/figures/level_figure.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What index.json says of a picture of a level: the counts that it shows.
 nlohmann::ordered_json level_entry(VolumeKind kind, int level, int frame,
-                                   const std::vector<LevelBody>& bodies);
+                                   const std::vector<render::LevelBody>& bodies);
 
 /// What it says of a run of `scb render levels`: the options and the camera.
-nlohmann::ordered_json level_head(const LevelOptions& options, const Scene& scene, int frame,
-                                  const std::vector<int>& levels, const CameraSpec& camera);
+nlohmann::ordered_json level_head(const LevelOptions& options, const scenes::Scene& scene,
+                                  int frame, const std::vector<int>& levels,
+                                  const scenes::CameraView& camera);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,8 +1,9 @@
 #include "app/pictures/level_options.h"
 
+#include "app/query/output_guard.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 
 void LevelOptions::check() const {
     picture.check();
@@ -16,31 +17,32 @@ void LevelOptions::check() const {
     if (opacity && !(*opacity >= 0 && *opacity <= 1))
         throw InputError("--opacity " + std::to_string(*opacity) +
                          ": give 0 (volumes hidden) to 1 (opaque).");
-    if (color_by != "auto" && !color_by_of(color_by))
+    if (color_by != "auto" && !render::color_by_of(color_by))
         throw InputError("--color-by " + color_by +
                          ": give body, depth, radius, thickness or auto.");
 }
 
-ColorBy LevelOptions::resolved_color_by(std::size_t bodies) const {
-    return color_by_of(color_by).value_or(bodies > 1 ? ColorBy::body : ColorBy::thickness);
+render::ColorBy LevelOptions::resolved_color_by(std::size_t bodies) const {
+    return render::color_by_of(color_by).value_or(bodies > 1 ? render::ColorBy::body
+                                                             : render::ColorBy::thickness);
 }
 
 double LevelOptions::resolved_opacity() const { return opacity.value_or(mesh || edges ? 0.25 : 1); }
 
-void add_level_options(CLI::App& command, LevelOptions& options) {
+void add_level_options(const Command& command, LevelOptions& options) {
     add_scene_options(command, options.scene, true);
     add_hierarchy_options(command, options.hierarchy);
     command
         .add_option("--levels", options.levels,
                     "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves; auto is all of them")
-        ->type_name("LIST")
-        ->capture_default_str();
+        .type_name("LIST")
+        .show_default();
     add_picture_options(command, options.picture, options.camera);
     command
         .add_option("--color-by", options.color_by,
                     "body, depth, radius or thickness; auto is body for several, thickness for one")
-        ->type_name("WHAT")
-        ->capture_default_str();
+        .type_name("WHAT")
+        .show_default();
     command.add_option("--opacity", options.opacity,
                        "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
                        "or 0.25 with --mesh");
@@ -50,4 +52,4 @@ void add_level_options(CLI::App& command, LevelOptions& options) {
                      "No contact sheet (which several pictures get)");
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,12 +2,13 @@
 
 #include <optional>
 #include <string>
+#include "app/cli/command.h"
 
 #include "app/pictures/picture_options.h"
 #include "app/query/scene_options.h"
 #include "render/figures/volume_colors.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What `scb render levels` understands.
 struct LevelOptions {
@@ -25,11 +26,11 @@ struct LevelOptions {
 
     /// What colors tell: as asked for, or else the body where there are several and the thickness
     /// where there is one.
-    ColorBy resolved_color_by(std::size_t bodies) const;
+    render::ColorBy resolved_color_by(std::size_t bodies) const;
     /// As asked for, or else such that a mesh that was asked for shows through.
     double resolved_opacity() const;
 };
 
-void add_level_options(CLI::App& command, LevelOptions& options);
+void add_level_options(const Command& command, LevelOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

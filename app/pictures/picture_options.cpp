@@ -1,4 +1,5 @@
 #include "app/pictures/picture_options.h"
+#include "app/cli/validators.h"
 
 #include <algorithm>
 #include <thread>
@@ -6,18 +7,19 @@
 #include "app/query/scene_options.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 // Smaller ones have no room for a heading and numbers; larger ones no OpenGL library draws.
 constexpr int smallest_width = 320, smallest_height = 240, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
-    const std::vector<std::string> parts = split_list(size, 'x');
+    const std::vector<std::string> parts = scenes::split_list(size, 'x');
     if (parts.size() != 2)
         throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
-    return whole_number(parts[side], "--size " + size);
+    return scenes::whole_number(parts[side], "--size " + size);
 }
 
 }  // namespace
@@ -43,14 +45,15 @@ void PictureOptions::check() const {
 int PictureOptions::width() const { return side_of(size, 0); }
 int PictureOptions::height() const { return side_of(size, 1); }
 
-const Theme* PictureOptions::theme() const {
-    if (background == "light") return &light_theme;
-    if (background == "dark") return &dark_theme;
+const render::Theme* PictureOptions::theme() const {
+    if (background == "light") return &render::light_theme;
+    if (background == "dark") return &render::dark_theme;
     throw InputError("--background " + background + ": give light or dark.");
 }
 
-GlBackend PictureOptions::backend() const {
-    if (const std::optional<GlBackend> backend = gl_backend_from_string(gl)) return *backend;
+render::GlBackend PictureOptions::backend() const {
+    if (const std::optional<render::GlBackend> backend = render::gl_backend_from_string(gl))
+        return *backend;
     throw InputError("--gl " + gl + ": give osmesa or egl.");
 }
 
@@ -63,60 +66,64 @@ std::filesystem::path PictureOptions::output_folder() const {
     std::error_code error;
     std::filesystem::create_directories(output, error);
     if (error || !std::filesystem::is_directory(output))
-        throw OutputError(output + ": this folder cannot be made" +
-                          (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
+        throw render::OutputError(output + ": this folder cannot be made" +
+                                  (error ? " (" + error.message() + ")" : "") +
+                                  "; name another with -o.");
     return output;
 }
 
 namespace {
 
-void add_output_size(CLI::App& command, PictureOptions& options, const char* files) {
-    CLI::Option* output = command.add_option("-o,--output", options.output, files)
-                              ->check(has_name())
-                              ->type_name("DIR");
-    if (!options.output.empty()) output->capture_default_str();
+void add_output_size(const Command& command, PictureOptions& options, const char* files) {
+    const Option output =
+        command.add_option("-o,--output", options.output, files).check(has_name).type_name("DIR");
+    if (!options.output.empty()) output.show_default();
     command.add_option("--size", options.size, "Size of a picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+        .type_name("WxH")
+        .show_default();
 }
 
-void add_view(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+void add_view(const Command& command, PictureOptions& options, CameraOptions& camera) {
     command
         .add_option("--camera", camera.camera,
                     "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
                     "scene's own")
-        ->type_name("CAMERA");
-    command.add_option("--up", camera.up, "The axis that points up: x, y or z")->type_name("AXIS");
+        .type_name("CAMERA");
+    command.add_option("--up", camera.up, "The axis that points up: x, y or z").type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
-        ->check(decimal_number())
-        ->capture_default_str();
+        .check(decimal_number)
+        .show_default();
 }
 
-void add_drawing(CLI::App& command, PictureOptions& options) {
+void add_drawing(const Command& command, PictureOptions& options) {
     command.add_option("--background", options.background, "light or dark")
-        ->type_name("THEME")
-        ->capture_default_str();
+        .type_name("THEME")
+        .show_default();
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
-        ->type_name("NAME")
-        ->capture_default_str();
+        .type_name("NAME")
+        .show_default();
+    command
+        .add_flag("--shift-color", options.shift_color,
+                  "An error on purpose, for `scb golden selftest`")
+        .hide();
 }
 
-void add_jobs(CLI::App& command, PictureOptions& options) {
+void add_jobs(const Command& command, PictureOptions& options) {
     command
         .add_option("--jobs", options.job_count,
                     "Threads that compress pictures; 0 is one per core")
-        ->check(decimal_number())
-        ->capture_default_str();
+        .check(decimal_number)
+        .show_default();
 }
 
-void add_json(CLI::App& command, PictureOptions& options) {
+void add_json(const Command& command, PictureOptions& options) {
     command.add_flag("--json", options.json, "Print index.json instead of the file names");
 }
 
 }  // namespace
 
-void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera) {
+void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera) {
     add_output_size(command, options, "Folder for the pictures");
     add_view(command, options, camera);
     add_drawing(command, options);
@@ -126,7 +133,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptio
     add_json(command, options);
 }
 
-void add_picture_options(CLI::App& command, PictureOptions& options) {
+void add_picture_options(const Command& command, PictureOptions& options) {
     // Nothing but the overlay, which is not sampled.
     options.samples = 1;
     add_output_size(command, options, "Folder for the pictures");
@@ -135,9 +142,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add_json(command, options);
 }
 
-void add_figure_options(CLI::App& command, PictureOptions& options, const char* files) {
+void add_figure_options(const Command& command, PictureOptions& options, const char* files) {
     add_output_size(command, options, files);
     add_drawing(command, options);
 }
 
-}  // namespace scb
+}  // namespace scb::app

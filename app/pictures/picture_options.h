@@ -1,15 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include "app/cli/command.h"
 
 #include "app/pictures/scene_camera.h"
 #include "app/pictures/video_options.h"
 #include "render/gl/context.h"
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::app {
 
 /// A pixel, from the left and from the top.
 struct PixelPosition {
@@ -21,11 +21,12 @@ struct PictureOptions {
     std::string size = "1280x720";
     int samples = 4;
     std::string background = "light";
-    std::string gl = is_compiled_in(GlBackend::osmesa) ? "osmesa" : "egl";
+    std::string gl = render::is_compiled_in(render::GlBackend::osmesa) ? "osmesa" : "egl";
     std::string output = "out";
     int job_count = 0;
     bool ids = false;
     bool json = false;
+    bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel of which is told what it shows
     VideoOptions video{};
 
@@ -34,18 +35,18 @@ struct PictureOptions {
 
     int width() const;
     int height() const;
-    const Theme* theme() const;
-    GlBackend backend() const;
+    const render::Theme* theme() const;
+    render::GlBackend backend() const;
     std::size_t jobs() const;
     /// The folder, made where it was missing; throws OutputError where that fails.
     std::filesystem::path output_folder() const;
 };
 
-void add_picture_options(CLI::App& command, PictureOptions& options, CameraOptions& camera);
+void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera);
 /// Of pictures without a view of the scene: neither camera nor samples nor ids.
-void add_picture_options(CLI::App& command, PictureOptions& options);
+void add_picture_options(const Command& command, PictureOptions& options);
 /// Of the pictures that go with tables into a folder: `files` says which, and without -o there are
 /// none.
-void add_figure_options(CLI::App& command, PictureOptions& options, const char* files);
+void add_figure_options(const Command& command, PictureOptions& options, const char* files);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,10 +1,10 @@
 #include "app/pictures/picture_run.h"
 
-#include "app/cli/mutation.h"
 #include "app/cli/version.h"
+#include "app/pictures/shifted_colors.h"
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::app {
 
 using Json = nlohmann::ordered_json;
 
@@ -26,11 +26,11 @@ PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::str
                        options.theme()->background);
 }
 
-void PictureRun::draw(const std::string& name, const Picture& picture, Json entry,
+void PictureRun::draw(const std::string& name, const render::Picture& picture, Json entry,
                       bool of_sequence) {
     const bool with_ids = (options_.ids || options_.pick) && of_sequence;
-    Rendering rendering = mutates_pictures() ? renderer_.draw(mutated(picture), &overlay_, with_ids)
-                                             : renderer_.draw(picture, &overlay_, with_ids);
+    render::Rendering rendering = renderer_.draw(
+        options_.shift_color ? shifted_colors(picture) : picture, &overlay_, with_ids);
     Json files = {{"file", name + ".png"}};
     if (video_ && of_sequence) video_->push(rendering.image);
     if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
@@ -46,7 +46,7 @@ void PictureRun::draw(const std::string& name, const Picture& picture, Json entr
     files_.push_back(std::move(files));
 }
 
-std::uint32_t PictureRun::id_at(int x, int y) const { return pixel(last_ids_, x, y); }
+std::uint32_t PictureRun::id_at(int x, int y) const { return render::pixel(last_ids_, x, y); }
 
 std::filesystem::path PictureRun::place(const std::string& name) const {
     const std::filesystem::path path = folder_ / name;
@@ -55,20 +55,21 @@ std::filesystem::path PictureRun::place(const std::string& name) const {
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
         !std::filesystem::is_directory(status))
-        throw OutputError(path.string() +
-                          ": there is something of that name that is no file; remove it, or name "
-                          "another folder with -o.");
+        throw render::OutputError(
+            path.string() +
+            ": there is something of that name that is not a file; remove it, or name "
+            "another folder with -o.");
     return path;
 }
 
 void PictureRun::write(const std::string& name, const std::string& text) {
-    write_file_whole(place(name), text);
+    render::write_file_whole(place(name), text);
     written_.push_back(name);
 }
 
 void PictureRun::draw_sheet() {
     const std::string file = sheet_->name + ".png";
-    queue_.push(place(file), scb::draw(sheet_->sheet, renderer_, overlay_));
+    queue_.push(place(file), render::draw(sheet_->sheet, renderer_, overlay_));
     written_.push_back(file);
     files_.push_back({{"file", file}, {"sheet", true}});
 }
@@ -82,13 +83,13 @@ void PictureRun::finish(Json head) {
         head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
     }
     Json versions_json;
-    const GlInfo info = context_.info();
+    const render::GlInfo info = context_.info();
     for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
     head["versions"] = std::move(versions_json);
     head["files"] = std::move(files_);
     // File names and names in scene files need not be UTF-8.
     const std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    write_file_whole(place("index.json"), text);
+    render::write_file_whole(place("index.json"), text);
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
@@ -96,4 +97,4 @@ void PictureRun::finish(Json head) {
     print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
 }
 
-}  // namespace scb
+}  // namespace scb::app

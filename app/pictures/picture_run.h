@@ -14,7 +14,7 @@
 #include "render/files/video_file.h"
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The pictures of one run of a command: drawn one after the other, encoded and written beside the
 /// drawing, and listed in index.json at the end. Load meshes first: some of their readers are tried
@@ -26,14 +26,14 @@ class PictureRun {
     /// OutputError, GlError.
     explicit PictureRun(const PictureOptions& options, const std::vector<std::string>& tables = {});
 
-    Renderer& renderer() { return renderer_; }
-    const Context& context() const { return context_; }
-    Overlay& overlay() { return overlay_; }
+    render::Renderer& renderer() { return renderer_; }
+    const render::Context& context() const { return context_; }
+    render::Overlay& overlay() { return overlay_; }
 
     /// Makes a contact sheet of the sequence's pictures too.
     void begin_sheet(SheetRun sheet) { sheet_ = std::move(sheet); }
     /// What the colors of the picture that comes next mean, for the sheet, if there is one.
-    void explain(const std::string& title, const std::vector<PanelItem>& panel) {
+    void explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
         if (sheet_) sheet_->explain(title, panel);
     }
 
@@ -41,7 +41,7 @@ class PictureRun {
     /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, as a frame of the
     /// video and as a cell of the sheet, each where that was asked for. `entry` is what the index
     /// says of it beside the file names.
-    void draw(const std::string& name, const Picture& picture, nlohmann::ordered_json entry,
+    void draw(const std::string& name, const render::Picture& picture, nlohmann::ordered_json entry,
               bool of_sequence = true);
 
     /// Asked before each file is written, with its path: refuses one that must not be replaced, by
@@ -70,18 +70,18 @@ class PictureRun {
 
     std::function<void(const std::string&)> refuse_;
     const PictureOptions& options_;
-    Context context_;
-    Renderer renderer_;
+    render::Context context_;
+    render::Renderer renderer_;
     std::filesystem::path folder_;
-    EncodeQueue queue_;
-    std::optional<VideoFile> video_;
+    render::EncodeQueue queue_;
+    std::optional<render::VideoFile> video_;
     std::optional<SheetRun> sheet_;
-    Overlay overlay_;
+    render::Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;
     std::optional<std::string> instead_;
-    IdImage last_ids_;  ///< kept where a pixel is to be picked
+    render::IdImage last_ids_;  ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
 };
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,28 +1,28 @@
 #include "app/pictures/query_comparison.h"
 
-namespace scb {
+namespace scb::app {
 
-ComparedQueries compared_queries(const QueryView& view, const QuerySources& sources,
-                                 const QueryFrames& frames) {
-    ComparedQueries queries;
+render::ComparedQueries compared_queries(const QueryView& view, const QuerySources& sources,
+                                         const QueryFrames& frames) {
+    render::ComparedQueries queries;
     for (std::size_t i = 0; i < 2; ++i)
         queries[i] = {view.bodies(frames[i]->frame, i), &sources[i].header(), frames[i]};
     return queries;
 }
 
-void draw_comparison(const QueryView& view, const ComparedQueries& queries,
-                     const PairsOfOne& only_here, std::array<ComparedView, 2> views,
+void draw_comparison(const QueryView& view, const render::ComparedQueries& queries,
+                     const render::PairsOfOne& only_here, std::array<render::ComparedView, 2> views,
                      const std::string& title, const std::string& what,
                      const QueryViewOptions& options, PictureRun& pictures) {
     const QueryFrames frames = {queries[0].frame, queries[1].frame};
-    std::vector<AnyVolume> region;
-    for (const ComparedQuery& query : queries) {
-        const std::vector<AnyVolume> contact =
-            contact_region(query.bodies, *query.header, *query.frame);
+    std::vector<render::AnyVolume> region;
+    for (const render::ComparedQuery& query : queries) {
+        const std::vector<render::AnyVolume> contact =
+            render::contact_region(query.bodies, *query.header, *query.frame);
         region.insert(region.end(), contact.begin(), contact.end());
     }
-    ComparisonFigure figure;
-    const Camera camera = view.camera(region);
+    render::ComparisonFigure figure;
+    const render::Camera camera = view.camera(region);
     nlohmann::ordered_json entry = view.index_entry(frames, camera);
     entry["only_in_one"] = nlohmann::ordered_json::array();
     for (const std::vector<IndexPair>& pairs : only_here)
@@ -35,19 +35,19 @@ void draw_comparison(const QueryView& view, const ComparedQueries& queries,
     }
     figure.title = view.title(title);
     figure.subtitle = view.subtitle(frames[0]->frame);
-    for (const ComparedView& each : views)
+    for (const render::ComparedView& each : views)
         pictures.explain(
             figure.title + " · " + view.labels()[0].caption + " / " + view.labels()[1].caption,
             each.legend);
     figure.views = std::move(views);
     figure.center = view.center(region);
     figure.theme = options.picture.theme();
-    const Picture picture =
-        compose(std::move(figure), *view.layout(), options.picture.width(),
-                options.picture.height(), options.picture.samples, pictures.overlay());
+    const render::Picture picture =
+        render::compose(std::move(figure), *view.layout(), options.picture.width(),
+                        options.picture.height(), options.picture.samples, pictures.overlay());
     const std::string name = view.picture_name(what, frames[0]->frame);
     pictures.draw(name, picture, std::move(entry));
     view.tell_pick(pictures, name, frames);
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,5 +1,9 @@
 #include "app/pictures/query_view.h"
 
+#include <limits>
+#include <memory>
+#include <utility>
+
 #include "app/cli/build_text.h"
 #include "app/query/count_table.h"
 #include "app/query/trace_report.h"
@@ -7,8 +11,9 @@
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 #include "scb/level_cover.h"
+#include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -38,17 +43,18 @@ std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown
 }  // namespace
 
 std::string stopped_remark(const TraceFrame& frame) {
-    return "stopped at " + count_text(frame.found.pairs.size()) +
+    return "stopped at " + render::count_text(frame.found.pairs.size()) +
            (frame.found.pairs.size() == 1 ? " pair" : " pairs");
 }
 
 QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
-                     Renderer& renderer, std::optional<ComparisonLayout> layout)
+                     render::Renderer& renderer, std::optional<render::ComparisonLayout> layout)
     : options_(options), sources_(sources), layout_(layout) {
     if (compares()) labels_ = query_labels(sources[0].header(), sources[1].header());
     if (options.shown == Shown::nothing) return;
     const SceneQuery& query = sources.front().query();
-    for (const NamedMesh& mesh : query.scene.meshes) meshes_.push_back(renderer.upload(mesh.mesh));
+    for (const scenes::NamedMesh& mesh : query.scene.meshes)
+        meshes_.push_back(renderer.upload(mesh.mesh));
     std::size_t ids = 1;
     for (const std::size_t body : {query.a, query.b})
         ids += topology_of(query.hierarchy(body)).nodes.size() + query.mesh(body).triangles.size();
@@ -59,39 +65,49 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
-    held_.reserve(sources.size() * query.frames.size() * (nodes[0].size() + nodes[1].size()));
-    for (std::size_t i = 0; i < sources.size(); ++i)
-        for (const int frame : sources[i].frames()) {
-            const QueryBodies at_frame = bodies(frame, i);
-            for (std::size_t side = 0; side < 2; ++side)
-                for (const std::uint32_t node : nodes[side])
-                    held_.push_back(volume_of(at_frame[side], node));
-        }
-    support_ = support_of(held_);
-    center_ = center_of(support_);
+    support_ = support_over_frames(nodes);
+    center_ = render::center_of(support_);
     whole_ = camera_for(spec_, support_, aspect());
-    if (follows_contact()) return;
-    support_ = nullptr;
-    held_ = {};
 }
 
-QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
+render::Support QueryView::support_over_frames(
+    const std::array<std::vector<std::uint32_t>, 2>& nodes) const {
+    // The pictures of a run have one direction of view, so these are some twenty directions.
+    const auto known = std::make_shared<std::vector<std::pair<Vec3, double>>>();
+    return [this, nodes, known](const Vec3& direction) {
+        for (const auto& [of, most] : *known)
+            if (of == direction) return most;
+        double most = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < sources_.size(); ++i)
+            for (const int frame : sources_[i].frames()) {
+                const render::QueryBodies at_frame = bodies(frame, i);
+                for (std::size_t side = 0; side < 2; ++side)
+                    for (const std::uint32_t node : nodes[side])
+                        most = std::max(most, render::reach(render::volume_of(at_frame[side], node),
+                                                            direction));
+            }
+        known->emplace_back(direction, most);
+        return most;
+    };
+}
+
+render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
     const SceneQuery& query = sources_[query_index].query();
-    QueryBodies bodies;
+    render::QueryBodies bodies;
     std::uint32_t next_id = 1;
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t index = side == 0 ? query.a : query.b;
-        const Body& body = query.scene.bodies[index];
-        QueryBody& b = bodies[side];
+        const scenes::Body& body = query.scene.bodies[index];
+        render::QueryBody& b = bodies[side];
         b.name = body.name;
         b.mesh = &query.mesh(index);
         b.hierarchy = &query.hierarchy(index);
         b.handle = meshes_[body.mesh];
-        b.pose = pose_at(body.motion, frame);
+        b.pose = scenes::pose_at(body.motion, frame);
         b.first_node_id = next_id;
         next_id += static_cast<std::uint32_t>(topology_of(*b.hierarchy).nodes.size());
     }
-    for (QueryBody& b : bodies) {
+    for (render::QueryBody& b : bodies) {
         b.first_triangle_id = next_id;
         next_id += static_cast<std::uint32_t>(b.mesh->triangles.size());
     }
@@ -99,17 +115,18 @@ QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
 }
 
 double QueryView::aspect() const {
-    if (layout_) return aspect_of(layout_->sides[0].view);
-    return aspect_of(figure_layout(options_.picture.width(), options_.picture.height()).view);
+    if (layout_) return render::aspect_of(layout_->sides[0].view);
+    return render::aspect_of(
+        render::figure_layout(options_.picture.width(), options_.picture.height()).view);
 }
 
-Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
+render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) const {
     if (!follows_contact() || region.empty()) return whole_;
     // Not so close that a single small triangle fills the view.
-    std::vector<AnyVolume> wide = region;
-    const Support of_region = support_of(region);
-    const Vec3 middle = center_of(of_region);
-    CameraSpec spec = spec_;
+    std::vector<render::AnyVolume> wide = region;
+    const render::Support of_region = render::support_of(region);
+    const Vec3 middle = render::center_of(of_region);
+    scenes::CameraView spec = spec_;
     spec.target.reset();
     spec.distance.reset();
     spec.view_height.reset();
@@ -117,25 +134,26 @@ Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     const double smaller =
         std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
-    Camera camera = camera_for(spec, support_of(wide), aspect());
-    set_depth_range(camera, support_);
+    render::Camera camera = camera_for(spec, render::support_of(wide), aspect());
+    render::set_depth_range(camera, support_);
     return camera;
 }
 
-Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
-    return !follows_contact() || region.empty() ? center_ : center_of(support_of(region));
+Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
+    return !follows_contact() || region.empty() ? center_
+                                                : render::center_of(render::support_of(region));
 }
 
 std::string QueryView::title(const std::string& what) const {
     const SceneQuery& query = sources_.front().query();
     const bool one_kind = sources_.back().query().kind == query.kind;
     return query.scene.name + " · " +
-           (one_kind ? std::string(volume_title(query.kind)) + " · " : "") + what;
+           (one_kind ? std::string(render::volume_title(query.kind)) + " · " : "") + what;
 }
 
 std::string QueryView::subtitle(std::optional<int> frame) const {
     const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
-    const Scene& scene = sources_.front().query().scene;
+    const scenes::Scene& scene = sources_.front().query().scene;
     std::string text;
     const auto add = [&text](const std::string& part) {
         text += (text.empty() ? "" : ", ") + part;
@@ -185,8 +203,8 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
 }
 
 Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames, std::size_t query) const {
-    const QueryBodies both = bodies(frames[0]->frame, query);
-    for (const QueryBody& b : both) {
+    const render::QueryBodies both = bodies(frames[0]->frame, query);
+    for (const render::QueryBody& b : both) {
         const Topology& topology = topology_of(*b.hierarchy);
         if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
             const std::uint32_t node = id - b.first_node_id;
@@ -197,7 +215,7 @@ Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames, std::size_t
                     {"triangles", topology.nodes[node].count}};
         }
     }
-    for (const QueryBody& b : both)
+    for (const render::QueryBody& b : both)
         if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
             return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
     std::uint32_t first = first_free_id_;
@@ -226,7 +244,7 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                           const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
     const PixelPosition at = *options_.picture.pick;
-    const auto is_in = [&at](const PixelRect& r) {
+    const auto is_in = [&at](const render::PixelRect& r) {
         return at.x >= r.x && at.x < r.x + r.width && at.y >= r.y && at.y < r.y + r.height;
     };
     const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
@@ -239,7 +257,7 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                 " meet";
     else
         text += what["what"].get<std::string>() + " " + what["index"].dump() + " of " +
-                printable(what["body"].get<std::string>());
+                scenes::printable(what["body"].get<std::string>());
     if (!what.is_null() && what["what"] == "node")
         text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
                 (what["triangles"] == 1 ? " triangle" : " triangles");
@@ -273,12 +291,12 @@ Json QueryView::index_head(const std::string& command) const {
     }
     head["frames"] = sources_.front().frames();
     if (options_.shown != Shown::nothing) {
-        const QueryBodies both = bodies(sources_.front().frames().front());
+        const render::QueryBodies both = bodies(sources_.front().frames().front());
         head["ids"] = Json::array();
-        for (const QueryBody& b : both)
+        for (const render::QueryBody& b : both)
             head["ids"].push_back(range_json("node", b.name, b.first_node_id,
                                              topology_of(*b.hierarchy).nodes.size()));
-        for (const QueryBody& b : both)
+        for (const render::QueryBody& b : both)
             head["ids"].push_back(
                 range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
     }
@@ -287,7 +305,7 @@ Json QueryView::index_head(const std::string& command) const {
     if (options_.shown != Shown::nothing) options["samples"] = options_.picture.samples;
     options["background"] = options_.picture.background;
     if (options_.shown != Shown::nothing && !follows_contact())
-        head["camera"] = Json::parse(camera_json(exact_spec(spec_, camera({}), center_)));
+        head["camera"] = Json::parse(scenes::camera_json(exact_spec(spec_, camera({}), center_)));
     return head;
 }
 
@@ -303,11 +321,11 @@ Json QueryView::index_entry(const QueryFrames& frames) const {
     return {{"frame", frames[0]->frame}, {"queries", std::move(counts)}};
 }
 
-Json QueryView::index_entry(const QueryFrames& frames, const Camera& camera) const {
+Json QueryView::index_entry(const QueryFrames& frames, const render::Camera& camera) const {
     Json entry = index_entry(frames);
     if (follows_contact())
-        entry["camera"] = Json::parse(camera_json(exact_spec(spec_, camera, center_)));
+        entry["camera"] = Json::parse(scenes::camera_json(exact_spec(spec_, camera, center_)));
     return entry;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -12,7 +12,7 @@
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What a picture says of a query that ended before it had found everything.
 std::string stopped_remark(const TraceFrame& frame);
@@ -23,24 +23,25 @@ std::string stopped_remark(const TraceFrame& frame);
 class QueryView {
   public:
     /// `layout`: of the pictures, where two queries are compared.
-    QueryView(const QueryViewOptions& options, const QuerySources& sources, Renderer& renderer,
-              std::optional<ComparisonLayout> layout = std::nullopt);
+    QueryView(const QueryViewOptions& options, const QuerySources& sources,
+              render::Renderer& renderer,
+              std::optional<render::ComparisonLayout> layout = std::nullopt);
     QueryView(const QueryView&) = delete;
 
     /// Whether there are two queries.
     bool compares() const { return sources_.size() == 2; }
     /// The bodies at a frame, with the hierarchies of one of the queries.
-    QueryBodies bodies(int frame, std::size_t query = 0) const;
+    render::QueryBodies bodies(int frame, std::size_t query = 0) const;
     /// The camera for the view of a picture of the options' size: one for all frames, or, where it
     /// follows the contact and there is one, fitted to `region`.
-    Camera camera(const std::vector<AnyVolume>& region) const;
+    render::Camera camera(const std::vector<render::AnyVolume>& region) const;
     /// What that camera looks at: where a scale bar holds.
-    Vec3 center(const std::vector<AnyVolume>& region) const;
+    Vec3 center(const std::vector<render::AnyVolume>& region) const;
     /// The id of the first of what a picture has beside nodes and triangles.
     std::uint32_t first_free_id() const { return first_free_id_; }
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
-    const std::optional<ComparisonLayout>& layout() const { return layout_; }
+    const std::optional<render::ComparisonLayout>& layout() const { return layout_; }
     /// What the two queries are called that are compared.
     const std::array<QueryLabel, 2>& labels() const { return labels_; }
     /// "spheres-l1 · SCB · " and what the picture shows.
@@ -71,26 +72,28 @@ class QueryView {
     nlohmann::ordered_json index_head(const std::string& command) const;
     /// What it says of one picture: the counts of its query, or of both as `queries`; and the
     /// camera, where it moves.
-    nlohmann::ordered_json index_entry(const QueryFrames& frames, const Camera& camera) const;
+    nlohmann::ordered_json index_entry(const QueryFrames& frames,
+                                       const render::Camera& camera) const;
     nlohmann::ordered_json index_entry(const QueryFrames& frames) const;
 
   private:
     double aspect() const;
+    /// How far these nodes' volumes reach, over all queries and frames.
+    render::Support support_over_frames(
+        const std::array<std::vector<std::uint32_t>, 2>& nodes) const;
 
     const QueryViewOptions& options_;
     const QuerySources& sources_;
-    std::optional<ComparisonLayout> layout_;
+    std::optional<render::ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
-    std::vector<MeshHandle> meshes_;
-    CameraSpec spec_;
+    std::vector<render::MeshHandle> meshes_;
+    scenes::CameraView spec_;
     /// Of both bodies at all frames: what all pictures show.
     Vec3 center_ = Vec3::Zero();
-    Camera whole_;
-    /// Kept where the camera follows the contact, for its depth range: volumes of both bodies at
-    /// all frames, and their support.
-    std::vector<AnyVolume> held_;
-    Support support_;
+    render::Camera whole_;
+    /// Of both bodies at all frames; computed from one frame's volumes after the other.
+    render::Support support_;
     std::uint32_t first_free_id_ = 1;
 };
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,9 +1,12 @@
 #include "app/pictures/query_view_options.h"
+#include "app/cli/validators.h"
 
+#include "app/query/output_guard.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 void QueryViewOptions::check() {
     picture.check();
@@ -12,15 +15,15 @@ void QueryViewOptions::check() {
     hierarchy.build();
     query.collide();
     for (const std::string& name : scene.names)
-        if (names_trace(name)) refuse_for_trace(recording, name);
+        if (scenes::names_trace(name)) refuse_for_trace(recording, name);
     refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
     picture.video.check(scene, picture.output);
     if (pick.empty()) return;
-    const std::vector<std::string> parts = split_list(pick);
+    const std::vector<std::string> parts = scenes::split_list(pick);
     const std::string hint = "; give X,Y in pixels from the left and the top.";
-    if (parts.size() != 2) throw InputError("--pick " + pick + ": this is no pixel" + hint);
-    const PixelPosition at = {whole_number(parts[0], "--pick " + pick, hint),
-                              whole_number(parts[1], "--pick " + pick, hint)};
+    if (parts.size() != 2) throw InputError("--pick " + pick + ": this is not a pixel" + hint);
+    const PixelPosition at = {scenes::whole_number(parts[0], "--pick " + pick, hint),
+                              scenes::whole_number(parts[1], "--pick " + pick, hint)};
     if (at.x < 0 || at.x >= picture.width() || at.y < 0 || at.y >= picture.height())
         throw InputError("--pick " + pick + ": the picture has the pixels 0,0 to " +
                          std::to_string(picture.width() - 1) + "," +
@@ -37,28 +40,30 @@ QuerySources QueryViewOptions::open(const Console& console) const {
 }
 
 std::optional<SheetRun> QueryViewOptions::planned_sheet(
-    std::size_t count, const std::optional<ComparisonLayout>& layout) const {
+    std::size_t count, const std::optional<render::ComparisonLayout>& layout) const {
     if (!sheet) return std::nullopt;
     SheetRun run;
-    run.view = figure_layout(picture.width(), picture.height()).view;
+    run.view = render::figure_layout(picture.width(), picture.height()).view;
     if (layout) {
         // Both views, and what is between them.
-        const PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
+        const render::PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
         run.view = {first.x, first.y, second.x + second.width - first.x,
                     second.y + second.height - first.y};
     }
-    const std::optional<FrameSheetLayout> cells = frame_sheet_layout(count, run.view);
+    const std::optional<render::FrameSheetLayout> cells =
+        render::frame_sheet_layout(count, run.view);
     if (!cells)
-        throw InputError("--sheet: a sheet has room for " + count_text(most_frame_cells(run.view)) +
-                         " pictures, and this run has " + count_text(count) +
+        throw InputError("--sheet: a sheet has room for " +
+                         render::count_text(render::most_frame_cells(run.view)) +
+                         " pictures, and this run has " + render::count_text(count) +
                          "; give fewer, or leave out --sheet.");
     run.sheet.layout = *cells;
     return run;
 }
 
-void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown) {
+void add_query_view_options(const Command& command, QueryViewOptions& options, Shown shown) {
     add_scene_options(command, options.scene, false);
-    command.get_option("SCENE")->description(
+    command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
         "trace`), or two traces to compare");
     add_hierarchy_options(command, options.hierarchy, false);
@@ -68,20 +73,20 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
     if (shown != Shown::nothing) {
         add_picture_options(command, options.picture, options.camera);
         command.get_option("--camera")
-            ->description(
+            .description(
                 "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
                 "or a JSON file; else the scene's own");
         command
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
-            ->check(has_name())
-            ->type_name("X,Y");
+            .check(has_name)
+            .type_name("X,Y");
         command
             .add_option("--compare", options.compare,
                         "Two overlap tests, such as corrected,printed, or two volumes, such as "
                         "scb,ball: both side by side, and what differs outlined")
-            ->check(has_name())
-            ->type_name("A,B");
+            .check(has_name)
+            .type_name("A,B");
         command.add_flag("--sheet", options.sheet,
                          "Also all pictures in one, small, with their counts");
     } else {
@@ -89,7 +94,7 @@ void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown 
     }
     add_video_options(command, options.picture.video);
     command.get_option("--frames")
-        ->description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
+        .description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
 }
 
-}  // namespace scb
+}  // namespace scb::app

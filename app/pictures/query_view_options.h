@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "app/cli/command.h"
 
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
@@ -10,7 +11,7 @@
 #include "render/figures/comparison_figure.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What of the bodies a picture shows, and a camera therefore has to hold.
 enum class Shown { nothing, meshes, volumes };
@@ -19,7 +20,7 @@ enum class Shown { nothing, meshes, volumes };
 struct QueryViewOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
+    QueryOptions query{.frames = scenes::auto_frames};
     QueryLimits limits;
     PictureOptions picture;
     CameraOptions camera;
@@ -36,10 +37,10 @@ struct QueryViewOptions {
     QuerySources open(const Console& console) const;
     /// A sheet for this many pictures, where one is asked for; with `layout` where two queries are
     /// compared. Throws InputError where they are too many: ask before anything is written.
-    std::optional<SheetRun> planned_sheet(std::size_t count,
-                                          const std::optional<ComparisonLayout>& layout) const;
+    std::optional<SheetRun> planned_sheet(
+        std::size_t count, const std::optional<render::ComparisonLayout>& layout) const;
 };
 /// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
-void add_query_view_options(CLI::App& command, QueryViewOptions& options, Shown shown);
+void add_query_view_options(const Command& command, QueryViewOptions& options, Shown shown);
 
-}  // namespace scb
+}  // namespace scb::app

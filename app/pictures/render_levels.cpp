@@ -3,18 +3,18 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/pictures/level_index.h"
 #include "app/pictures/level_options.h"
 #include "app/pictures/picture_run.h"
 #include "app/pictures/scene_camera.h"
 #include "app/query/level_list.h"
+#include "core/base/exit_status.h"
 #include "render/figures/level_sheet.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 #include "scenes/scene/scene_hierarchies.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string level_title(int level) {
@@ -22,7 +22,7 @@ std::string level_title(int level) {
 }
 
 // SCENE_VOLUME_level-07_frame-0250, without the extension.
-std::string picture_name(const Scene& scene, VolumeKind kind, int level, int frame) {
+std::string picture_name(const scenes::Scene& scene, VolumeKind kind, int level, int frame) {
     char numbers[64];
     if (level == leaf_level)
         std::snprintf(numbers, sizeof numbers, "_level-leaves_frame-%04d", frame);
@@ -31,14 +31,14 @@ std::string picture_name(const Scene& scene, VolumeKind kind, int level, int fra
     return scene.name + "_" + std::string(volume_kind_name(kind)) + numbers;
 }
 
-std::string sheet_name(const Scene& scene, int frame) {
+std::string sheet_name(const scenes::Scene& scene, int frame) {
     char numbers[32];
     std::snprintf(numbers, sizeof numbers, "_frame-%04d", frame);
     return scene.name + "_levels_sheet" + numbers;
 }
 
 // The frame, and every option that changes what is drawn but cannot be seen.
-std::string subtitle_of(const LevelOptions& options, const Scene& scene, int frame,
+std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene, int frame,
                         int deepest_level, bool orthographic) {
     std::string text = "of levels 0 to " + std::to_string(deepest_level);
     if (scene.frames > 1)
@@ -48,30 +48,30 @@ std::string subtitle_of(const LevelOptions& options, const Scene& scene, int fra
     return text;
 }
 
-LevelStyle style_of(const LevelOptions& options, const Scene& scene, int deepest_level,
-                    const std::vector<AnyHierarchy>& hierarchies) {
-    LevelStyle style;
+render::LevelStyle style_of(const LevelOptions& options, const scenes::Scene& scene,
+                            int deepest_level, const std::vector<AnyHierarchy>& hierarchies) {
+    render::LevelStyle style;
     style.opacity = options.resolved_opacity();
     style.mesh = options.mesh || options.edges || style.opacity < 1;
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
     style.colors = {options.resolved_color_by(scene.bodies.size()), deepest_level,
-                    largest_root(hierarchies)};
+                    render::largest_root(hierarchies)};
     return style;
 }
 
 // `meshes` is empty where none is drawn.
-std::vector<LevelBody> bodies_of(const Scene& scene, int frame,
-                                 const std::vector<AnyHierarchy>& hierarchies,
-                                 const std::vector<MeshHandle>& meshes) {
-    std::vector<LevelBody> bodies;
+std::vector<render::LevelBody> bodies_of(const scenes::Scene& scene, int frame,
+                                         const std::vector<AnyHierarchy>& hierarchies,
+                                         const std::vector<render::MeshHandle>& meshes) {
+    std::vector<render::LevelBody> bodies;
     std::uint32_t next_id = 1;
-    for (const Body& body : scene.bodies) {
-        LevelBody b;
+    for (const scenes::Body& body : scene.bodies) {
+        render::LevelBody b;
         b.name = body.name;
         b.triangles = scene.meshes[body.mesh].mesh.triangles.size();
         if (!meshes.empty()) b.mesh = meshes[body.mesh];
-        b.pose = pose_at(body.motion, frame);
+        b.pose = scenes::pose_at(body.motion, frame);
         b.hierarchy = &hierarchies[body.mesh];
         b.first_id = next_id;
         const std::size_t nodes = topology_of(*b.hierarchy).nodes.size();
@@ -87,12 +87,12 @@ int run(const LevelOptions& options, const Console& console) {
     options.check();
     // Meshes first: some readers are tried in a child process, which must not inherit a context or
     // threads.
-    const Scene scene = options.scene.load();
+    const scenes::Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
-    const CameraSpec spec = camera_spec_for(options.camera, scene);
+    const scenes::CameraView spec = camera_spec_for(options.camera, scene);
     const std::vector<MeshTopology> topologies =
-        build_topologies(scene, options.hierarchy.build().topology());
-    const int deepest_level = deepest(topologies);
+        scenes::build_topologies(scene, options.hierarchy.build().topology());
+    const int deepest_level = scenes::deepest(topologies);
     const std::vector<int> levels = parse_levels(options.levels, deepest_level);
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
@@ -101,47 +101,50 @@ int run(const LevelOptions& options, const Console& console) {
     PictureRun pictures(options.picture);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
-        hierarchies.push_back(fit_meshes(topologies, kind, options.hierarchy.build()));
-    const LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
-    std::vector<MeshHandle> meshes;
+        for (AnyHierarchy& fitted : hierarchies.emplace_back(
+                 scenes::fit_meshes(topologies, kind, options.hierarchy.build())))
+            mutate(options.hierarchy.mutation, fitted);
+    const render::LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
+    std::vector<render::MeshHandle> meshes;
     if (style.mesh)
-        for (const NamedMesh& mesh : scene.meshes)
+        for (const scenes::NamedMesh& mesh : scene.meshes)
             meshes.push_back(pictures.renderer().upload(mesh.mesh));
-    std::vector<std::vector<LevelBody>> bodies;  // per kind
-    std::vector<Support> parts;
+    std::vector<std::vector<render::LevelBody>> bodies;  // per kind
+    std::vector<render::Support> parts;
     for (const auto& h : hierarchies) bodies.push_back(bodies_of(scene, frame, h, meshes));
-    for (const auto& b : bodies) parts.push_back(support_of_levels(b, levels));
-    const Support support = support_of_all(std::move(parts));
+    for (const auto& b : bodies) parts.push_back(render::support_of_levels(b, levels));
+    const render::Support support = render::support_of_all(std::move(parts));
 
-    LevelFigure figure;
+    render::LevelFigure figure;
     figure.style = style;
-    figure.center = center_of(support);
+    figure.center = render::center_of(support);
     if (spec.inset)
-        figure.detail = Detail{detail_camera(spec, *spec.inset, support, 1), spec.inset->center,
-                               spec.inset->radius};
+        figure.detail = render::Detail{detail_camera(spec, *spec.inset, support, 1),
+                                       spec.inset->center, spec.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
-    figure.camera = camera_for(spec, support, aspect_of(figure_layout(width, height).view));
+    figure.camera =
+        camera_for(spec, support, render::aspect_of(render::figure_layout(width, height).view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
     const std::size_t total = kinds.size() * levels.size();
     std::size_t done = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k)
         for (const int level : levels) {
-            figure.title = scene.name + " · " + std::string(volume_title(kinds[k])) + " · " +
-                           level_title(level);
+            figure.title = scene.name + " · " + std::string(render::volume_title(kinds[k])) +
+                           " · " + level_title(level);
             figure.bodies = bodies[k];
             figure.level = level;
-            const Picture picture =
-                compose(figure, width, height, options.picture.samples, pictures.overlay());
+            const render::Picture picture =
+                render::compose(figure, width, height, options.picture.samples, pictures.overlay());
             const std::string name = picture_name(scene, kinds[k], level, frame);
             pictures.draw(name, picture, level_entry(kinds[k], level, frame, bodies[k]));
             console.progress(name, ++done, total);
         }
 
     if (total > 1 && !options.no_sheet) {
-        LevelSheet sheet;
-        const LevelSheetLayout layout =
-            level_sheet_layout(kinds.size(), levels.size(), figure.detail.has_value());
+        render::LevelSheet sheet;
+        const render::LevelSheetLayout layout =
+            render::level_sheet_layout(kinds.size(), levels.size(), figure.detail.has_value());
         sheet.title = scene.name + " · levels";
         sheet.subtitle = figure.subtitle;
         sheet.style = style;
@@ -150,12 +153,14 @@ int run(const LevelOptions& options, const Console& console) {
         sheet.camera =
             camera_for(spec, support, static_cast<double>(layout.view_width) / layout.view_height);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            std::vector<LevelSheetCell>& row = sheet.rows.emplace_back();
+            std::vector<render::LevelSheetCell>& row = sheet.rows.emplace_back();
             for (const int level : levels)
-                row.push_back({std::string(volume_title(kinds[k])) + " · " + level_title(level),
-                               bodies[k], level});
+                row.push_back(
+                    {std::string(render::volume_title(kinds[k])) + " · " + level_title(level),
+                     bodies[k], level});
         }
-        const Picture picture = compose(sheet, options.picture.samples, pictures.overlay());
+        const render::Picture picture =
+            render::compose(sheet, options.picture.samples, pictures.overlay());
         pictures.draw(sheet_name(scene, frame), picture, {{"sheet", true}}, false);
     }
     pictures.finish(
@@ -165,12 +170,12 @@ int run(const LevelOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_render_levels(CLI::App& render_command, const Console& console, Action& action) {
-    CLI::App* command = render_command.add_subcommand(
+void add_render_levels(const Command& render_command, const Console& console, Action& action) {
+    const Command command = render_command.add_subcommand(
         "levels", "The levels of the hierarchies, one picture each, and a sheet");
     const auto options = std::make_shared<LevelOptions>();
-    add_level_options(*command, *options);
-    command->footer(
+    add_level_options(command, *options);
+    command.footer(
         "A level shows the nodes at that depth, and the leaves above it, so it covers the mesh. "
         "One camera and one scale\n"
         "hold for all pictures of a run. Beside them, index.json has their counts, the options, "
@@ -179,9 +184,9 @@ void add_render_levels(CLI::App& render_command, const Console& console, Action&
         "Examples:\n"
         "  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/\n"
         "  scb render levels part.stl --levels 0:12 --opacity 0.4 --camera orbit:40,15 -o out/");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

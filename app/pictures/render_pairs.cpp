@@ -1,13 +1,14 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_comparison.h"
 #include "render/figures/heat_figure.h"
 #include "render/figures/pairs_figure.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options : QueryViewOptions {
@@ -16,11 +17,12 @@ struct Options : QueryViewOptions {
     std::optional<int> heat_end;
 };
 
-void describe_pairs(SceneFigure& figure, const QueryView& view, const QuerySource& source,
-                    const TraceFrame& frame, const QueryBodies& bodies, const PairsStyle& style) {
+void describe_pairs(render::SceneFigure& figure, const QueryView& view, const QuerySource& source,
+                    const TraceFrame& frame, const render::QueryBodies& bodies,
+                    const render::PairsStyle& style) {
     figure.title = view.title("pairs");
-    figure.pane = pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
-    figure.panel = pairs_panel(bodies, source.header(), frame, style);
+    figure.pane = render::pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
+    figure.panel = render::pairs_panel(bodies, source.header(), frame, style);
     if (frame.found.pairs.empty())
         figure.remark = "no contact";
     else if (!frame.found.complete)
@@ -32,31 +34,32 @@ std::optional<std::uint32_t> heat_end_of(const Options& options) {
     return static_cast<std::uint32_t>(*options.heat_end);
 }
 
-void describe_heat(SceneFigure& figure, const QueryView& view, const Options& options,
-                   const TraceFrame& frame, const QueryBodies& bodies) {
-    const HeatOf of = *heat_of_of(options.heat);
-    const Heat heat = heat_of(bodies, frame, of, heat_end_of(options));
+void describe_heat(render::SceneFigure& figure, const QueryView& view, const Options& options,
+                   const TraceFrame& frame, const render::QueryBodies& bodies) {
+    const HeatOf of = *render::heat_of_of(options.heat);
+    const render::Heat heat = render::heat_of(bodies, frame, of, heat_end_of(options));
     figure.title = view.title("heat");
-    figure.pane = heat_pane(bodies, heat);
-    figure.panel = heat_panel(bodies, frame, heat);
+    figure.pane = render::heat_pane(bodies, heat);
+    figure.panel = render::heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
 }
 
-ComparisonLayout layout_of(const Options& options) {
-    return comparison_layout(options.picture.width(), options.picture.height(),
-                             options.heat.empty() ? compared_pairs_rows() : compared_heat_rows());
+render::ComparisonLayout layout_of(const Options& options) {
+    return render::comparison_layout(
+        options.picture.width(), options.picture.height(),
+        options.heat.empty() ? render::compared_pairs_rows() : render::compared_heat_rows());
 }
 
 void draw_compared(const QueryView& view, const QuerySources& sources, const QueryFrames& frames,
-                   const Options& options, const PairsStyle& style, const std::string& what,
+                   const Options& options, const render::PairsStyle& style, const std::string& what,
                    PictureRun& pictures) {
-    const ComparedQueries queries = compared_queries(view, sources, frames);
-    const PairsOfOne only_here = pairs_of_one(queries);
+    const render::ComparedQueries queries = compared_queries(view, sources, frames);
+    const render::PairsOfOne only_here = render::pairs_of_one(queries);
     const bool heat = !options.heat.empty();
-    std::array<ComparedView, 2> views =
-        heat ? compared_heat(queries, only_here, *heat_of_of(options.heat), heat_end_of(options),
-                             *style.theme)
-             : compared_pairs(queries, only_here, style, view.first_free_id());
+    std::array<render::ComparedView, 2> views =
+        heat ? render::compared_heat(queries, only_here, *render::heat_of_of(options.heat),
+                                     heat_end_of(options), *style.theme)
+             : render::compared_pairs(queries, only_here, style, view.first_free_id());
     for (std::size_t i = 0; i < 2; ++i)
         if (!heat && frames[i]->found.pairs.empty())
             views[i].remark = "no contact";
@@ -68,19 +71,19 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
 
 int run(Options& options, const Console& console) {
     options.check();
-    if (!options.heat.empty() && !heat_of_of(options.heat))
+    if (!options.heat.empty() && !render::heat_of_of(options.heat))
         throw InputError("--heat " + options.heat + ": give volumes or triangles.");
     if (options.heat_end && (options.heat.empty() || *options.heat_end < 2))
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
     QuerySources sources = options.open(console);
-    std::optional<ComparisonLayout> layout;
+    std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
     std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);
     PictureRun pictures(options.picture);
     const QueryView view(options, sources, pictures.renderer(), layout);
 
-    PairsStyle style;
+    render::PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
     const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
@@ -94,23 +97,24 @@ int run(Options& options, const Console& console) {
             }
             const TraceFrame& frame = *frames[0];
             const QuerySource& source = sources[0];
-            const QueryBodies bodies = view.bodies(frame.frame);
-            SceneFigure figure;
+            const render::QueryBodies bodies = view.bodies(frame.frame);
+            render::SceneFigure figure;
             if (options.heat.empty())
                 describe_pairs(figure, view, source, frame, bodies, style);
             else
                 describe_heat(figure, view, options, frame, bodies);
             figure.subtitle = view.subtitle(frame.frame);
-            const std::vector<AnyVolume> region = contact_region(bodies, source.header(), frame);
+            const std::vector<render::AnyVolume> region =
+                render::contact_region(bodies, source.header(), frame);
             figure.pane.camera = view.camera(region);
             figure.center = view.center(region);
             figure.theme = style.theme;
             nlohmann::ordered_json entry = view.index_entry(frames, figure.pane.camera);
             if (options.heat.empty()) entry["pair_ids"] = view.pair_ids(frames)[0];
             pictures.explain(figure.title, figure.panel);
-            const Picture picture =
-                compose(std::move(figure), options.picture.width(), options.picture.height(),
-                        options.picture.samples, pictures.overlay());
+            const render::Picture picture = render::compose(
+                std::move(figure), options.picture.width(), options.picture.height(),
+                options.picture.samples, pictures.overlay());
             const std::string name = view.picture_name(what, frame.frame);
             pictures.draw(name, picture, std::move(entry));
             view.tell_pick(pictures, name, frames);
@@ -128,35 +132,35 @@ int run(Options& options, const Console& console) {
 
 }  // namespace
 
-void add_render_pairs(CLI::App& render_command, const Console& console, Action& action) {
-    CLI::App* command = render_command.add_subcommand(
+void add_render_pairs(const Command& render_command, const Console& console, Action& action) {
+    const Command command = render_command.add_subcommand(
         "pairs", "The triangles that intersect, and the leaves that overlap");
     const auto options = std::make_shared<Options>();
-    add_query_view_options(*command, *options, Shown::meshes);
-    command->add_flag("--no-leaves", options->no_leaves,
-                      "Without the volumes of leaves that overlap while their triangles do not");
+    add_query_view_options(command, *options, Shown::meshes);
+    command.add_flag("--no-leaves", options->no_leaves,
+                     "Without the volumes of leaves that overlap while their triangles do not");
     command
-        ->add_option("--heat", options->heat,
-                     "Instead, color each triangle by the tests that it took part in: of volumes "
-                     "that hold it, or of triangles")
-        ->check(has_name())
-        ->type_name("volumes|triangles");
+        .add_option("--heat", options->heat,
+                    "Instead, color each triangle by the tests that it took part in: of volumes "
+                    "that hold it, or of triangles")
+        .check(has_name)
+        .type_name("volumes|triangles");
     command
-        ->add_option("--heat-end", options->heat_end,
-                     "The count at the upper end of the scale; else the power of ten above all")
-        ->check(decimal_number())
-        ->type_name("N");
-    command->footer(
+        .add_option("--heat-end", options->heat_end,
+                    "The count at the upper end of the scale; else the power of ten above all")
+        .check(decimal_number)
+        .type_name("N");
+    command.footer(
         "Strong colors are triangles that intersect, black lines where they meet; a line is thin "
         "where a body hides it.\n"
         "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"
         "  scb render pairs spheres.scbtrace --frames all --camera contact -o out/");
-    command->callback([&action, &console, command, options] {
-        options->recording = given_recording_options(*command);
+    command.callback([&action, &console, command, options] {
+        options->recording = given_recording_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

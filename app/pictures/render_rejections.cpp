@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_comparison.h"
 #include "app/query/level_list.h"
@@ -12,8 +13,9 @@
 #include "render/figures/rejections_figure.h"
 #include "render/figures/stages_figure.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options : QueryViewOptions {
@@ -24,10 +26,10 @@ struct Options : QueryViewOptions {
     std::optional<std::int64_t> steps;
 };
 
-std::string names_of(const std::vector<Ending>& endings) {
+std::string names_of(const std::vector<Outcome>& endings) {
     std::string names;
-    for (const Ending ending : endings)
-        names += (names.empty() ? "" : ", ") + std::string(ending_name(ending));
+    for (const Outcome ending : endings)
+        names += (names.empty() ? "" : ", ") + std::string(outcome_name(ending));
     return names;
 }
 
@@ -35,38 +37,38 @@ std::string names_of(const std::vector<Ending>& endings) {
 std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
     const std::string option = "--depth " + text;
     const std::string hint = "; give a level such as 7, or the first and the last such as 0:9.";
-    const std::vector<std::string> parts = split_list(text, ':');
+    const std::vector<std::string> parts = scenes::split_list(text, ':');
     if (parts.size() > 2) throw InputError(option + ": these are not two levels" + hint);
-    const int first = whole_number(parts.front(), option, hint),
-              last = whole_number(parts.back(), option, hint);
+    const int first = scenes::whole_number(parts.front(), option, hint),
+              last = scenes::whole_number(parts.back(), option, hint);
     if (first < 0 || last < first || last > deepest_level)
         throw InputError(option + ": this scene's hierarchies have the levels 0 to " +
                          std::to_string(deepest_level) + hint);
     return {first, last};
 }
 
-RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
+render::RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
     const QuerySource& source = sources.front();
-    RejectionsStyle style;
-    const std::optional<FrontColor> by = front_color_of(options.by);
+    render::RejectionsStyle style;
+    const std::optional<render::FrontColor> by = render::front_color_of(options.by);
     if (!by) throw InputError("--by " + options.by + ": give first, last, dominant or share.");
     style.by = *by;
-    std::vector<Ending> known;
+    std::vector<Outcome> known;
     for (const QuerySource& each : sources)
-        for (const Ending ending : endings_of(each.header().volume, each.header().options))
+        for (const Outcome ending : endings_of(each.header().volume, each.header().options))
             if (std::find(known.begin(), known.end(), ending) == known.end())
                 known.push_back(ending);
     if (!options.stages.empty())
-        for (const std::string& name : split_list(options.stages)) {
-            const std::optional<Ending> ending = ending_of(name);
+        for (const std::string& name : scenes::split_list(options.stages)) {
+            const std::optional<Outcome> ending = ending_of(name);
             if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())
-                throw InputError("--stage " + options.stages + ": '" + name +
+                throw InputError("--stages " + options.stages + ": '" + name +
                                  "' is none here; give some of " + names_of(known) + ".");
             style.filter.endings.push_back(*ending);
         }
     if (!options.depths.empty())
         std::tie(style.filter.least_depth, style.filter.most_depth) =
-            depth_range(options.depths, deepest(source.query().topologies));
+            depth_range(options.depths, scenes::deepest(source.query().topologies));
     const TraceHeader& header = source.header();
     if (!options.body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
@@ -97,25 +99,27 @@ std::string filter_text(const Options& options) {
 struct Shot {
     const QuerySources& sources;
     const QueryView& view;
-    const RejectionsStyle& style;
+    const render::RejectionsStyle& style;
     const Options& options;
     PictureRun& pictures;
 
     /// `step`: how many tests of `whole` the frame has, where it is an animation's.
-    void draw(const TraceFrame& frame, const TestTree& tree, std::optional<std::size_t> step,
+    void draw(const TraceFrame& frame, const TraversalTree& tree, std::optional<std::size_t> step,
               const TraceFrame& whole) const {
         const QuerySource& source = sources.front();
-        const QueryBodies bodies = view.bodies(frame.frame);
-        const Fronts fronts = fronts_of(bodies, frame, tree, style);
-        SceneFigure figure;
+        const render::QueryBodies bodies = view.bodies(frame.frame);
+        const render::Fronts fronts = render::fronts_of(bodies, frame, tree, style);
+        render::SceneFigure figure;
         figure.title = view.title("rejections");
         figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
-        figure.pane = rejections_pane(bodies, fronts, style);
-        const std::vector<AnyVolume> region = contact_region(bodies, source.header(), whole);
+        figure.pane = render::rejections_pane(bodies, fronts, style);
+        const std::vector<render::AnyVolume> region =
+            render::contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
-        figure.panel = rejections_panel(bodies, source.header(), frame, tree, fronts, style);
-        figure.chart = endings_chart(source.header(), frame, tree, *style.theme);
+        figure.panel =
+            render::rejections_panel(bodies, source.header(), frame, tree, fronts, style);
+        figure.chart = render::endings_chart(source.header(), frame, tree, *style.theme);
         figure.theme = style.theme;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
@@ -134,17 +138,18 @@ struct Shot {
             name += format("_test-%07zu", *step);
         }
         pictures.explain(figure.title, figure.panel);
-        const Picture picture =
-            compose(std::move(figure), options.picture.width(), options.picture.height(),
-                    options.picture.samples, pictures.overlay());
+        const render::Picture picture =
+            render::compose(std::move(figure), options.picture.width(), options.picture.height(),
+                            options.picture.samples, pictures.overlay());
         pictures.draw(name, picture, std::move(entry));
         view.tell_pick(pictures, name, {&frame});
     }
 
     void draw_compared(const QueryFrames& frames) const {
-        const ComparedQueries queries = compared_queries(view, sources, frames);
-        const PairsOfOne only_here = pairs_of_one(queries);
-        std::array<ComparedView, 2> views = compared_rejections(queries, only_here, style);
+        const render::ComparedQueries queries = compared_queries(view, sources, frames);
+        const render::PairsOfOne only_here = render::pairs_of_one(queries);
+        std::array<render::ComparedView, 2> views =
+            render::compared_rejections(queries, only_here, style);
         for (std::size_t i = 0; i < 2; ++i)
             if (views[i].pane.volumes.empty())
                 views[i].remark = "no such node";
@@ -157,35 +162,37 @@ struct Shot {
     }
 
     /// The pair that was tested last, and what its test gave.
-    void show_current_pair(SceneFigure& figure, const QueryBodies& bodies, const TraceFrame& frame,
-                           const TestTree& tree, std::uint64_t all) const {
+    void show_current_pair(render::SceneFigure& figure, const render::QueryBodies& bodies,
+                           const TraceFrame& frame, const TraversalTree& tree,
+                           std::uint64_t all) const {
         const std::size_t last = frame.events.volume_tests.size() - 1;
         const TracedTest test = traced_test(frame, tree, last);
         for (std::size_t side = 0; side < 2; ++side) {
             const std::uint32_t node = side == 0 ? test.test.nodes.a : test.test.nodes.b;
-            const AnyVolume volume = volume_of(bodies[side], node);
+            const render::AnyVolume volume = render::volume_of(bodies[side], node);
             const double radius = std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
-            figure.markers.push_back({center(volume), radius});
+            figure.markers.push_back({render::center(volume), radius});
         }
         const std::string result = test.test.stage == Stage::overlapping
                                        ? std::string("overlap")
                                        : "rejected at " + std::string(stage_name(test.test.stage));
-        figure.remark = "test " + count_text(last + 1) + " of " + count_text(all) + ": " + result;
+        figure.remark = "test " + render::count_text(last + 1) + " of " + render::count_text(all) +
+                        ": " + result;
     }
 };
 
 /// How the paths of each frame ended: a picture for each query.
-void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
+void draw_stages(std::vector<render::StagesFigure>& stages, const QuerySources& sources,
                  const QueryView& view, const Options& options, PictureRun& pictures) {
     double most = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const TraceHeader& header = sources[i].header();
-        stages[i].groups =
-            ending_groups(endings_of(header.volume, header.options), *options.picture.theme());
-        most = std::max(most, most_paths(stages[i]));
+        stages[i].groups = render::ending_groups(endings_of(header.volume, header.options),
+                                                 *options.picture.theme());
+        most = std::max(most, render::most_paths(stages[i]));
     }
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        StagesFigure& figure = stages[i];
+        render::StagesFigure& figure = stages[i];
         figure.title = view.title("rejections by frame");
         figure.subtitle = view.subtitle();
         std::string name = "rejections_stages";
@@ -195,8 +202,8 @@ void draw_stages(std::vector<StagesFigure>& stages, const QuerySources& sources,
         }
         figure.theme = options.picture.theme();
         figure.least_top = most;
-        const Picture picture =
-            compose(figure, options.picture.width(), options.picture.height(), pictures.overlay());
+        const render::Picture picture = render::compose(
+            figure, options.picture.width(), options.picture.height(), pictures.overlay());
         pictures.draw(view.picture_name(name), picture, {{"stages", true}}, false);
     }
 }
@@ -215,16 +222,16 @@ std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t>
 int run(Options& options, const Console& console) {
     options.check();
     QuerySources sources = options.open(console);
-    const RejectionsStyle style = style_of(options, sources);
+    const render::RejectionsStyle style = style_of(options, sources);
     if (options.steps && *options.steps < 1)
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     if (options.steps && sources.size() == 2)
         throw InputError("--steps: an animation is of one query; leave it out to compare two.");
-    std::optional<ComparisonLayout> layout;
+    std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2)
-        layout = comparison_layout(
+        layout = render::comparison_layout(
             options.picture.width(), options.picture.height(),
-            compared_rejections_rows(sources[0].header(), sources[1].header(), style));
+            render::compared_rejections_rows(sources[0].header(), sources[1].header(), style));
     std::optional<SheetRun> sheet;
     if (options.sheet)
         sheet = options.planned_sheet(picture_count(sources.front(), options.steps), layout);
@@ -232,14 +239,14 @@ int run(Options& options, const Console& console) {
     const QueryView view(options, sources, pictures.renderer(), layout);
     const Shot shot{sources, view, style, options, pictures};
     view.begin_sheet(pictures, "rejections", std::move(sheet));
-    std::vector<StagesFigure> stages(sources.size());
+    std::vector<render::StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames, const InterruptWatch& watch) {
             for (std::size_t i = 0; i < sources.size(); ++i) {
                 stages[i].frames.push_back(frames[i]->frame);
                 stages[i].counts.push_back(
-                    ending_counts(*frames[i], test_tree(sources[i].header(), *frames[i])));
+                    ending_counts(*frames[i], traversal_tree(sources[i].header(), *frames[i])));
             }
             if (view.compares()) {
                 shot.draw_compared(frames);
@@ -247,7 +254,7 @@ int run(Options& options, const Console& console) {
             }
             const QuerySource& source = sources.front();
             const TraceFrame& frame = *frames.front();
-            const TestTree tree = test_tree(source.header(), frame);
+            const TraversalTree tree = traversal_tree(source.header(), frame);
             if (!options.steps) {
                 shot.draw(frame, tree, std::nullopt, frame);
                 return true;
@@ -255,8 +262,8 @@ int run(Options& options, const Console& console) {
             const std::size_t all = frame.events.volume_tests.size(),
                               each = static_cast<std::size_t>(*options.steps);
             for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
-                const TraceFrame part = first_tests(source.header(), frame, tree, count);
-                shot.draw(part, test_tree(source.header(), part), count, frame);
+                const TraceFrame part = trace_prefix(source.header(), frame, tree, count);
+                shot.draw(part, traversal_tree(source.header(), part), count, frame);
                 if (count == all) return true;
                 if (watch.signal() != 0) return false;
             }
@@ -265,7 +272,8 @@ int run(Options& options, const Console& console) {
             if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
             nlohmann::ordered_json head = view.index_head("render rejections");
             head["options"]["by"] = options.by;
-            if (!options.stages.empty()) head["options"]["stages"] = split_list(options.stages);
+            if (!options.stages.empty())
+                head["options"]["stages"] = scenes::split_list(options.stages);
             if (!options.depths.empty())
                 head["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
             if (!options.body.empty()) head["options"]["body"] = options.body;
@@ -278,53 +286,53 @@ int run(Options& options, const Console& console) {
 
 }  // namespace
 
-void add_render_rejections(CLI::App& render_command, const Console& console, Action& action) {
-    CLI::App* command = render_command.add_subcommand(
+void add_render_rejections(const Command& render_command, const Console& console, Action& action) {
+    const Command command = render_command.add_subcommand(
         "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
     const auto options = std::make_shared<Options>();
-    add_query_view_options(*command, *options, Shown::volumes);
+    add_query_view_options(command, *options, Shown::volumes);
     command
-        ->add_option("--by", options->by,
-                     "Which ending colors a node that has several: first, last, dominant; or the "
-                     "share of its tests that were rejected: share")
-        ->type_name("WHICH")
-        ->capture_default_str();
+        .add_option("--by", options->by,
+                    "Which ending colors a node that has several: first, last, dominant; or the "
+                    "share of its tests that were rejected: share")
+        .type_name("WHICH")
+        .show_default();
     command
-        ->add_option("--stage", options->stages,
-                     "Only paths that ended so: some of the stages, 'triangles apart', "
-                     "'triangles meet'")
-        ->check(has_name())
-        ->type_name("LIST");
-    command->add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
-        ->check(has_name())
-        ->type_name("A:B");
-    command->add_option("--body", options->body, "Only the nodes of this body")
-        ->check(has_name())
-        ->type_name("NAME");
-    command->add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
-        ->check(real_number())
-        ->capture_default_str();
-    command->add_flag("--nested", options->nested,
-                      "Also nodes that hold others of the front (give an --opacity to see both)");
+        .add_option("--stages,--stage", options->stages,
+                    "Only paths that ended so: some of the stages, 'triangles apart', "
+                    "'triangles meet'")
+        .check(has_name)
+        .type_name("LIST");
+    command.add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
+        .check(has_name)
+        .type_name("A:B");
+    command.add_option("--body", options->body, "Only the nodes of this body")
+        .check(has_name)
+        .type_name("NAME");
+    command.add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
+        .check(real_number)
+        .show_default();
+    command.add_flag("--nested", options->nested,
+                     "Also nodes that hold others of the front (give an --opacity to see both)");
     command
-        ->add_option("--steps", options->steps,
-                     "An animation: a picture of the first N tests, of the first 2N, and so on, "
-                     "with the pair that was tested last")
-        ->check(decimal_number())
-        ->type_name("N");
-    command->footer(
+        .add_option("--steps", options->steps,
+                    "An animation: a picture of the first N tests, of the first 2N, and so on, "
+                    "with the pair that was tested last")
+        .check(decimal_number)
+        .type_name("N");
+    command.footer(
         "Each node at which paths of the traversal ended is drawn as its exact volume. The numbers "
         "are of all paths,\n"
         "whatever --stage, --depth and --body leave out of the view.\n\n"
         "Examples:\n"
         "  scb render rejections spheres-l1 --frames 100 -o out/\n"
-        "  scb render rejections spheres-l1 --frames 100 --body A --stage "
+        "  scb render rejections spheres-l1 --frames 100 --body A --stages "
         "slab-cylinder,cylinder-slab "
         "-o out/");
-    command->callback([&action, &console, command, options] {
-        options->recording = given_recording_options(*command);
+    command.callback([&action, &console, command, options] {
+        options->recording = given_recording_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,16 +6,16 @@
 #include "render/figures/traversal_figure.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options : QueryViewOptions {
     std::string by = "tests";
     std::string show = "both";
 
-    MatrixMeasure measure() const {
-        if (by == "tests") return MatrixMeasure::tests;
-        if (by == "share") return MatrixMeasure::share;
+    render::MatrixMeasure measure() const {
+        if (by == "tests") return render::MatrixMeasure::tests;
+        if (by == "share") return render::MatrixMeasure::share;
         throw InputError("--by " + by + ": give tests or share.");
     }
     void check() {
@@ -34,7 +34,7 @@ int run(Options& options, const Console& console) {
     PictureRun pictures(options.picture);
     const QueryView view(options, sources, pictures.renderer());
 
-    TraversalFigure figure;
+    render::TraversalFigure figure;
     figure.title = view.title("traversal");
     figure.measure = options.measure();
     figure.matrix = options.show != "icicle";
@@ -45,9 +45,9 @@ int run(Options& options, const Console& console) {
         [&](const QueryFrames& frames, const InterruptWatch&) {
             const TraceFrame& frame = *frames.front();
             figure.subtitle = view.subtitle(frame.frame);
-            const Picture picture =
-                compose(figure, sources.front().header(), frame, options.picture.width(),
-                        options.picture.height(), pictures.overlay());
+            const render::Picture picture =
+                render::compose(figure, sources.front().header(), frame, options.picture.width(),
+                                options.picture.height(), pictures.overlay());
             pictures.draw(view.picture_name("traversal", frame.frame), picture,
                           view.index_entry(frames));
             return true;
@@ -62,17 +62,17 @@ int run(Options& options, const Console& console) {
 
 }  // namespace
 
-void add_render_traversal(CLI::App& render_command, const Console& console, Action& action) {
-    CLI::App* command = render_command.add_subcommand(
+void add_render_traversal(const Command& render_command, const Console& console, Action& action) {
+    const Command command = render_command.add_subcommand(
         "traversal", "The traversal itself, by pairs of nodes: where it spends its tests");
     const auto options = std::make_shared<Options>();
-    add_query_view_options(*command, *options, Shown::nothing);
+    add_query_view_options(command, *options, Shown::nothing);
     command
-        ->add_option("--by", options->by,
-                     "Colors of the matrix: tests (how many) or share (of them rejected)")
-        ->capture_default_str();
-    command->add_option("--show", options->show, "matrix, icicle or both")->capture_default_str();
-    command->footer(
+        .add_option("--by", options->by,
+                    "Colors of the matrix: tests (how many) or share (of them rejected)")
+        .show_default();
+    command.add_option("--show", options->show, "matrix, icicle or both").show_default();
+    command.footer(
         "Left, the volume tests by depth of the node of A and that of B. Right, the recursion as "
         "an "
         "icicle: the roots\nat the top, below each pair those that its division led to; a pair is "
@@ -81,10 +81,10 @@ void add_render_traversal(CLI::App& render_command, const Console& console, Acti
         "Examples:\n"
         "  scb render traversal spheres-l1 --frames 250 -o out/\n"
         "  scb render traversal spheres.scbtrace --frames all --by share --show matrix -o out/");
-    command->callback([&action, &console, command, options] {
-        options->recording = given_recording_options(*command);
+    command.callback([&action, &console, command, options] {
+        options->recording = given_recording_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,17 +4,17 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 // The default angle, taken from the side on which the first mesh is longer: a horse is seen from
 // its flank.
-double azimuth_for(const Scene& scene, const Vec3& up) {
-    const double azimuth = CameraSpec{}.azimuth;
+double azimuth_for(const scenes::Scene& scene, const Vec3& up) {
+    const double azimuth = scenes::CameraView{}.azimuth;
     const Box box = bounding_box(scene.meshes[0].mesh);
     const Vec3 sides = box.upper - box.lower;
     // What orbit_axes turns x and y to.
-    const Mat3 front = orbit_axes(0, 0, up);
+    const Mat3 front = render::orbit_axes(0, 0, up);
     const double along_x = std::abs(dot(Vec3(front.col(0)), sides)),
                  along_y = std::abs(dot(Vec3(front.col(2)), sides));
     return along_x >= along_y ? azimuth : 90 - azimuth;
@@ -23,7 +23,7 @@ double azimuth_for(const Scene& scene, const Vec3& up) {
 }  // namespace
 
 void CameraOptions::check() const {
-    if (!camera.empty() && !follows_contact()) parse_camera(camera);
+    if (!camera.empty() && !follows_contact()) scenes::parse_camera(camera);
     up_vector();
 }
 
@@ -34,10 +34,10 @@ Vec3 CameraOptions::up_vector() const {
     throw InputError("--up " + up + ": give x, y or z.");
 }
 
-CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene) {
-    CameraSpec spec;
+scenes::CameraView camera_spec_for(const CameraOptions& options, const scenes::Scene& scene) {
+    scenes::CameraView spec;
     if (!options.camera.empty() && !options.follows_contact())
-        spec = parse_camera(options.camera);
+        spec = scenes::parse_camera(options.camera);
     else if (scene.camera)
         spec = *scene.camera;
     else
@@ -48,26 +48,28 @@ CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene) {
     return spec;
 }
 
-Camera camera_for(const CameraSpec& spec, const Support& support, double aspect) {
-    CameraFit fit;
+render::Camera camera_for(const scenes::CameraView& spec, const render::Support& support,
+                          double aspect) {
+    render::CameraFit fit;
     fit.aspect = aspect;
     fit.orthographic = spec.orthographic.value_or(false);
     fit.vertical_fov = spec.field_of_view;
     const Vec3 up = spec.up.value_or(Vec3::UnitZ());
-    Camera camera = fit_camera(orbit_axes(spec.azimuth, spec.elevation, up), support, fit);
+    render::Camera camera =
+        render::fit_camera(render::orbit_axes(spec.azimuth, spec.elevation, up), support, fit);
     if (spec.view_height) camera.view_height = *spec.view_height;
     if (!spec.target && !spec.distance) return camera;
     const Vec3 back = camera.axes.col(2);
-    const Vec3 target = spec.target.value_or(center_of(support));
+    const Vec3 target = spec.target.value_or(render::center_of(support));
     const double distance = spec.distance.value_or(dot(back, Vec3(camera.position - target)));
     camera.position = target + distance * back;
-    set_depth_range(camera, support);
+    render::set_depth_range(camera, support);
     return camera;
 }
 
-Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support,
-                     double aspect) {
-    CameraSpec detail = spec;
+render::Camera detail_camera(const scenes::CameraView& spec, const scenes::Inset& inset,
+                             const render::Support& support, double aspect) {
+    scenes::CameraView detail = spec;
     detail.orthographic = true;
     detail.target = inset.center;
     detail.distance.reset();
@@ -75,8 +77,9 @@ Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& 
     return camera_for(detail, support, aspect);
 }
 
-CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center) {
-    CameraSpec exact = spec;
+scenes::CameraView exact_spec(const scenes::CameraView& spec, const render::Camera& camera,
+                              const Vec3& center) {
+    scenes::CameraView exact = spec;
     exact.orthographic = camera.orthographic;
     if (camera.orthographic) exact.view_height = camera.view_height;
     if (spec.target && spec.distance) return exact;
@@ -85,4 +88,4 @@ CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& 
     return exact;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -7,7 +7,7 @@
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/scene.h"
 
-namespace scb {
+namespace scb::app {
 
 /// How the user wants to look at the scene.
 struct CameraOptions {
@@ -23,19 +23,21 @@ struct CameraOptions {
 };
 
 /// The wish that holds: the command line's, or else the scene's, or else the default angles.
-CameraSpec camera_spec_for(const CameraOptions& options, const Scene& scene);
+scenes::CameraView camera_spec_for(const CameraOptions& options, const scenes::Scene& scene);
 
 /// The camera of a wish for a view of this aspect (width / height); what the wish leaves open is
 /// fitted to `support`.
-Camera camera_for(const CameraSpec& spec, const Support& support, double aspect);
+render::Camera camera_for(const scenes::CameraView& spec, const render::Support& support,
+                          double aspect);
 
 /// A camera with the same axes that looks at a detail: a ball of `radius` about `center` fills the
 /// view. Orthographic, so that lengths in it can be compared.
-Camera detail_camera(const CameraSpec& spec, const Inset& inset, const Support& support,
-                     double aspect);
+render::Camera detail_camera(const scenes::CameraView& spec, const scenes::Inset& inset,
+                             const render::Support& support, double aspect);
 
 /// The camera as a wish that leaves nothing open: what `--camera` reads back to the same view.
 /// `center` is that of the scene; the distance counts from it.
-CameraSpec exact_spec(const CameraSpec& spec, const Camera& camera, const Vec3& center);
+scenes::CameraView exact_spec(const scenes::CameraView& spec, const render::Camera& camera,
+                              const Vec3& center);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -3,30 +3,30 @@
 #include "render/draw/shrink.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::app {
 
-void SheetRun::explain(const std::string& title, const std::vector<PanelItem>& panel) {
+void SheetRun::explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
     sheet.title = title;
-    add_legend(sheet, panel);
-    scale_end = scb::scale_end(panel);
+    render::add_legend(sheet, panel);
+    scale_end = render::scale_end(panel);
 }
 
-void SheetRun::add(const Image& picture, const nlohmann::ordered_json& entry) {
+void SheetRun::add(const render::Image& picture, const nlohmann::ordered_json& entry) {
     const auto count = [&](const char* key) {
-        if (!entry.contains("queries")) return count_text(entry[key].get<std::uint64_t>());
+        if (!entry.contains("queries")) return render::count_text(entry[key].get<std::uint64_t>());
         const auto& queries = entry["queries"];
-        return count_text(queries[0][key].get<std::uint64_t>()) + " / " +
-               count_text(queries[1][key].get<std::uint64_t>());
+        return render::count_text(queries[0][key].get<std::uint64_t>()) + " / " +
+               render::count_text(queries[1][key].get<std::uint64_t>());
     };
-    FrameSheetCell cell;
+    render::FrameSheetCell cell;
     if (!entry.contains("tests") || !one_frame) cell.caption = "frame " + entry["frame"].dump();
     if (entry.contains("tests"))
         cell.caption += (cell.caption.empty() ? "test " : ", test ") + count("tests");
     cell.value = count("pairs") + (entry.value("pairs", 0) == 1 ? " pair" : " pairs");
     cell.details = {"N_v " + count("n_v"), "N_p " + count("n_p")};
     cell.scale_end = scale_end;
-    cell.view = shrunk(picture, view, sheet.layout.view_width, sheet.layout.view_height);
+    cell.view = render::shrunk(picture, view, sheet.layout.view_width, sheet.layout.view_height);
     sheet.cells.push_back(std::move(cell));
 }
 
-}  // namespace scb
+}  // namespace scb::app

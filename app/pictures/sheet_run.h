@@ -5,22 +5,22 @@
 
 #include "render/figures/frame_sheet.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The contact sheet of the pictures of a run, which grows picture by picture. Of these, only small
 /// views are kept.
 struct SheetRun {
     std::string name;        ///< of the file, without its extension
-    PixelRect view;          ///< what of a picture its cell shows
+    render::PixelRect view;  ///< what of a picture its cell shows
     bool one_frame = false;  ///< so captions need not name it
-    FrameSheet sheet;
+    render::FrameSheet sheet;
     std::string scale_end;  ///< of the picture that comes next; empty where it has no scale
 
     /// Takes title and legend over from those of the picture that comes next.
-    void explain(const std::string& title, const std::vector<PanelItem>& panel);
+    void explain(const std::string& title, const std::vector<render::PanelItem>& panel);
     /// Adds a cell, with what the index says of the picture as its caption: the counts of its
     /// query, or of both.
-    void add(const Image& picture, const nlohmann::ordered_json& entry);
+    void add(const render::Image& picture, const nlohmann::ordered_json& entry);
 };
 
-}  // namespace scb
+}  // namespace scb::app

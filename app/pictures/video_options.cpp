@@ -1,10 +1,12 @@
 #include "app/pictures/video_options.h"
+#include "app/cli/validators.h"
 
+#include "app/query/output_guard.h"
 #include "render/files/output_file.h"
 #include "render/files/video_file.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 
 void VideoOptions::check(const SceneOptions& scene, const std::string& folder) const {
     if (frames_per_second) {
@@ -16,24 +18,24 @@ void VideoOptions::check(const SceneOptions& scene, const std::string& folder) c
     if (!wanted()) return;
     if (!file.ends_with(".mp4"))
         throw InputError("--video " + file + ": give a file that ends in .mp4.");
-    if (!is_on_path(video_program))
-        throw OutputError("--video " + file + ": there is no program " + video_program +
-                          " on PATH; install the package " + video_program +
-                          ", or leave out --video.");
+    if (!render::is_on_path(render::video_program))
+        throw render::OutputError("--video " + file + ": there is no program " +
+                                  render::video_program + " on PATH; install the package " +
+                                  render::video_program + ", or leave out --video.");
     check_output(file, "--video", scene, folder);
 }
 
-void add_video_options(CLI::App& command, VideoOptions& options) {
+void add_video_options(const Command& command, VideoOptions& options) {
     command
         .add_option("--video", options.file,
                     "Also write the pictures as an H.264 video (needs the program ffmpeg)")
-        ->check(has_name())
-        ->type_name("FILE.mp4");
+        .check(has_name)
+        .type_name("FILE.mp4");
     command
         .add_option("--fps", options.frames_per_second,
                     "Pictures a second of the video, 1 to 120; 25 unless told")
-        ->check(decimal_number())
-        ->type_name("N");
+        .check(decimal_number)
+        .type_name("N");
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include "app/cli/command.h"
 
 #include "app/query/scene_options.h"
 
-namespace scb {
+namespace scb::app {
 
 /// A video of the pictures of a run, beside them.
 struct VideoOptions {
@@ -21,6 +21,6 @@ struct VideoOptions {
     void check(const SceneOptions& scene, const std::string& folder) const;
 };
 
-void add_video_options(CLI::App& command, VideoOptions& options);
+void add_video_options(const Command& command, VideoOptions& options);
 
-}  // namespace scb
+}  // namespace scb::app

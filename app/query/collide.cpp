@@ -4,17 +4,19 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/query/count_table.h"
+#include "app/query/output_guard.h"
 #include "app/query/scene_query.h"
 #include "app/query/trace_report.h"
+#include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -92,7 +94,8 @@ Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, 
     result["margin"] = options.hierarchy.margin;
     result["split"] = options.hierarchy.split;
     result["max_pairs"] = query.options.max_pairs;
-    result["level"] = options.limits.level ? Json(*options.limits.level) : Json();
+    const int level = query.options.stop_level;
+    result["level"] = level >= 0 ? Json(level) : Json();
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},
@@ -115,7 +118,8 @@ std::string title_of(const Options& options, const SceneQuery& query) {
     }
     text += ", descent by " + options.query.descent;
     text += build_text(query.build);
-    if (options.limits.level) text += format("; pairs of nodes of level %d", *options.limits.level);
+    if (query.options.stop_level >= 0)
+        text += format("; pairs of nodes of level %d", query.options.stop_level);
     return text + "\n\n";
 }
 
@@ -132,8 +136,8 @@ int run(const Options& options, const Console& console) {
     // The sixteen of boxes make no table.
     if (!options.json && !options.csv && stages.size() > 8) stages.clear();
     Sums sums;
-    std::string text,
-        pairs = options.limits.level ? "frame,node_a,node_b\n" : "frame,triangle_a,triangle_b\n";
+    std::string text, pairs = query.options.stop_level >= 0 ? "frame,node_a,node_b\n"
+                                                            : "frame,triangle_a,triangle_b\n";
     Json json_frames = Json::array();
     if (options.csv)
         text = csv_header(stages);
@@ -161,7 +165,8 @@ int run(const Options& options, const Console& console) {
                "\n";
     else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
-    if (!options.pairs_out.empty() && sums.frames > 0) write_file_whole(options.pairs_out, pairs);
+    if (!options.pairs_out.empty() && sums.frames > 0)
+        render::write_file_whole(options.pairs_out, pairs);
     print_result(text);
     if (!sums.complete && !options.first)
         console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
@@ -174,25 +179,25 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_collide(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command =
+void add_collide(const Command& program, const Console& console, Action& action) {
+    const Command command =
         program.add_subcommand("collide", "Find the triangle pairs that intersect, with counts");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    add_hierarchy_options(*command, options->hierarchy, false);
-    add_query_options(*command, options->query, false);
-    add_query_limits(*command, options->limits);
-    command->add_flag("--first", options->first, "End a query at the first pair");
+    add_scene_options(command, options->scene, false);
+    add_hierarchy_options(command, options->hierarchy, false);
+    add_query_options(command, options->query, false);
+    add_query_limits(command, options->limits);
+    command.add_flag("--first", options->first, "End a query at the first pair");
     command
-        ->add_option(
+        .add_option(
             "--pairs-out", options->pairs_out,
             "Write the pairs to this CSV file: numbers of triangles from 0, in the order of the "
             "mesh files")
-        ->check(has_name())
-        ->type_name("FILE.csv");
-    command->add_flag("--csv", options->csv, "Print CSV instead of a table");
-    command->add_flag("--json", options->json, "Print JSON instead of a table");
-    command->footer(
+        .check(has_name)
+        .type_name("FILE.csv");
+    command.add_flag("--csv", options->csv, "Print CSV instead of a table");
+    command.add_flag("--json", options->json, "Print JSON instead of a table");
+    command.footer(
         "pairs: triangles that intersect (touching counts); N_v: tests of two volumes; N_p: of two "
         "triangles; N_u:\n"
         "points and directions transformed; depth: of the deepest pair of nodes, both depths "
@@ -203,9 +208,9 @@ void add_collide(CLI::App& program, const Console& console, Action& action) {
         "that "
         "were finished, and exits with 130.\n\n"
         "Example:\n  scb collide spheres-l1 --frames 0:499:50");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,7 +6,7 @@
 #include "core/base/text_format.h"
 #include "core/collide/pairs_hash.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::uint64_t tests_at(const Collision& found, Stage stage) {
@@ -62,4 +62,4 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
             {"complete", c.complete}};
 }
 
-}  // namespace scb
+}  // namespace scb::app

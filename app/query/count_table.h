@@ -6,7 +6,7 @@
 
 #include "scb/any_collide.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The stages that queries on this kind of volume count: overlapping first, then those at which the
 /// test rejects, in its order.
@@ -24,4 +24,4 @@ std::string count_table_row(int frame, const Collision& found, const std::vector
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
 
-}  // namespace scb
+}  // namespace scb::app

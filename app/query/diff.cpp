@@ -3,12 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/query/trace_report.h"
+#include "core/base/exit_status.h"
+#include "scenes/text/utf8.h"
 #include "scenes/traces/trace_diff_text.h"
 #include "scenes/traces/trace_input.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -20,7 +21,7 @@ struct Options {
 
 Json counts_json(const TraceCounts& a, const TraceCounts& b) {
     Json result;
-    for (const CountRow& row : count_rows(a, b)) {
+    for (const scenes::CountRow& row : scenes::count_rows(a, b)) {
         const std::string name = row.name == "N_v"   ? "n_v"
                                  : row.name == "N_p" ? "n_p"
                                  : row.name == "N_u" ? "n_u"
@@ -69,37 +70,37 @@ Json json_of(const Options& options, const TraceDiff& d) {
 }
 
 int run(const Options& options) {
-    TraceInput a(options.a), b(options.b);
+    scenes::TraceInput a(options.a), b(options.b);
     const TraceDiff d = diff(
         a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
         [&] { return b.reader.next(); });
     print_result(options.json
                      ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n"
-                     : "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) +
-                           "\n\n" + trace_diff_text(d, {}));
+                     : "first:  " + scenes::printable(options.a) + "\nsecond: " +
+                           scenes::printable(options.b) + "\n\n" + scenes::trace_diff_text(d, {}));
     return d.equal() ? exit_done : exit_different;
 }
 
 }  // namespace
 
-void add_diff(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand(
+void add_diff(const Command& program, Action& action) {
+    const Command command = program.add_subcommand(
         "diff", "Compare two traces: equal, or the first test at which they part");
     const auto options = std::make_shared<Options>();
-    command->add_option("A", options->a, "A trace, see `scb trace`")->required()->type_name("");
-    command->add_option("B", options->b, "Another trace")->required()->type_name("");
-    command->add_flag("--json", options->json, "Print JSON instead of text");
-    command->footer(
+    command.add_option("A", options->a, "A trace, see `scb trace`").required().type_name("");
+    command.add_option("B", options->b, "Another trace").required().type_name("");
+    command.add_flag("--json", options->json, "Print JSON instead of text");
+    command.footer(
         "Compares what was asked, then the frames that are in both, in the order of the tests. "
         "Exit "
         "status: 0 equal,\n"
-        "1 different, 2 a file is no trace. The versions of scb are not compared.\n\n"
+        "1 different, 2 a file is not a trace. The versions of scb are not compared.\n\n"
         "Example:\n"
         "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbtrace\n"
         "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbtrace\n"
         "  scb diff corrected.scbtrace printed.scbtrace");
-    command->callback([&action, options] { action = [options] { return run(*options); }; });
+    command.callback([&action, options] { action = [options] { return run(*options); }; });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,9 +1,11 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
+#include "app/cli/validators.h"
 #include "app/query/level_list.h"
+#include "app/query/output_guard.h"
 #include "app/query/scene_options.h"
+#include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "render/view/any_volume.h"
 #include "render/view/palette.h"
@@ -13,7 +15,7 @@
 #include "scenes/meshes/volume_mesh.h"
 #include "scenes/scene/scene_hierarchies.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 // Viewers choke on more, and so does a 32-bit index.
@@ -22,7 +24,7 @@ constexpr std::size_t most_triangles = 40'000'000;
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    std::string level;
+    std::string levels;
     int segments = 32;
     std::string output;
 };
@@ -34,7 +36,7 @@ void append(Mesh& mesh, const Mesh& part) {
         mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     if (mesh.triangles.size() > most_triangles)
         throw InputError("this level would take more than " + std::to_string(most_triangles) +
-                         " triangles; give a coarser --level or fewer --segments.");
+                         " triangles; give a coarser level or fewer --segments.");
 }
 
 int run(const Options& options, const Console& console) {
@@ -46,29 +48,29 @@ int run(const Options& options, const Console& console) {
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
     check_output(options.output, "-o", options.scene);
-    const Scene scene = options.scene.load();
+    const scenes::Scene scene = options.scene.load();
     check_output(options.output, "-o", scene);
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies =
-        build_topologies(scene, options.hierarchy.build().topology());
-    const std::vector<int> levels = parse_levels(options.level, deepest(topologies), "--level");
-    if (levels.size() != 1)
-        throw InputError("--level " + options.level + ": a file holds one level; give one.");
+        scenes::build_topologies(scene, options.hierarchy.build().topology());
+    const int level = parse_level(options.levels, scenes::deepest(topologies));
     const std::vector<AnyHierarchy> hierarchies =
-        fit_meshes(topologies, kinds[0], options.hierarchy.build());
+        scenes::fit_meshes(topologies, kinds[0], options.hierarchy.build());
 
-    std::vector<ExportPart> parts;
+    std::vector<scenes::ExportPart> parts;
     std::size_t nodes = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const Body& body = scene.bodies[b];
+        const scenes::Body& body = scene.bodies[b];
         const AnyHierarchy& hierarchy = hierarchies[body.mesh];
-        const Pose pose = pose_at(body.motion, frame);
-        const Rgba8 color = category_color(b);
-        ExportPart part{body.name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};
-        for (const std::uint32_t node : level_cover(topology_of(hierarchy), levels[0])) {
+        const Pose pose = scenes::pose_at(body.motion, frame);
+        const render::Rgba8 color = render::category_color(b);
+        scenes::ExportPart part{
+            body.name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};
+        for (const std::uint32_t node : level_cover(topology_of(hierarchy), level)) {
             std::visit(
                 [&](const auto& h) {
-                    append(part.mesh, volume_mesh(placed(h.volumes[node], pose), options.segments));
+                    append(part.mesh,
+                           scenes::volume_mesh(placed(h.volumes[node], pose), options.segments));
                 },
                 hierarchy);
             ++nodes;
@@ -76,9 +78,9 @@ int run(const Options& options, const Console& console) {
         if (!part.mesh.triangles.empty()) parts.push_back(std::move(part));
     }
     if (parts.empty())
-        throw InputError("--level " + options.level +
+        throw InputError("--levels " + options.levels +
                          ": all volumes of this level are points; nothing to write.");
-    write_file_whole(options.output, encode_mesh(parts, options.output));
+    render::write_file_whole(options.output, scenes::encode_mesh(parts, options.output));
     console.note(options.output + ": " + std::to_string(nodes) +
                  (nodes == 1 ? " volume" : " volumes"));
     return exit_done;
@@ -86,26 +88,26 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_export(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command =
+void add_export(const Command& program, const Console& console, Action& action) {
+    const Command command =
         program.add_subcommand("export", "Write a level as a mesh, for other viewers");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, true);
-    add_hierarchy_options(*command, options->hierarchy);
-    command->add_option("--level", options->level, "The level: a number, or 'leaves'")
-        ->required()
-        ->type_name("K");
-    command->add_option("--segments", options->segments, "Corners per circle")
-        ->check(decimal_number())
-        ->capture_default_str();
-    command->add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
-        ->check(has_name())
-        ->required()
-        ->type_name("FILE");
-    command->footer("Example:\n  scb export spheres-l1 --level 7 -o level-7.ply");
-    command->callback([&action, &console, options] {
+    add_scene_options(command, options->scene, true);
+    add_hierarchy_options(command, options->hierarchy);
+    command.add_option("--levels,--level", options->levels, "The level: a number, or 'leaves'")
+        .required()
+        .type_name("K");
+    command.add_option("--segments", options->segments, "Corners per circle")
+        .check(decimal_number)
+        .show_default();
+    command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
+        .check(has_name)
+        .required()
+        .type_name("FILE");
+    command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -1,12 +1,14 @@
 #include "app/query/layout_options.h"
+#include "app/cli/validators.h"
 
 #include <set>
 
 #include "app/query/scene_options.h"
 #include "scb/error.h"
 #include "scb/packed_hierarchy.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 std::string layout_names(const std::string& separator) {
     std::string names;
@@ -20,13 +22,13 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
         throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +
                          std::to_string(most_leaf_triangles) + ".");
     std::vector<std::optional<PackedLayout>> result;
-    const std::vector<std::string> names = split_list(list);
+    const std::vector<std::string> names = scenes::split_list(list);
     std::set<std::string> known;
     for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);
         if (!layout && name != "reference")
             throw InputError("--layout " + list + ": '" + name +
-                             "' is no layout; give some of reference, " + layout_names() + ".");
+                             "' is not a layout; give some of reference, " + layout_names() + ".");
         if (!known.insert(name).second)
             throw InputError("--layout " + list + ": '" + name +
                              "' is there twice; give each layout once.");
@@ -36,18 +38,18 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
     return result;
 }
 
-void add_leaf_option(CLI::App& command, int& leaf_triangles) {
+void add_leaf_option(const Command& command, int& leaf_triangles) {
     command.add_option("--leaf", leaf_triangles, "Triangles of a packed leaf, at most: 1 to 4")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
+        .check(decimal_number)
+        .type_name("N")
+        .show_default();
 }
 
-void add_threads_option(CLI::App& command, int& threads, const std::string& description) {
+void add_threads_option(const Command& command, int& threads, const std::string& description) {
     command.add_option("--threads", threads, description)
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
+        .check(decimal_number)
+        .type_name("N")
+        .show_default();
 }
 
 void check_threads(int threads) {
@@ -55,4 +57,4 @@ void check_threads(int threads) {
         throw InputError("--threads " + std::to_string(threads) + ": give 1 to 256.");
 }
 
-}  // namespace scb
+}  // namespace scb::app

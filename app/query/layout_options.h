@@ -1,13 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+#include "app/cli/command.h"
 
 #include "scb/packed_layout.h"
 
-namespace scb {
+namespace scb::app {
 
 /// "float2, float4, ...": what --layout knows besides the reference.
 std::string layout_names(const std::string& separator = ", ");
@@ -18,12 +18,12 @@ std::string layout_names(const std::string& separator = ", ");
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
 
 /// --leaf, for layouts_of.
-void add_leaf_option(CLI::App& command, int& leaf_triangles);
+void add_leaf_option(const Command& command, int& leaf_triangles);
 
 /// --threads, for check_threads.
-void add_threads_option(CLI::App& command, int& threads, const std::string& description);
+void add_threads_option(const Command& command, int& threads, const std::string& description);
 
 /// Throws InputError, naming --threads, where it is not 1 to 256.
 void check_threads(int threads);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 
-#include "app/query/scene_options.h"
+#include "scb/error.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
-std::vector<int> parse_levels(const std::string& text, int deepest,
-                              const std::string& option_name) {
-    const std::string option = option_name + " " + text;
+std::vector<int> parse_levels(const std::string& text, int deepest) {
+    const std::string option = "--levels " + text;
     std::vector<int> levels;
     const auto add = [&levels](int level) {
         if (std::find(levels.begin(), levels.end(), level) == levels.end()) levels.push_back(level);
     };
-    const NumberRange range{option, "level", "this scene's hierarchies have", deepest,
-                            "levels such as 5,7,9 or 0:12 or leaves"};
-    for (const std::string& part : split_list(text, ',')) {
+    const scenes::NumberRange range{option, "level", "this scene's hierarchies have", deepest,
+                                    "levels such as 5,7,9 or 0:12 or leaves"};
+    for (const std::string& part : scenes::split_list(text, ',')) {
         if (part == "auto") {
             for (int level = 0; level <= deepest; ++level) add(level);
             continue;
@@ -25,9 +24,16 @@ std::vector<int> parse_levels(const std::string& text, int deepest,
             add(leaf_level);
             continue;
         }
-        for (const int level : parse_numbers(part, range)) add(level);
+        for (const int level : scenes::parse_numbers(part, range)) add(level);
     }
     return levels;
 }
 
-}  // namespace scb
+int parse_level(const std::string& text, int deepest) {
+    const std::vector<int> levels = parse_levels(text, deepest);
+    if (levels.size() != 1)
+        throw InputError("--levels " + text + ": this command takes one level; give one.");
+    return levels[0];
+}
+
+}  // namespace scb::app

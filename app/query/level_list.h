@@ -5,12 +5,14 @@
 
 #include "scb/level_cover.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The levels that a list names: "5,7,9,11", "0:12", "0:12:3", "leaves", "auto" (all), or a
 /// mixture; each once, in the order given. Throws InputError where the text is no such list, or
-/// names a level below 0 or above `deepest`; `option_name` is what the sentence starts with.
-std::vector<int> parse_levels(const std::string& text, int deepest,
-                              const std::string& option_name = "--levels");
+/// names a level below 0 or above `deepest`.
+std::vector<int> parse_levels(const std::string& text, int deepest);
 
-}  // namespace scb
+/// The same for a command that takes one level. Throws InputError where the text names several.
+int parse_level(const std::string& text, int deepest);
+
+}  // namespace scb::app

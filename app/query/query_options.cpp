@@ -1,12 +1,15 @@
 #include "app/query/query_options.h"
 
+#include "app/cli/validators.h"
+#include "app/query/level_list.h"
+
 #include <algorithm>
 
-#include "app/cli/mutation.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 std::string test_names() {
@@ -27,11 +30,11 @@ std::string rule_names() {
 
 std::vector<OverlapTest> QueryOptions::tests() const {
     std::vector<OverlapTest> tests;
-    for (const std::string& name : split_list(test)) {
+    for (const std::string& name : scenes::split_list(test)) {
         const std::optional<OverlapTest> found = overlap_test_of(name);
         if (!found)
             throw InputError("--test " + test + ": '" + name +
-                             "' is no overlap test; give one of " + test_names() + ".");
+                             "' is not an overlap test; give one of " + test_names() + ".");
         if (std::find(tests.begin(), tests.end(), *found) == tests.end()) tests.push_back(*found);
     }
     return tests;
@@ -44,7 +47,6 @@ OverlapOptions QueryOptions::overlap() const {
     if (!(threshold >= 0 && threshold <= 1))
         throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
     OverlapOptions options{all[0], threshold + 0.0};  // -0 is 0
-    mutate(options);
     return options;
 }
 
@@ -62,12 +64,12 @@ CollideOptions QueryOptions::collide() const {
 void QueryLimits::apply(CollideOptions& options, int deepest_level) const {
     if (max_pairs < 1)
         throw InputError("--max-pairs " + std::to_string(max_pairs) + ": give at least 1.");
-    if (level && (*level < 0 || *level > deepest_level))
-        throw InputError("--level " + std::to_string(*level) +
-                         ": this scene's hierarchies have the levels 0 to " +
-                         std::to_string(deepest_level) + "; give one of these.");
     options.max_pairs = static_cast<std::size_t>(max_pairs);
-    options.stop_level = level.value_or(-1);
+    options.stop_level = -1;
+    if (levels.empty()) return;
+    const int level = parse_level(levels, deepest_level);
+    // Where all nodes are leaves or above that level, leaves are what is left.
+    options.stop_level = level == leaf_level ? deepest_level : level;
 }
 
 void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
@@ -85,61 +87,62 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
             "scb: the test 'printed' rejects some volumes that meet, so pairs may be missing.");
 }
 
-void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests) {
     command
         .add_option("--test", options.test,
                     std::string(several_tests ? "Overlap tests for slab cut balls: some of "
                                               : "Overlap test for slab cut balls: ") +
                         test_names() + " (printed misses collisions)")
-        ->check(has_name())
-        ->type_name(several_tests ? "LIST" : "TEST")
-        ->capture_default_str();
+        .check(has_name)
+        .type_name(several_tests ? "LIST" : "TEST")
+        .show_default();
     command
         .add_option("--threshold", options.threshold,
                     "The paper's a, of corrected, line8 and printed: cylinders are tested where "
                     "|n0.n1| is above it")
-        ->check(real_number())
-        ->type_name("A")
-        ->capture_default_str();
+        .check(real_number)
+        .type_name("A")
+        .show_default();
 }
 
-void add_bodies_option(CLI::App& command, QueryOptions& options) {
+void add_bodies_option(const Command& command, QueryOptions& options) {
     command
         .add_option("--bodies", options.bodies,
                     "Names of the two bodies, where the scene has more than two")
-        ->type_name("A,B");
+        .type_name("A,B");
 }
 
-void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests) {
+void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
     add_overlap_options(command, options, several_tests);
     command
         .add_option("--descent", options.descent,
                     "Which of two nodes is divided, the larger or by turns: " + rule_names())
-        ->check(has_name())
-        ->type_name("RULE")
-        ->capture_default_str();
-    command.add_option("--frames", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
-        ->type_name("LIST")
-        ->capture_default_str();
+        .check(has_name)
+        .type_name("RULE")
+        .show_default();
+    command
+        .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
+        .type_name("LIST")
+        .show_default();
     add_bodies_option(command, options);
 }
 
-void add_query_limits(CLI::App& command, QueryLimits& limits) {
+void add_query_limits(const Command& command, QueryLimits& limits) {
     command.add_option("--max-pairs", limits.max_pairs, "End a query at this many pairs")
-        ->check(decimal_number())
-        ->type_name("K")
-        ->capture_default_str();
+        .check(decimal_number)
+        .type_name("K")
+        .show_default();
     command
-        .add_option("--level", limits.level,
-                    "Stop at this level: pairs of nodes, and no triangle tests")
-        ->check(decimal_number())
-        ->type_name("K");
+        .add_option(
+            "--levels,--level", limits.levels,
+            "Stop at this level: one number, or 'leaves'; finds pairs of nodes, tests no triangles")
+        .type_name("K");
 }
 
-std::vector<std::string> given_recording_options(const CLI::App& command) {
+std::vector<std::string> given_recording_options(const Command& command) {
     std::vector<std::string> given;
     for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
-                               "--threshold", "--descent", "--bodies", "--max-pairs", "--level"})
+                               "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"})
         if (command.count(option) > 0) given.emplace_back(option);
     return given;
 }
@@ -151,4 +154,4 @@ void refuse_for_trace(const std::vector<std::string>& given, const std::string& 
                      given[0] + ".");
 }
 
-}  // namespace scb
+}  // namespace scb::app

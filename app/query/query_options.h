@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "app/cli/command.h"
 
 #include "app/query/scene_options.h"
 #include "scb/collide.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What every command that makes collision queries understands, beside the scene and hierarchies.
 struct QueryOptions {
@@ -29,7 +30,7 @@ struct QueryOptions {
 /// Where a query ends before it has found everything.
 struct QueryLimits {
     std::int64_t max_pairs = 100'000'000;
-    std::optional<int> level;
+    std::string levels{};  ///< one level; empty: none
 
     /// Sets CollideOptions::max_pairs and stop_level; throws InputError where the number of pairs
     /// or the level is none. `deepest_level` is the scene's.
@@ -42,15 +43,15 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
                  const Console& console);
 
 /// --test and --threshold; `several_tests`: whether --test takes a list.
-void add_overlap_options(CLI::App& command, QueryOptions& options, bool several_tests);
-void add_bodies_option(CLI::App& command, QueryOptions& options);
+void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests);
+void add_bodies_option(const Command& command, QueryOptions& options);
 /// These and the rest.
-void add_query_options(CLI::App& command, QueryOptions& options, bool several_tests);
-void add_query_limits(CLI::App& command, QueryLimits& limits);
+void add_query_options(const Command& command, QueryOptions& options, bool several_tests);
+void add_query_limits(const Command& command, QueryLimits& limits);
 
 /// The options that were given and say what a query is to be: a trace already knows.
-std::vector<std::string> given_recording_options(const CLI::App& command);
+std::vector<std::string> given_recording_options(const Command& command);
 /// Throws InputError where there are any.
 void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace);
 
-}  // namespace scb
+}  // namespace scb::app

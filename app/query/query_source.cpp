@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
-#include "golden/suite/baseline.h"
-#include "golden/suite/files_equal.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
+
+constexpr const char* record_again =
+    "record it again, or, where it is a baseline, see what `scb golden check` says";
 
 /// The options with which the trace was recorded, as the command line would say them.
 struct RecordedOptions {
@@ -27,11 +28,12 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.hierarchy.margin = header.margin;
     recorded.hierarchy.split = split_method_name(header.split);
     recorded.query.test = overlap_test_name(header.options.overlap.test);
-    recorded.query.frames = auto_frames;
+    recorded.query.frames = scenes::auto_frames;
     recorded.query.threshold = header.options.overlap.threshold;
     recorded.query.descent = descent_rule_name(header.options.descent);
     recorded.limits.max_pairs = static_cast<std::int64_t>(header.options.max_pairs);
-    if (header.options.stop_level >= 0) recorded.limits.level = header.options.stop_level;
+    if (header.options.stop_level >= 0)
+        recorded.limits.levels = std::to_string(header.options.stop_level);
     return recorded;
 }
 
@@ -50,20 +52,11 @@ std::string mesh_words(const TraceBody& then, const MeshFingerprint& now,
            " has another of " + text_of(now);
 }
 
-/// A baseline is what was right once, which its suite must be asked about.
-std::string advice(const std::string& path) {
-    const std::filesystem::path trace(path);
-    const bool is_baseline =
-        is_there(case_files(trace.parent_path(), trace.stem().string()).counts);
-    return is_baseline ? "it is a baseline, and `scb golden check` says what differs from it"
-                       : "record it again";
-}
-
 }  // namespace
 
 QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                          const QueryOptions& query, const QueryLimits& limits) {
-    if (scene.names.size() == 1 && names_trace(scene.names[0])) {
+    if (scene.names.size() == 1 && scenes::names_trace(scene.names[0])) {
         open_trace(scene, query.frames);
         return;
     }
@@ -73,16 +66,17 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
 
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
-    std::vector<int> wanted = frames_in_trace(path, frames == auto_frames ? "all" : frames);
-    trace_ = std::make_unique<TraceInput>(path);
+    std::vector<int> wanted =
+        scenes::frames_in_trace(path, frames == scenes::auto_frames ? "all" : frames);
+    trace_ = std::make_unique<scenes::TraceInput>(path);
     header_ = trace_->reader.header();
     if (header_.scb_version != SCB_VERSION)
         throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
-                         SCB_VERSION + ", whose nodes may be others; " + advice(path) + ".");
+                         SCB_VERSION + ", whose nodes may be others; " + record_again + ".");
     RecordedOptions recorded = recorded_options(header_, scene);
     if (header_.source.size() == 2) {
         // Two meshes: the first is at the identity pose, and the second was where the frame says.
-        TraceInput first(path);
+        scenes::TraceInput first(path);
         const Pose pose = first.reader.next()->b_to_a;
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column)
@@ -98,9 +92,9 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
         const TraceBody& then = header_.bodies[side];
         if (now != then.mesh)
             throw InputError(path + " was recorded " + mesh_words(then, now, query_.scene.name) +
-                             "; " + advice(path) + ".");
+                             "; " + record_again + ".");
     }
-    if (frames == auto_frames) {
+    if (frames == scenes::auto_frames) {
         const int own = query_.scene.default_frame;
         const bool has_own = std::binary_search(wanted.begin(), wanted.end(), own);
         wanted = {has_own ? own : wanted.front()};
@@ -131,4 +125,4 @@ const TraceFrame& QuerySource::frame(int number) {
     return *frame;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -5,7 +5,7 @@
 #include "app/query/scene_query.h"
 #include "scenes/traces/trace_input.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Queries with all their tests, frame by frame: made now, or read from a trace. Whoever draws them
 /// cannot tell which.
@@ -30,9 +30,9 @@ class QuerySource {
 
     SceneQuery query_;
     TraceHeader header_;
-    std::unique_ptr<TraceInput> trace_;  ///< null where queries are made now
+    std::unique_ptr<scenes::TraceInput> trace_;  ///< null where queries are made now
     TraceFrame made_;
     EventRecorder recorder_;
 };
 
-}  // namespace scb
+}  // namespace scb::app

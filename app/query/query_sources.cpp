@@ -4,8 +4,9 @@
 
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 /// The options of one of two queries that are compared.
@@ -17,7 +18,7 @@ struct Side {
 std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptions& hierarchy,
                              const QueryOptions& query) {
     const std::string option = "--compare " + compare.names;
-    const std::vector<std::string> names = split_list(compare.names);
+    const std::vector<std::string> names = scenes::split_list(compare.names);
     const auto all = [&names](auto known) {
         return std::all_of(names.begin(), names.end(),
                            [&](const std::string& name) { return known(name).has_value(); });
@@ -76,7 +77,7 @@ std::string file_name_part(const std::string& text) {
 
 /// With the overlap test, where there is a choice.
 std::string volume_caption(const TraceHeader& header) {
-    const std::string title(volume_title(header.volume));
+    const std::string title(render::volume_title(header.volume));
     return header.volume == VolumeKind::scb
                ? title + ", test " + std::string(overlap_test_name(header.options.overlap.test))
                : title;
@@ -88,7 +89,7 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
                           const QueryOptions& query, const QueryLimits& limits,
                           const CompareOptions& compare, const Console& console) {
     const auto traces = static_cast<std::size_t>(
-        std::count_if(scene.names.begin(), scene.names.end(), names_trace));
+        std::count_if(scene.names.begin(), scene.names.end(), scenes::names_trace));
     if (traces > 0 && !compare.names.empty())
         throw InputError("--compare " + compare.names +
                          ": a trace is of one query; give two traces, or a scene.");
@@ -140,4 +141,4 @@ std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& 
     return labels;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -6,7 +6,7 @@
 
 #include "app/query/query_source.h"
 
-namespace scb {
+namespace scb::app {
 
 /// The queries that a picture shows: one, or two that are compared.
 using QuerySources = std::vector<QuerySource>;
@@ -32,4 +32,4 @@ struct QueryLabel {
 };
 std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& b);
 
-}  // namespace scb
+}  // namespace scb::app

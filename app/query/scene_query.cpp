@@ -3,7 +3,7 @@
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 
 const Mesh& SceneQuery::mesh(std::size_t body) const {
     return scene.meshes[scene.bodies[body].mesh].mesh;
@@ -14,22 +14,29 @@ const AnyHierarchy& SceneQuery::hierarchy(std::size_t body) const {
 }
 
 Pose SceneQuery::b_to_a(int frame) const {
-    return relative_pose(pose_at(scene.bodies[a].motion, frame),
-                         pose_at(scene.bodies[b].motion, frame));
+    return relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
+                         scenes::pose_at(scene.bodies[b].motion, frame));
 }
 
 Collision SceneQuery::collide(int frame) const {
-    return scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options);
+    Collision found =
+        scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options);
+    mutate(mutation, found, kind, options.overlap);
+    return found;
 }
 
 Collision SceneQuery::collide(int frame, EventRecorder& recorder) const {
-    return scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), options,
-                        recorder);
+    Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
+                                   options, recorder);
+    mutate(mutation, found, kind, options.overlap);
+    mutate(mutation, recorder.events);
+    return found;
 }
 
-std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::string& names) {
+std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
+                                               const std::string& names) {
     std::string known;
-    for (const Body& body : scene.bodies) known += (known.empty() ? "" : ", ") + body.name;
+    for (const scenes::Body& body : scene.bodies) known += (known.empty() ? "" : ", ") + body.name;
     if (names.empty()) {
         if (scene.bodies.size() == 2) return {0, 1};
         if (scene.bodies.size() < 2)
@@ -40,11 +47,11 @@ std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::st
                          "; name two of them with --bodies A,B.");
     }
     std::vector<std::size_t> chosen;
-    for (const std::string& name : split_list(names)) {
+    for (const std::string& name : scenes::split_list(names)) {
         std::size_t i = 0;
         while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
         if (i == scene.bodies.size())
-            throw InputError("--bodies " + names + ": '" + name + "' is no body of the scene '" +
+            throw InputError("--bodies " + names + ": '" + name + "' is not a body of the scene '" +
                              scene.name + "'; it has " + known + ".");
         chosen.push_back(i);
     }
@@ -59,17 +66,20 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     const VolumeKind kind = hierarchy.kind();
     SceneQuery result;
     result.options = query.collide();
+    result.mutation = hierarchy.mutation;
+    mutate(result.mutation, result.options.overlap);
     result.build = hierarchy.build();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
-    result.topologies = build_topologies(result.scene, result.build.topology());
+    result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
-    limits.apply(result.options, deepest(result.topologies));
-    if (query.frames == auto_frames)
+    limits.apply(result.options, scenes::deepest(result.topologies));
+    if (query.frames == scenes::auto_frames)
         result.frames = {result.scene.default_frame};
     else
-        result.frames = parse_frames(query.frames, result.scene.frames, result.scene.name);
-    result.hierarchies = fit_meshes(result.topologies, kind, result.build);
+        result.frames = scenes::parse_frames(query.frames, result.scene.frames, result.scene.name);
+    result.hierarchies = scenes::fit_meshes(result.topologies, kind, result.build);
+    for (AnyHierarchy& fitted : result.hierarchies) mutate(result.mutation, fitted);
     return result;
 }
 
@@ -101,4 +111,4 @@ void note_doubts(const SceneOptions& scene, const QueryOptions& query,
     note_doubts(query, kinds, console);
 }
 
-}  // namespace scb
+}  // namespace scb::app

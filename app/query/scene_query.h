@@ -5,11 +5,11 @@
 #include "scb/any_collide.h"
 #include "scenes/scene/scene_hierarchies.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Two bodies of a scene, ready for queries frame by frame.
 struct SceneQuery {
-    Scene scene;
+    scenes::Scene scene;
     VolumeKind kind = VolumeKind::scb;
     std::vector<int> frames;                ///< those asked for, ascending
     std::size_t a = 0, b = 0;               ///< indices of Scene::bodies
@@ -17,6 +17,7 @@ struct SceneQuery {
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
     BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
+    Mutation mutation = Mutation::none;
 
     const Mesh& mesh(std::size_t body) const;
     const AnyHierarchy& hierarchy(std::size_t body) const;
@@ -28,7 +29,8 @@ struct SceneQuery {
 
 /// The bodies that `names` ("A,B") names, or the only two. Throws InputError where that leaves a
 /// choice, or names no body.
-std::pair<std::size_t, std::size_t> two_bodies(const Scene& scene, const std::string& names);
+std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
+                                               const std::string& names);
 
 /// Checks everything that was asked, loads the scene and builds its hierarchies. Throws InputError.
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -44,4 +46,4 @@ void note_same_pose(const SceneOptions& scene, const Console& console);
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Console& console);
 
-}  // namespace scb
+}  // namespace scb::app

@@ -3,16 +3,16 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
+#include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 int list() {
     std::string text = "Built-in scenes:\n\n";
-    for (const BuiltinScene& scene : builtin_scenes()) {
+    for (const scenes::BuiltinScene& scene : scenes::builtin_scenes()) {
         char line[64];
         std::snprintf(line, sizeof line, "  %-20s %4d frame%s  ", scene.name.c_str(), scene.frames,
                       scene.frames == 1 ? " " : "s");
@@ -33,23 +33,23 @@ int list() {
 }
 
 int show(const std::string& name) {
-    const BuiltinScene* scene = find_builtin(name);
+    const scenes::BuiltinScene* scene = scenes::find_builtin(name);
     if (scene == nullptr)
-        throw InputError("'" + name + "' is no built-in scene; `scb scenes` lists them.");
+        throw InputError("'" + name + "' is not a built-in scene; `scb scenes` lists them.");
     print_result(scene->json);
     return exit_done;
 }
 
 }  // namespace
 
-void add_scenes(CLI::App& program, Action& action) {
-    CLI::App* command =
+void add_scenes(const Command& program, Action& action) {
+    const Command command =
         program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
     const auto name = std::make_shared<std::string>();
-    command->add_option("NAME", *name, "Print this built-in scene's file");
-    command->footer("Example:\n  scb scenes spheres-l1 > my-scene.json");
-    command->callback(
+    command.add_option("NAME", *name, "Print this built-in scene's file");
+    command.footer("Example:\n  scb scenes spheres-l1 > my-scene.json");
+    command.callback(
         [&action, name] { action = [name] { return name->empty() ? list() : show(*name); }; });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -5,15 +5,18 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
+#include "app/cli/validators.h"
 #include "app/query/layout_options.h"
 #include "app/query/scene_options.h"
+#include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/mesh_topology.h"
 #include "scb/any_packed.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -96,7 +99,7 @@ std::vector<Measured> measure(const Options& options) {
     build.threads = options.threads;
     // Before anything is built.
     packed_layouts(options);
-    const Scene scene = options.scene.load();
+    const scenes::Scene scene = options.scene.load();
     std::vector<Measured> result;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m].mesh;
@@ -113,7 +116,7 @@ std::vector<Measured> measure(const Options& options) {
             measured.fit_ms = milliseconds_since(start);
             measured.topology_ms = topology_ms;
             measured.mesh = scene.meshes[m].name;
-            for (const Body& body : scene.bodies)
+            for (const scenes::Body& body : scene.bodies)
                 if (body.mesh == m) measured.bodies.push_back(body.name);
             measured.triangles = mesh.triangles.size();
             measured.points = points.points.size();
@@ -255,19 +258,19 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_stats(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand("stats", "Hierarchy quality, level by level");
+void add_stats(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand("stats", "Hierarchy quality, level by level");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    add_hierarchy_options(*command, options->hierarchy);
-    command->add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
-        ->check(has_name())
-        ->type_name("LIST")
-        ->capture_default_str();
-    add_leaf_option(*command, options->leaf_triangles);
-    add_threads_option(*command, options->threads, "Threads that build; the result is the same");
-    command->add_flag("--json", options->json, "Print JSON instead of a table");
-    command->footer(
+    add_scene_options(command, options->scene, false);
+    add_hierarchy_options(command, options->hierarchy);
+    command.add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
+        .check(has_name)
+        .type_name("LIST")
+        .show_default();
+    add_leaf_option(command, options->leaf_triangles);
+    add_threads_option(command, options->threads, "Threads that build; the result is the same");
+    command.add_flag("--json", options->json, "Print JSON instead of a table");
+    command.footer(
         "nodes: at that depth; leaves: of these; cover: nodes and the leaves above them, what a "
         "picture of the level shows;\n"
         "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in "
@@ -281,9 +284,9 @@ void add_stats(CLI::App& program, const Console& console, Action& action) {
         "with fewer than 8 triangles;\n"
         "by index, where centroids coincide; at the least cost, with --split cost.\n\n"
         "Example:\n  scb stats spheres-l1 --volume scb,ball");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

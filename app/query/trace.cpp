@@ -5,18 +5,20 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/query/count_table.h"
+#include "app/query/output_guard.h"
 #include "app/query/scene_query.h"
 #include "app/query/trace_report.h"
+#include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 #include "scenes/traces/trace_input.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Options {
@@ -42,7 +44,7 @@ int record(const Options& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;
-    TraceWriter writer(trace_header(options.scene, query));
+    scenes::TraceWriter writer(trace_header(options.scene, query));
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
@@ -60,7 +62,7 @@ int record(const Options& options, const Console& console) {
     }
     if (done > 0) {
         const std::vector<std::uint8_t> bytes = writer.finish();
-        write_file_whole(options.output, bytes);
+        render::write_file_whole(options.output, bytes);
         console.note("scb: " + options.output + ": " + std::to_string(done) +
                      (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +
                      " volume tests, " + std::to_string(bytes.size()) + " bytes.");
@@ -79,8 +81,8 @@ int print(const Options& options, const std::vector<std::string>& given) {
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
     // Reads all frames once before anything is printed, so that a bad file gives no half answer.
-    const std::vector<int> wanted = frames_in_trace(path, options.query.frames);
-    TraceInput input(path);
+    const std::vector<int> wanted = scenes::frames_in_trace(path, options.query.frames);
+    scenes::TraceInput input(path);
     const TraceHeader& header = input.reader.header();
     std::vector<Stage> stages = counted_stages(header.volume, header.options.overlap);
     // The sixteen of boxes make no table.
@@ -120,20 +122,20 @@ int print(const Options& options, const std::vector<std::string>& given) {
 
 }  // namespace
 
-void add_trace(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand(
+void add_trace(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
         "trace", "Record every test of collision queries to a file, or print such a file");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    add_hierarchy_options(*command, options->hierarchy, false);
-    add_query_options(*command, options->query, false);
-    add_query_limits(*command, options->limits);
-    command->add_option("-o,--output", options->output, "Write the trace to this file")
-        ->check(has_name())
-        ->type_name("FILE.scbtrace");
-    command->add_flag("--events", options->events, "Print every test of the trace");
-    command->add_flag("--json", options->json, "Print the trace as JSON");
-    command->footer(
+    add_scene_options(command, options->scene, false);
+    add_hierarchy_options(command, options->hierarchy, false);
+    add_query_options(command, options->query, false);
+    add_query_limits(command, options->limits);
+    command.add_option("-o,--output", options->output, "Write the trace to this file")
+        .check(has_name)
+        .type_name("FILE.scbtrace");
+    command.add_flag("--events", options->events, "Print every test of the trace");
+    command.add_flag("--json", options->json, "Print the trace as JSON");
+    command.footer(
         "A scene is recorded to -o FILE; in place of SCENE, such a file is printed: what was "
         "asked, "
         "then the counts\n"
@@ -142,14 +144,14 @@ void add_trace(CLI::App& program, const Console& console, Action& action) {
         "Examples:\n"
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
         "  scb trace spheres.scbtrace --frames 250 --events");
-    command->callback([&action, &console, command, options] {
-        const std::vector<std::string> given = given_recording_options(*command);
+    command.callback([&action, &console, command, options] {
+        const std::vector<std::string> given = given_recording_options(command);
         action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
-            return names.size() == 1 && names_trace(names[0]) ? print(*options, given)
-                                                              : record(*options, console);
+            return names.size() == 1 && scenes::names_trace(names[0]) ? print(*options, given)
+                                                                      : record(*options, console);
         };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -4,8 +4,9 @@
 #include "core/analysis/trace_words.h"
 #include "core/base/text_format.h"
 #include "core/collide/pairs_hash.h"
+#include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,11 +24,11 @@ void print_block(std::string& text) {
 std::string trace_header_text(const TraceHeader& header) {
     std::string text;
     for (const TraceField& field : fields_of(header))
-        text += format("%-10s ", field.name.c_str()) + printable(field.value) + "\n";
+        text += format("%-10s ", field.name.c_str()) + scenes::printable(field.value) + "\n";
     std::string files;
     for (const std::string& name : header.source) files += (files.empty() ? "" : " ") + name;
-    text += format("%-10s ", "named") + printable(files) + "\n";
-    return text + "recorded by scb " + printable(header.scb_version) + "\n";
+    text += format("%-10s ", "named") + scenes::printable(files) + "\n";
+    return text + "recorded by scb " + scenes::printable(header.scb_version) + "\n";
 }
 
 Json body_json(const TraceBody& body) {
@@ -78,13 +79,14 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
 }
 
 void print_events(const TraceHeader& header, const TraceFrame& frame) {
-    const TestTree tree = test_tree(header, frame);
-    const BodyNames names = body_names(header), bodies = {printable(names[0]), printable(names[1])};
+    const TraversalTree tree = traversal_tree(header, frame);
+    const BodyNames names = body_names(header),
+                    bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
     std::string text = "   test  parent   node A   node B  depths  outcome\n";
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
         const TracedTest test = traced_test(frame, tree, i);
         const std::string parent =
-            tree.parents[i] == TestTree::no_parent ? "-" : std::to_string(tree.parents[i]);
+            tree.parents[i] == TraversalTree::no_parent ? "-" : std::to_string(tree.parents[i]);
         text += format("%7zu %7s %8u %8u %3d %3d  ", i, parent.c_str(), test.test.nodes.a,
                        test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
                 words_of(test, bodies) + "\n";
@@ -95,13 +97,13 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
 
 void print_events_json(const TraceHeader& header, const TraceFrame& frame,
                        const std::string& indent) {
-    const TestTree tree = test_tree(header, frame);
+    const TraversalTree tree = traversal_tree(header, frame);
     const BodyNames bodies = body_names(header);
     std::string text;
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
         Json row = {{"test", i}};
         const std::uint32_t parent = tree.parents[i];
-        row["parent_test"] = parent == TestTree::no_parent ? Json() : Json(parent);
+        row["parent_test"] = parent == TraversalTree::no_parent ? Json() : Json(parent);
         row.update(traced_test_json(traced_test(frame, tree, i), bodies));
         text += (i == 0 ? "\n" : ",\n") + indent +
                 row.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -110,4 +112,4 @@ void print_events_json(const TraceHeader& header, const TraceFrame& frame,
     print_result(text);
 }
 
-}  // namespace scb
+}  // namespace scb::app

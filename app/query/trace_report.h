@@ -5,7 +5,7 @@
 
 #include "core/analysis/trace_diff.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What was asked, as lines, and as JSON.
 std::string trace_header_text(const TraceHeader& header);
@@ -22,4 +22,4 @@ void print_events(const TraceHeader& header, const TraceFrame& frame);
 void print_events_json(const TraceHeader& header, const TraceFrame& frame,
                        const std::string& indent);
 
-}  // namespace scb
+}  // namespace scb::app

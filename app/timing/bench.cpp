@@ -5,14 +5,15 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/table_3.h"
+#include "core/base/exit_status.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -20,7 +21,7 @@
 #include "scenes/scene/builtin.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -38,7 +39,7 @@ struct Options {
 
 /// A scene that is to be measured.
 struct Entry {
-    Scene scene;
+    scenes::Scene scene;
     std::size_t a = 0, b = 0;
     std::vector<int> frames;
     bool builtin = false;
@@ -48,12 +49,12 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     Entry entry;
     entry.scene = scene.load();
     std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
-    entry.frames = parse_frames(query.frames, entry.scene.frames, entry.scene.name);
+    entry.frames = scenes::parse_frames(query.frames, entry.scene.frames, entry.scene.name);
     return entry;
 }
 
 bool is_mesh_file(const std::string& name) {
-    return find_builtin(name) == nullptr && !name.ends_with(".json");
+    return scenes::find_builtin(name) == nullptr && !name.ends_with(".json");
 }
 
 // Those named, two meshes as one; or all of Table 3 whose meshes are there.
@@ -65,9 +66,9 @@ std::vector<Entry> entries(const Options& options, const Console& console) {
     if (names.empty()) names.assign(std::begin(table_3_scenes), std::end(table_3_scenes));
     std::vector<Entry> result;
     for (const std::string& name : names) {
-        const BuiltinScene* builtin = find_builtin(name);
+        const scenes::BuiltinScene* builtin = scenes::find_builtin(name);
         if (options.scene.names.empty())
-            if (const std::string file = missing_mesh_file(*builtin, one.models_dir);
+            if (const std::string file = scenes::missing_mesh_file(*builtin, one.models_dir);
                 !file.empty()) {
                 console.note("scb: " + name + " is left out: it needs " + file +
                              "; name the folder that holds it with --models DIR or SCB_MODELS.");
@@ -214,7 +215,7 @@ int run(const Options& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
     QueryOptions one_test = options.query;
-    one_test.test = split_list(options.query.test)[0];
+    one_test.test = scenes::split_list(options.query.test)[0];
     bench_options.collide = one_test.collide();
     bench_options.build = options.hierarchy.build();
     bench_options.packed.level = simd_level(options);
@@ -236,14 +237,14 @@ int run(const Options& options, const Console& console) {
     if (any_packed(bench_options.subjects))
         for (const Entry& entry : all)
             for (const std::size_t body : {entry.a, entry.b}) {
-                const NamedMesh& mesh = entry.scene.meshes[entry.scene.bodies[body].mesh];
+                const scenes::NamedMesh& mesh = entry.scene.meshes[entry.scene.bodies[body].mesh];
                 check_packable(mesh.mesh, entry.scene.name + ", " + mesh.name);
             }
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
-    std::optional<Context> context;
-    std::optional<Renderer> renderer;
+    std::optional<render::Context> context;
+    std::optional<render::Renderer> renderer;
     if (writes) {
         folder = options.picture.output_folder();
         context.emplace(options.picture.backend());
@@ -276,16 +277,17 @@ int run(const Options& options, const Console& console) {
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) return true;
-        BenchFigure figure = bench_figure(*bench);
+        render::BenchFigure figure = bench_figure(*bench);
         figure.footnote = conditions(options, bench_options);
         figure.theme = options.picture.theme();
-        Overlay overlay;
-        const Picture picture =
-            compose(figure, options.picture.width(), options.picture.height(), overlay);
-        const std::vector<std::uint8_t> png = encode_png(renderer->draw(picture, &overlay).image);
-        write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
-        write_file_whole(folder / "bench.csv", report.csv);
-        write_file_whole(folder / "bench.json", json());
+        render::Overlay overlay;
+        const render::Picture picture =
+            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
+        const std::vector<std::uint8_t> png =
+            render::encode_png(renderer->draw(picture, &overlay).image);
+        render::write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
+        render::write_file_whole(folder / "bench.csv", report.csv);
+        render::write_file_whole(folder / "bench.json", json());
         return true;
     };
     // What was measured is printed also where the rest fails.
@@ -311,61 +313,61 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_bench(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command =
+void add_bench(const Command& program, const Console& console, Action& action) {
+    const Command command =
         program.add_subcommand("bench", "Time queries: Table 3 and Figure 11 of the paper");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    command->get_option("SCENE")
-        ->required(false)
-        ->expected(0, 1000)
-        ->type_name("[SCENE...]")
-        ->description(
+    add_scene_options(command, options->scene, false);
+    command.get_option("SCENE")
+        .required(false)
+        .expected(0, 1000)
+        .type_name("[SCENE...]")
+        .description(
             "Built-in scenes or scene files, or two mesh files; else the seven scenes of "
             "Table 3");
-    add_hierarchy_options(*command, options->hierarchy);
-    add_query_options(*command, options->query, true);
+    add_hierarchy_options(command, options->hierarchy);
+    add_query_options(command, options->query, true);
     command
-        ->add_option("--layout", options->layouts,
-                     "Layouts of slab cut balls: some of reference, " + layout_names() +
-                         "; packed ones have the test 'symmetric'")
-        ->check(has_name())
-        ->type_name("LIST")
-        ->capture_default_str();
-    add_leaf_option(*command, options->leaf_triangles);
+        .add_option("--layout", options->layouts,
+                    "Layouts of slab cut balls: some of reference, " + layout_names() +
+                        "; packed ones have the test 'symmetric'")
+        .check(has_name)
+        .type_name("LIST")
+        .show_default();
+    add_leaf_option(command, options->leaf_triangles);
     command
-        ->add_option(
+        .add_option(
             "--simd", options->simd,
             "Vector instructions of packed layouts: best, base (none on x86-64: slow), sse4, "
             "avx2 or avx512; answers are the same")
-        ->check(has_name())
-        ->type_name("LEVEL")
-        ->capture_default_str();
-    add_threads_option(*command, options->threads,
+        .check(has_name)
+        .type_name("LEVEL")
+        .show_default();
+    add_threads_option(command, options->threads,
                        "Threads that share a query of packed layouts, and each build");
-    command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
-    command->add_flag("--warm", options->warm,
-                      "Each hierarchy runs through all frames, instead of taking turns");
-    add_figure_options(*command, options->picture,
+    command.add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+        .check(decimal_number)
+        .type_name("N")
+        .show_default();
+    command.add_flag("--warm", options->warm,
+                     "Each hierarchy runs through all frames, instead of taking turns");
+    add_figure_options(command, options->picture,
                        "Folder for bench.csv, bench.json and a picture per scene");
-    command->add_flag("--coherent", options->coherent,
-                      "Time each packed layout also with front reuse: where bodies move slowly, a "
-                      "query begins where one before ended; to compare, add --warm: in turns, the "
-                      "same query was made just before");
-    command->add_flag("--json", options->json, "Print JSON instead of a table");
-    command->footer(
+    command.add_flag("--coherent", options->coherent,
+                     "Time each packed layout also with front reuse: where bodies move slowly, a "
+                     "query begins where one before ended; to compare, add --warm: in turns, the "
+                     "same query was made just before");
+    command.add_flag("--json", options->json, "Print JSON instead of a table");
+    command.footer(
         "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
         "slab cut ball hierarchy;\n"
         "ns/N_v: time per volume test, triangle tests included; bytes: of the hierarchies, per "
         "triangle;\nfront: with --coherent, the share of queries that began at the front of an "
         "earlier one. Ctrl-C leaves what was finished, and exits with 130.\n\n"
         "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

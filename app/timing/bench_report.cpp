@@ -5,7 +5,7 @@
 #include "app/timing/table_3.h"
 #include "core/base/text_format.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -228,12 +228,12 @@ std::string bench_csv(const SceneBench& bench) {
     return text;
 }
 
-BenchFigure bench_figure(const SceneBench& bench) {
-    BenchFigure figure;
+render::BenchFigure bench_figure(const SceneBench& bench) {
+    render::BenchFigure figure;
     figure.scene = bench.scene;
     figure.triangles = {bench.triangles.begin(), bench.triangles.end()};
     for (const SubjectBench& subject : bench.subjects) {
-        BenchSeries series;
+        render::BenchSeries series;
         series.name = subject.subject.title();
         series.kind = subject.subject.kind;
         series.frames = bench.frames;
@@ -249,4 +249,4 @@ BenchFigure bench_figure(const SceneBench& bench) {
     return figure;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -8,7 +8,7 @@
 #include "core/analysis/cost_equation.h"
 #include "render/figures/bench_figure.h"
 
-namespace scb {
+namespace scb::app {
 
 /// One row per hierarchy: mean time, N_v, N_p and pairs per frame, how many times as long it took
 /// as the first slab cut ball hierarchy, and Table 3's figures beside them.
@@ -33,6 +33,6 @@ std::string bench_csv(const SceneBench& bench);
 inline constexpr const char* bench_csv_header = "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs\n";
 
 /// Figure 11 for the scene.
-BenchFigure bench_figure(const SceneBench& bench);
+render::BenchFigure bench_figure(const SceneBench& bench);
 
-}  // namespace scb
+}  // namespace scb::app

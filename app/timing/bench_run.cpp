@@ -5,22 +5,23 @@
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::app {
 
 std::string BenchSubject::title() const {
-    if (kind != VolumeKind::scb) return std::string(volume_title(kind));
+    if (kind != VolumeKind::scb) return std::string(render::volume_title(kind));
     if (layout)
-        return std::string(volume_title(kind)) + " " + packed_layout_name(*layout) +
+        return std::string(render::volume_title(kind)) + " " + packed_layout_name(*layout) +
                (coherent ? " front" : "");
-    return std::string(volume_title(kind)) + " " + std::string(overlap_test_name(test));
+    return std::string(render::volume_title(kind)) + " " + std::string(overlap_test_name(test));
 }
 
 double SubjectBench::mean_ms() const { return mean(ms); }
 
-std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
+std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    const std::vector<MeshTopology> topologies = build_topologies(scene, options.build.topology());
+    const std::vector<MeshTopology> topologies =
+        scenes::build_topologies(scene, options.build.topology());
     std::vector<VolumeKind> kinds;
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     std::vector<std::size_t> kind_of;                    // per subject: index of `kinds`
@@ -29,21 +30,21 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
         kind_of.push_back(static_cast<std::size_t>(known - kinds.begin()));
         if (known != kinds.end()) continue;
         kinds.push_back(subject.kind);
-        hierarchies.push_back(fit_meshes(topologies, subject.kind, options.build));
+        hierarchies.push_back(scenes::fit_meshes(topologies, subject.kind, options.build));
     }
 
     const std::size_t mesh_a = scene.bodies[a].mesh, mesh_b = scene.bodies[b].mesh;
     std::vector<Pose> poses;
     for (const int frame : frames)
-        poses.push_back(relative_pose(pose_at(scene.bodies[a].motion, frame),
-                                      pose_at(scene.bodies[b].motion, frame)));
+        poses.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
+                                      scenes::pose_at(scene.bodies[b].motion, frame)));
     // Per subject: both bodies, where it is packed.
     std::vector<std::vector<AnyPacked>> packed(options.subjects.size());
     PackedWorkspace workspace;
     std::vector<PackedFront> fronts(options.subjects.size());
     const auto packed_query = [&](std::size_t s, std::size_t i) {
         PackedOptions packed_options = options.packed;
-        packed_options.max_pairs = options.max_pairs;
+        packed_options.give_up_after = options.max_pairs;
         PackedCollision found =
             collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
                            scene.meshes[mesh_b].mesh, poses[i], packed_options, &workspace,
@@ -133,4 +134,4 @@ std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::si
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::app

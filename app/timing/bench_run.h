@@ -10,7 +10,7 @@
 #include "core/collide/pairs_hash.h"
 #include "scb/any_packed.h"
 
-namespace scb {
+namespace scb::app {
 
 /// One hierarchy with one overlap test, or one that is packed, which has a test of its own.
 struct BenchSubject {
@@ -61,8 +61,8 @@ struct BenchOptions {
 /// `step` is called after each query and ends the measurement by returning false; then there is no
 /// result. Throws InputError where a mesh is none for a layout, or a query finds more than
 /// max_pairs.
-std::optional<SceneBench> bench_scene(const Scene& scene, std::size_t a, std::size_t b,
+std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step);
 
-}  // namespace scb
+}  // namespace scb::app

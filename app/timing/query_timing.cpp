@@ -4,7 +4,7 @@
 
 #include "core/base/statistics.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 /// Processor time of this thread, as other programs' turns on a shared machine do not count; or the
@@ -40,4 +40,4 @@ std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& 
     return medians;
 }
 
-}  // namespace scb
+}  // namespace scb::app

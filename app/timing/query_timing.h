@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/collide/collision.h"
+#include "scb/collide.h"
 
-namespace scb {
+namespace scb::app {
 
 /// Whether the subjects take turns. Cold: at each frame every subject once, so that between two
 /// queries of one the others pass through the caches and the branch predictor, as an application's
@@ -32,4 +32,4 @@ struct QueryTiming {
 /// frame: the median of the repeats. Nothing where it was ended.
 std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing);
 
-}  // namespace scb
+}  // namespace scb::app

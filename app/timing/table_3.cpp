@@ -3,7 +3,7 @@
 #include <array>
 #include <iterator>
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 struct Row {
@@ -32,4 +32,4 @@ std::optional<Table3Entry> table_3(std::string_view scene, VolumeKind kind) {
     return std::nullopt;
 }
 
-}  // namespace scb
+}  // namespace scb::app

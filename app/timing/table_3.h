@@ -5,7 +5,7 @@
 
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What Table 3 of the paper says of a scene and a hierarchy: means per frame.
 struct Table3Entry {
@@ -20,4 +20,4 @@ std::optional<Table3Entry> table_3(std::string_view scene, VolumeKind kind);
 inline constexpr std::string_view table_3_scenes[] = {
     "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses", "hands"};
 
-}  // namespace scb
+}  // namespace scb::app

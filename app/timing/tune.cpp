@@ -3,19 +3,21 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_options.h"
+#include "app/query/output_guard.h"
 #include "app/timing/tune_report.h"
+#include "core/base/exit_status.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,15 +25,15 @@ using Json = nlohmann::ordered_json;
 struct Options {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = auto_frames};
+    QueryOptions query{.frames = scenes::auto_frames};
     PictureOptions picture{.output = ""};
     int repeats = 3;
     bool no_time = false, json = false;
 };
 
 /// Some fifty frames from the whole scene.
-std::vector<int> chosen_frames(const std::string& text, const Scene& scene) {
-    if (text != auto_frames) return parse_frames(text, scene.frames, scene.name);
+std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& scene) {
+    if (text != scenes::auto_frames) return scenes::parse_frames(text, scene.frames, scene.name);
     const int step = std::max(1, (scene.frames + 49) / 50);
     std::vector<int> frames;
     for (int frame = 0; frame < scene.frames; frame += step) frames.push_back(frame);
@@ -80,26 +82,27 @@ std::string json_text(const Options& options, const SceneTuning& tuning) {
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string picture_name(const Scene& scene) { return scene.name + "_tune.png"; }
+std::string picture_name(const scenes::Scene& scene) { return scene.name + "_tune.png"; }
 
-void write_files(const Options& options, const Scene& scene, const SceneTuning& tuning,
-                 Renderer& renderer, const std::filesystem::path& folder) {
-    TuneFigure figure = tune_figure(tuning);
+void write_files(const Options& options, const scenes::Scene& scene, const SceneTuning& tuning,
+                 render::Renderer& renderer, const std::filesystem::path& folder) {
+    render::TuneFigure figure = tune_figure(tuning);
     figure.footnote = conditions(options);
     figure.theme = options.picture.theme();
-    Overlay overlay;
-    const Picture picture =
-        compose(figure, options.picture.width(), options.picture.height(), overlay);
-    const std::vector<std::uint8_t> png = encode_png(renderer.draw(picture, &overlay).image);
-    write_file_whole(folder / picture_name(scene), png);
-    write_file_whole(folder / "tune.csv", tune_csv(tuning));
-    write_file_whole(folder / "tune.json", json_text(options, tuning));
+    render::Overlay overlay;
+    const render::Picture picture =
+        render::compose(figure, options.picture.width(), options.picture.height(), overlay);
+    const std::vector<std::uint8_t> png =
+        render::encode_png(renderer.draw(picture, &overlay).image);
+    render::write_file_whole(folder / picture_name(scene), png);
+    render::write_file_whole(folder / "tune.csv", tune_csv(tuning));
+    render::write_file_whole(folder / "tune.json", json_text(options, tuning));
 }
 
 int run(const Options& options, const Console& console) {
     const TuneOptions asked = tune_options(options);
     options.picture.check();
-    const Scene scene = options.scene.load();
+    const scenes::Scene scene = options.scene.load();
     if (!options.picture.output.empty())
         for (const std::string& file :
              {std::string("tune.csv"), std::string("tune.json"), picture_name(scene)})
@@ -114,8 +117,8 @@ int run(const Options& options, const Console& console) {
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
-    std::optional<Context> context;
-    std::optional<Renderer> renderer;
+    std::optional<render::Context> context;
+    std::optional<render::Renderer> renderer;
     if (writes) {
         folder = options.picture.output_folder();
         context.emplace(options.picture.backend());
@@ -147,28 +150,28 @@ int run(const Options& options, const Console& console) {
 
 }  // namespace
 
-void add_tune(CLI::App& program, const Console& console, Action& action) {
-    CLI::App* command = program.add_subcommand(
+void add_tune(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
         "tune", "Compare overlap tests, thresholds, descent and growth rules in a scene");
     const auto options = std::make_shared<Options>();
-    add_scene_options(*command, options->scene, false);
-    command->get_option("SCENE")->description(
+    add_scene_options(command, options->scene, false);
+    command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, or two mesh files");
-    add_hierarchy_options(*command, options->hierarchy, false);
-    command->get_option("--volume")->description("scb: only slab cut balls can be tuned");
-    add_query_options(*command, options->query, false);
-    command->get_option("--frames")
-        ->description(
+    add_hierarchy_options(command, options->hierarchy, false);
+    command.get_option("--volume").description("scb: only slab cut balls can be tuned");
+    add_query_options(command, options->query, false);
+    command.get_option("--frames")
+        .description(
             "Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is fifty from the whole scene");
-    command->add_option("--repeat", options->repeats, "Time each query so often; its median counts")
-        ->check(decimal_number())
-        ->type_name("N")
-        ->capture_default_str();
-    command->add_flag("--no-time", options->no_time,
-                      "Counts only, which are the same on every machine");
-    add_figure_options(*command, options->picture, "Folder for tune.csv, tune.json and a picture");
-    command->add_flag("--json", options->json, "Print JSON instead of a table");
-    command->footer(
+    command.add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+        .check(decimal_number)
+        .type_name("N")
+        .show_default();
+    command.add_flag("--no-time", options->no_time,
+                     "Counts only, which are the same on every machine");
+    add_figure_options(command, options->picture, "Folder for tune.csv, tune.json and a picture");
+    command.add_flag("--json", options->json, "Print JSON instead of a table");
+    command.footer(
         "The base is what --test, --threshold, --descent and --growth say. One of them is changed "
         "at a time, then the best of\n"
         "each are taken together. operations: arithmetic operations of the volume tests (Table 1 "
@@ -180,9 +183,9 @@ void add_tune(CLI::App& program, const Console& console, Action& action) {
         "  scb tune spheres-l1 -o out/\n"
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"
         "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected");
-    command->callback([&action, &console, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
 
-}  // namespace scb
+}  // namespace scb::app

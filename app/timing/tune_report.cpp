@@ -7,7 +7,7 @@
 #include "render/figures/bench_figure.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -91,7 +91,7 @@ std::string tune_table(const SceneTuning& tuning) {
     std::string text =
         tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
         format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
-        frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
+        render::frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
         "  setting                                               N_v       N_p   operations / base";
     text += tuning.timed ? "        ms / base\n" : "\n";
     const TuneRow& base = tuning.rows[0];
@@ -149,15 +149,17 @@ std::string tune_csv(const SceneTuning& tuning) {
     return text;
 }
 
-TuneFigure tune_figure(const SceneTuning& tuning) {
+render::TuneFigure tune_figure(const SceneTuning& tuning) {
     const TuneRow& base = tuning.rows[0];
-    TuneFigure figure;
+    render::TuneFigure figure;
     figure.title = tuning.scene + " · settings";
-    figure.subtitle = frames_text(tuning.frames) + ", base: " + setting_text(base.trial.setting);
-    std::vector<std::pair<double, TuneCosts>> points;
+    figure.subtitle =
+        render::frames_text(tuning.frames) + ", base: " + setting_text(base.trial.setting);
+    std::vector<std::pair<double, render::TuneCosts>> points;
     for (std::size_t i = 0; i < tuning.rows.size(); ++i) {
         const TuneRow& row = tuning.rows[i];
-        TuneCosts costs{ratio(row.n_v, base.n_v), ratio(row.operations, base.operations), {}};
+        render::TuneCosts costs{
+            ratio(row.n_v, base.n_v), ratio(row.operations, base.operations), {}};
         if (tuning.timed) costs.time = ratio(row.ms, base.ms);
         const TuneSetting& setting = row.trial.setting;
         if (setting.overlap.test == OverlapTest::corrected &&
@@ -178,4 +180,4 @@ TuneFigure tune_figure(const SceneTuning& tuning) {
     return figure;
 }
 
-}  // namespace scb
+}  // namespace scb::app

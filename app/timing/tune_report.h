@@ -6,7 +6,7 @@
 #include "app/timing/tune_run.h"
 #include "render/figures/tune_figure.h"
 
-namespace scb {
+namespace scb::app {
 
 /// One row per setting, in groups by what was changed, with means per frame and their ratio to the
 /// base's; below, the best settings.
@@ -19,6 +19,6 @@ nlohmann::ordered_json tune_json(const SceneTuning& tuning);
 /// threshold is empty where the test has none, ms where nothing was timed.
 std::string tune_csv(const SceneTuning& tuning);
 
-TuneFigure tune_figure(const SceneTuning& tuning);
+render::TuneFigure tune_figure(const SceneTuning& tuning);
 
-}  // namespace scb
+}  // namespace scb::app

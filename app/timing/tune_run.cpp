@@ -8,23 +8,24 @@
 #include "core/analysis/operation_cost.h"
 #include "core/base/statistics.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 /// The scene with a hierarchy per mesh and growth rule.
 class Subject {
   public:
-    Subject(const Scene& scene, std::size_t a, std::size_t b, const std::vector<int>& frames,
-            BuildOptions build)
+    Subject(const scenes::Scene& scene, std::size_t a, std::size_t b,
+            const std::vector<int>& frames, BuildOptions build)
         : scene_(scene), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
-        const std::vector<MeshTopology> topologies = build_topologies(scene, build.topology());
+        const std::vector<MeshTopology> topologies =
+            scenes::build_topologies(scene, build.topology());
         for (const BallGrowth growth : growths) {
             build.fit.growth = growth;
-            hierarchies_.push_back(fit_meshes(topologies, VolumeKind::scb, build));
+            hierarchies_.push_back(scenes::fit_meshes(topologies, VolumeKind::scb, build));
         }
         for (const int frame : frames)
-            poses_.push_back(relative_pose(pose_at(scene.bodies[a].motion, frame),
-                                           pose_at(scene.bodies[b].motion, frame)));
+            poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
+                                           scenes::pose_at(scene.bodies[b].motion, frame)));
     }
 
     std::size_t frames() const { return poses_.size(); }
@@ -55,7 +56,7 @@ class Subject {
 
     static constexpr BallGrowth growths[] = {BallGrowth::ritter, BallGrowth::radius};
 
-    const Scene& scene_;
+    const scenes::Scene& scene_;
     std::size_t mesh_a_, mesh_b_;
     std::vector<std::vector<AnyHierarchy>> hierarchies_;  // per growth, per mesh
     std::vector<Pose> poses_;                             // per frame
@@ -145,7 +146,7 @@ class Run {
 
 }  // namespace
 
-std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::size_t b,
+std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
     const Subject subject(scene, a, b, frames, options.build);
@@ -179,4 +180,4 @@ std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::si
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::app

@@ -9,7 +9,7 @@
 #include "app/query/scene_query.h"
 #include "core/analysis/tuning.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What one setting took: means per frame.
 struct TuneRow {
@@ -53,8 +53,8 @@ inline constexpr double least_time_gain = 0.02;
 /// Counts what tune_trials take, picks the best of each (by operations, and by time where that is
 /// another one; for that each is timed once) and then times all, so that all take turns at each
 /// frame. Nothing where it was ended.
-std::optional<SceneTuning> tune_scene(const Scene& scene, std::size_t a, std::size_t b,
+std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress);
 
-}  // namespace scb
+}  // namespace scb::app

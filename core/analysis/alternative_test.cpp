@@ -1,6 +1,8 @@
 #include "core/analysis/alternative_test.h"
 
 #include "core/analysis/operation_cost.h"
+#include "core/collide/query_placement.h"
+#include "core/overlap/test_functors.h"
 
 namespace scb {
 namespace {
@@ -11,13 +13,13 @@ bool same(const OverlapOptions& x, const OverlapOptions& y) {
 
 }  // namespace
 
-void OtherTest::add(const OtherTest& other) {
+void AlternativeTest::add(const AlternativeTest& other) {
     caught += other.caught;
     pairs += other.pairs;
     all += other.all;
 }
 
-std::vector<OverlapOptions> other_tests(const TraceHeader& header) {
+std::vector<OverlapOptions> alternative_tests(const TraceHeader& header) {
     std::vector<OverlapOptions> tests;
     if (header.volume != VolumeKind::scb) return tests;
     for (const double threshold : {0.5, 0.7, 0.9})
@@ -28,10 +30,11 @@ std::vector<OverlapOptions> other_tests(const TraceHeader& header) {
     return tests;
 }
 
-OtherTest try_other_test(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
-                         const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
-                         const Attribution& attribution, const OverlapOptions& other) {
-    OtherTest result;
+AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
+                                     const AnyHierarchy& b, const Mesh& mesh_b,
+                                     const TraceHeader& header, const TraceFrame& frame,
+                                     const Attribution& attribution, const OverlapOptions& other) {
+    AlternativeTest result;
     result.overlap = other;
     CollideOptions options = header.options;
     options.overlap = other;

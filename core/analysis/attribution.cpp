@@ -1,13 +1,14 @@
 #include "core/analysis/attribution.h"
 
 #include "core/analysis/operation_cost.h"
+#include "core/collide/query_placement.h"
 #include "core/explain/exact_verdict.h"
 #include "scb/collide.h"
 
 namespace scb {
 namespace {
 
-constexpr std::uint32_t none = TestTree::no_parent;
+constexpr std::uint32_t none = TraversalTree::no_parent;
 
 std::vector<std::uint32_t> positions(const Topology& topology) {
     std::vector<std::uint32_t> position(topology.order.size());
@@ -21,7 +22,7 @@ bool holds(const Topology& topology, std::uint32_t node, std::uint32_t position)
 }
 
 /// For each test, the first of those that the division of its pair led to. They follow each other.
-std::vector<std::uint32_t> first_children(const TestTree& tree) {
+std::vector<std::uint32_t> first_children(const TraversalTree& tree) {
     std::vector<std::uint32_t> children(tree.parents.size(), none);
     for (std::size_t i = tree.parents.size(); i-- > 0;)
         if (tree.parents[i] != none) children[tree.parents[i]] = static_cast<std::uint32_t>(i);
@@ -30,7 +31,7 @@ std::vector<std::uint32_t> first_children(const TestTree& tree) {
 
 /// For each test, how many of the pairs of triangles that intersect its nodes hold.
 std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
-                                          const TraceFrame& frame, const TestTree& tree,
+                                          const TraceFrame& frame, const TraversalTree& tree,
                                           std::span<const IndexPair> contacts) {
     const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b),
                                      children = first_children(tree);
@@ -56,7 +57,7 @@ std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
 
 /// For each test, the work below it.
 std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame,
-                             const TestTree& tree) {
+                             const TraversalTree& tree) {
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
     std::vector<Work> below(tests.size());
     for (const TriangleTest& test : frame.events.triangle_tests) ++below[test.after].triangle_tests;
@@ -76,7 +77,8 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
     const Placement placed = query_placement(a, b, frame.b_to_a);
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const IndexPair nodes = tests[i].nodes;
-        const ContactProof proof = exact_verdict(a.volumes[nodes.a], b.volumes[nodes.b], placed);
+        const ContactCertificate proof =
+            exact_verdict(a.volumes[nodes.a], b.volumes[nodes.b], placed);
         if (tests[i].stage != Stage::overlapping) {
             if (proof.contact == Contact::overlapping || contacts[i] > 0)
                 result.wrongly_rejected.push_back({i, contacts[i], proof.contact});
@@ -102,7 +104,7 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
 }  // namespace
 
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, const TestTree& tree,
+                      const TraceFrame& frame, const TraversalTree& tree,
                       std::span<const IndexPair> contacts) {
     const std::vector<std::uint64_t> contact =
         contacts_below(topology_of(a), topology_of(b), frame, tree, contacts);

@@ -42,10 +42,10 @@ struct Attribution {
 };
 
 /// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
-/// verdict on the volumes. `tree` is test_tree's. `contacts` are all pairs of triangles that
+/// verdict on the volumes. `tree` is traversal_tree's. `contacts` are all pairs of triangles that
 /// intersect, see all_contacts; sorted or not. O(N_v) verdicts.
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, const TestTree& tree,
+                      const TraceFrame& frame, const TraversalTree& tree,
                       std::span<const IndexPair> contacts);
 
 /// All pairs of triangles that intersect, at the pose of a frame: those that the query found, or,

@@ -18,7 +18,7 @@ Inspection& Inspection::operator+=(const Inspection& other) {
     return *this;
 }
 
-Inspection inspection(const TraceFrame& frame, const TestTree& tree,
+Inspection inspection(const TraceFrame& frame, const TraversalTree& tree,
                       const Attribution& attribution) {
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
     Inspection result;
@@ -38,7 +38,7 @@ Inspection inspection(const TraceFrame& frame, const TestTree& tree,
     for (std::size_t i = 0; i < tests.size(); ++i) {
         ++depth_of(i).tests;
         const std::uint32_t parent = tree.parents[i];
-        if (parent == TestTree::no_parent) continue;
+        if (parent == TraversalTree::no_parent) continue;
         depth_of(i).wasted += static_cast<std::uint64_t>(is_false[parent]);
         depth_of(i).wasted_by_tests += static_cast<std::uint64_t>(is_within_weak_test[parent]);
     }

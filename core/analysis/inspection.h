@@ -21,8 +21,8 @@ struct Inspection {
     Inspection& operator+=(const Inspection& other);
 };
 
-/// That of one query. `tree` is test_tree's.
-Inspection inspection(const TraceFrame& frame, const TestTree& tree,
+/// That of one query. `tree` is traversal_tree's.
+Inspection inspection(const TraceFrame& frame, const TraversalTree& tree,
                       const Attribution& attribution);
 
 /// One frame of several.

@@ -59,10 +59,10 @@ BuildOptions build_options(const TraceHeader& header) {
     return options;
 }
 
-TestTree test_tree(const TraceHeader& header, const TraceFrame& frame) {
+TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame) {
     const bool stops = header.options.stop_level >= 0;
-    return test_tree(frame.events,
-                     stops ? std::span(frame.found.pairs) : std::span<const IndexPair>());
+    return traversal_tree(frame.events,
+                          stops ? std::span(frame.found.pairs) : std::span<const IndexPair>());
 }
 
 std::vector<TraceField> fields_of(const TraceHeader& header) {

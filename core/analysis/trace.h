@@ -62,7 +62,7 @@ struct Trace {
 };
 
 /// The tree of a frame's tests.
-TestTree test_tree(const TraceHeader& header, const TraceFrame& frame);
+TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame);
 
 /// One line of what was asked, as text.
 struct TraceField {

@@ -30,8 +30,8 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
 
 /// Index of the volume test at which the queries part: in what they test, in what that gives, or
 /// in what they do next. Nothing where they do not.
-std::optional<std::size_t> parting_test(const TraceFrame& a, const TestTree& tree_a,
-                                        const TraceFrame& b, const TestTree& tree_b) {
+std::optional<std::size_t> parting_test(const TraceFrame& a, const TraversalTree& tree_a,
+                                        const TraceFrame& b, const TraversalTree& tree_b) {
     const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
         const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
         return static_cast<std::size_t>(first.first - of_a.begin());
@@ -49,7 +49,8 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const TestTree& tre
     return same ? std::nullopt : std::optional(test);
 }
 
-std::optional<TracedTest> traced(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
+std::optional<TracedTest> traced(const TraceFrame& frame, const TraversalTree& tree,
+                                 std::size_t index) {
     if (index >= frame.events.volume_tests.size()) return std::nullopt;
     return traced_test(frame, tree, index);
 }
@@ -59,7 +60,8 @@ bool same_pose(const Pose& a, const Pose& b) {
 }
 
 /// The volume test from which the pair came.
-std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes, IndexPair pair) {
+std::size_t test_of(const TraceFrame& frame, const TraversalTree& tree, bool of_nodes,
+                    IndexPair pair) {
     if (of_nodes)
         for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
             if (tree.outcomes[i] == Outcome::found && frame.events.volume_tests[i].nodes == pair)
@@ -71,8 +73,9 @@ std::size_t test_of(const TraceFrame& frame, const TestTree& tree, bool of_nodes
 }
 
 /// Looks for the test of `other` that left out the pair which `finder` found.
-LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const TraceFrame& other,
-                   const TestTree& other_tree, const TraceDiff& d, IndexPair pair) {
+LostPair lost_pair(const TraceFrame& finder, const TraversalTree& finder_tree,
+                   const TraceFrame& other, const TraversalTree& other_tree, const TraceDiff& d,
+                   IndexPair pair) {
     LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
@@ -81,7 +84,7 @@ LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const 
          i = finder_tree.parents[i]) {
         ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
         ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
-        if (finder_tree.parents[i] == TestTree::no_parent) break;
+        if (finder_tree.parents[i] == TraversalTree::no_parent) break;
     }
     for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
         const Outcome outcome = other_tree.outcomes[i];
@@ -97,8 +100,8 @@ LostPair lost_pair(const TraceFrame& finder, const TestTree& finder_tree, const 
 }
 
 /// The pairs that only one of the two found.
-void compare_pairs(const TraceFrame& frame_a, const TestTree& tree_a, const TraceFrame& frame_b,
-                   const TestTree& tree_b, TraceDiff& result) {
+void compare_pairs(const TraceFrame& frame_a, const TraversalTree& tree_a,
+                   const TraceFrame& frame_b, const TraversalTree& tree_b, TraceDiff& result) {
     const auto& pairs_a = frame_a.found.pairs;
     const auto& pairs_b = frame_b.found.pairs;
     std::vector<IndexPair> only_a, only_b;
@@ -136,7 +139,7 @@ void TraceCounts::add(const Collision& found) {
     for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
 }
 
-TracedTest traced_test(const TraceFrame& frame, const TestTree& tree, std::size_t index) {
+TracedTest traced_test(const TraceFrame& frame, const TraversalTree& tree, std::size_t index) {
     const Events& events = frame.events;
     TracedTest result;
     result.test = events.volume_tests[index];
@@ -146,7 +149,7 @@ TracedTest traced_test(const TraceFrame& frame, const TestTree& tree, std::size_
                          [](const TriangleTest& t, std::size_t i) { return t.after < i; });
     if (triangles != events.triangle_tests.end() && triangles->after == index)
         result.triangles = *triangles;
-    if (const std::uint32_t parent = tree.parents[index]; parent != TestTree::no_parent) {
+    if (const std::uint32_t parent = tree.parents[index]; parent != TraversalTree::no_parent) {
         result.parent = events.volume_tests[parent];
         result.parent_outcome = tree.outcomes[parent];
     }
@@ -188,10 +191,10 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         difference.a.add(frame_a->found);
         difference.b.add(frame_b->found);
         std::optional<std::size_t> test;
-        TestTree tree_a, tree_b;
+        TraversalTree tree_a, tree_b;
         if (result.nodes_comparable || result.pairs_comparable) {
-            tree_a = test_tree(a, *frame_a);
-            tree_b = test_tree(b, *frame_b);
+            tree_a = traversal_tree(a, *frame_a);
+            tree_b = traversal_tree(b, *frame_b);
         }
         if (result.nodes_comparable) {
             test = parting_test(*frame_a, tree_a, *frame_b, tree_b);

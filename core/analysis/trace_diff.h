@@ -31,11 +31,11 @@ struct FrameDifference {
 /// A volume test and what it belongs to.
 struct TracedTest {
     VolumeTest test;
-    Outcome outcome = Outcome::rejected;
+    Outcome outcome{};
     std::optional<TriangleTest> triangles;  ///< of two leaves that overlap
     std::optional<VolumeTest> parent;       ///< of the pair whose division led here; the roots
                                             ///< have none
-    Outcome parent_outcome = Outcome::rejected;
+    Outcome parent_outcome{};
 };
 
 /// Where two traces part: the same frame and the same test, counted from 0, before which all tests
@@ -98,7 +98,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
                const TraceFrames& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);
 
-/// The volume test `index` of a frame. `tree` is test_tree's.
-TracedTest traced_test(const TraceFrame& frame, const TestTree& tree, std::size_t index);
+/// The volume test `index` of a frame. `tree` is traversal_tree's.
+TracedTest traced_test(const TraceFrame& frame, const TraversalTree& tree, std::size_t index);
 
 }  // namespace scb

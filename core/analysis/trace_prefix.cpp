@@ -4,8 +4,8 @@
 
 namespace scb {
 
-TraceFrame first_tests(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
-                       std::size_t count) {
+TraceFrame trace_prefix(const TraceHeader& header, const TraceFrame& frame,
+                        const TraversalTree& tree, std::size_t count) {
     TraceFrame result{frame.frame, frame.b_to_a, {}, {}};
     const auto& tests = frame.events.volume_tests;
     count = std::min(count, tests.size());

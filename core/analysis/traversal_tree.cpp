@@ -5,9 +5,9 @@
 
 namespace scb {
 
-TestTree test_tree(const Events& events, std::span<const IndexPair> found_nodes) {
+TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> found_nodes) {
     const std::vector<VolumeTest>& tests = events.volume_tests;
-    TestTree tree;
+    TraversalTree tree;
     tree.parents.reserve(tests.size());
     tree.outcomes.reserve(tests.size());
     std::vector<std::uint32_t> pending;
@@ -15,7 +15,7 @@ TestTree test_tree(const Events& events, std::span<const IndexPair> found_nodes)
     const auto visit = [&](std::uint32_t parent) {
         const auto index = static_cast<std::uint32_t>(tree.parents.size());
         const VolumeTest& test = tests[index];
-        Outcome outcome = Outcome::rejected;
+        Outcome outcome = rejected_at(test.stage);
         if (test.stage == Stage::overlapping) {
             if (next_triangles < events.triangle_tests.size() &&
                 events.triangle_tests[next_triangles].after == index) {
@@ -33,7 +33,7 @@ TestTree test_tree(const Events& events, std::span<const IndexPair> found_nodes)
         tree.parents.push_back(parent);
         tree.outcomes.push_back(outcome);
     };
-    if (!tests.empty()) visit(TestTree::no_parent);
+    if (!tests.empty()) visit(TraversalTree::no_parent);
     while (tree.parents.size() < tests.size()) {
         assert(!pending.empty() && "the events are those of one query");
         const std::uint32_t parent = pending.back();
@@ -44,6 +44,14 @@ TestTree test_tree(const Events& events, std::span<const IndexPair> found_nodes)
         if (tree.parents.size() < tests.size()) visit(parent);
     }
     return tree;
+}
+
+std::vector<std::uint32_t> subtree_sizes(const TraversalTree& tree) {
+    std::vector<std::uint32_t> sizes(tree.parents.size(), 1);
+    // Parents come before their children.
+    for (std::size_t i = sizes.size(); i-- > 0;)
+        if (tree.parents[i] != TraversalTree::no_parent) sizes[tree.parents[i]] += sizes[i];
+    return sizes;
 }
 
 }  // namespace scb

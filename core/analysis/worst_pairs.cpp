@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/collide/query_placement.h"
 #include "core/explain/pair_explanation.h"
 #include "scb/collide.h"
 
@@ -52,14 +53,14 @@ void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& 
         a);
 }
 
-void WorstPairs::add(const TraceFrame& frame, const TestTree& tree,
+void WorstPairs::add(const TraceFrame& frame, const TraversalTree& tree,
                      const Attribution& attribution) {
     const bool weak = reason_ == PassReason::weak_test;
     // Per test, the cost of the listed pair that it is a part of; parents come first.
     std::vector<std::uint64_t> listed(frame.events.volume_tests.size());
     for (const PassedPair& pair : attribution.passed) {
         const std::uint32_t parent = tree.parents[pair.test];
-        const std::uint64_t around = parent == TestTree::no_parent ? 0 : listed[parent];
+        const std::uint64_t around = parent == TraversalTree::no_parent ? 0 : listed[parent];
         listed[pair.test] = around;
         if (pair.reason != reason_) continue;
         const FalsePair found{frame.frame, pair, frame.events.volume_tests[pair.test]};

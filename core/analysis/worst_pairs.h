@@ -9,7 +9,8 @@ struct FalsePair {
     int frame = 0;
     PassedPair pair;
     VolumeTest test;
-    double margin = 0;  ///< as of ContactProof: gap or depth of the volumes, see sharpen_margin
+    double margin =
+        0;  ///< as of ContactCertificate: gap or depth of the volumes, see sharpen_margin
 };
 
 /// Raises the margin to what the sharpened proof says, as explain() does.
@@ -35,8 +36,8 @@ class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
-    /// `tree` is test_tree's.
-    void add(const TraceFrame& frame, const TestTree& tree, const Attribution& attribution);
+    /// `tree` is traversal_tree's.
+    void add(const TraceFrame& frame, const TraversalTree& tree, const Attribution& attribution);
     /// The worst one first.
     std::vector<FalsePair> pairs() const;
 

@@ -42,7 +42,7 @@ void in_arena(int threads, const Work& work) {
 
 }  // namespace
 
-void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
     in_arena(threads, [&] {
         // Each by itself: they are few, and of unlike size.
         tbb::parallel_for(
@@ -54,7 +54,8 @@ void in_threads(int threads, std::size_t count, const std::function<void(std::si
     });
 }
 
-void both(int threads, const std::function<void()>& first, const std::function<void()>& second) {
+void parallel_invoke(int threads, const std::function<void()>& first,
+                     const std::function<void()>& second) {
     if (threads == 1) {
         first();
         second();
@@ -101,7 +102,7 @@ void beside(int threads, const std::function<void()>& work, const std::function<
 
 }  // namespace
 
-void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
     if (count == 0) return;
     std::atomic<std::size_t> next = 0;
     const std::function<void()> some = [&] {
@@ -116,17 +117,18 @@ void in_threads(int threads, std::size_t count, const std::function<void(std::si
     run(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(threads), count)) - 1);
 }
 
-void both(int threads, const std::function<void()>& first, const std::function<void()>& second) {
+void parallel_invoke(int threads, const std::function<void()>& first,
+                     const std::function<void()>& second) {
     beside(threads, second, first);
 }
 #endif
 
-void in_blocks(int threads, std::size_t count,
-               const std::function<void(std::size_t, std::size_t)>& work) {
+void parallel_blocks(int threads, std::size_t count,
+                     const std::function<void(std::size_t, std::size_t)>& work) {
     constexpr std::size_t block = 8192;
     if (threads == 1 || count <= block) return work(0, count);
-    in_threads(threads, (count + block - 1) / block,
-               [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });
+    parallel_for(threads, (count + block - 1) / block,
+                 [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });
 }
 
 }  // namespace scb

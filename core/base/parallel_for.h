@@ -10,13 +10,14 @@ namespace scb {
 // first of several, is thrown here once all have ended.
 
 /// Calls `work(0)` to `work(count - 1)`, each once and in no order.
-void in_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
+void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Calls `work(first, end)` for ranges that make up 0 to count - 1.
-void in_blocks(int threads, std::size_t count,
-               const std::function<void(std::size_t, std::size_t)>& work);
+void parallel_blocks(int threads, std::size_t count,
+                     const std::function<void(std::size_t, std::size_t)>& work);
 
 /// Calls both, at the same time where a thread is free. May be called within either.
-void both(int threads, const std::function<void()>& first, const std::function<void()>& second);
+void parallel_invoke(int threads, const std::function<void()>& first,
+                     const std::function<void()>& second);
 
 }  // namespace scb

@@ -1,7 +1,8 @@
 #include "core/base/text_format.h"
 
 #include <algorithm>
-
+#include <array>
+#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
@@ -26,6 +27,12 @@ std::string right_aligned(const std::string& text, std::size_t width) {
             return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
         }));
     return characters < width ? std::string(width - characters, ' ') + text : text;
+}
+
+std::string exact_number(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return std::string(buffer.data(), end);
 }
 
 }  // namespace scb

@@ -10,4 +10,7 @@ namespace scb {
 /// The text behind as many blanks as it takes to that width; a character of UTF-8 counts once.
 std::string right_aligned(const std::string& text, std::size_t width);
 
+/// The shortest decimal text that reads back as the same double; "inf" and "nan" for those.
+std::string exact_number(double value);
+
 }  // namespace scb

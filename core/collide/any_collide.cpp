@@ -1,17 +1,22 @@
 #include "scb/any_collide.h"
 
+#include <string>
+
+#include "core/collide/dual_traversal.h"
+#include "scb/error.h"
+
 namespace scb {
 namespace {
 
-template <class Observer>
-Collision collide_with(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
-                       const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
-                       Observer& observer) {
+/// Calls `use` with both hierarchies as what they are, which must be one type.
+template <class Use>
+Collision with_both(const AnyHierarchy& a, const AnyHierarchy& b, Use&& use) {
+    if (a.index() != b.index())
+        throw InputError(
+            "the two hierarchies have volumes of different types; build both with one.");
     return std::visit(
-        [&]<class V>(const Hierarchy<V>& hierarchy_a) {
-            return collide(Collider<V>{hierarchy_a, mesh_a},
-                           Collider<V>{std::get<Hierarchy<V>>(b), mesh_b}, b_to_a, options,
-                           observer);
+        [&]<class V>(const Hierarchy<V>& of_a) {
+            return use(of_a, *std::get_if<Hierarchy<V>>(&b));
         },
         a);
 }
@@ -20,14 +25,17 @@ Collision collide_with(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHiera
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options) {
-    NoObserver none;
-    return collide_with(a, mesh_a, b, mesh_b, b_to_a, options, none);
+    return with_both(a, b, [&](const auto& of_a, const auto& of_b) {
+        return collide(Collider{of_a, mesh_a}, Collider{of_b, mesh_b}, b_to_a, options);
+    });
 }
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                   EventRecorder& recorder) {
-    return collide_with(a, mesh_a, b, mesh_b, b_to_a, options, recorder);
+    return with_both(a, b, [&](const auto& of_a, const auto& of_b) {
+        return collide(Collider{of_a, mesh_a}, Collider{of_b, mesh_b}, b_to_a, options, recorder);
+    });
 }
 
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/collide/collision.h"
+#include "scb/observer.h"
 
 namespace scb {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/collide/collision.h"
+#include "scb/observer.h"
 
 namespace scb {
 

@@ -37,7 +37,7 @@ void add_directions(std::vector<Vec3>& to, const Obb& box) {
 }
 
 template <class V>
-bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactProof& proof) {
+bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate& proof) {
     const double rounding = 1e-13 * std::max({diameter(a), diameter(b), to_b.norm()});
     const auto reach_of_a = [&](const Vec3& d) { return dot(d, farthest(a, d)); };
     const auto end_of_b = [&](const Vec3& d) { return dot(d, Vec3(to_b + farthest(b, -d))); };
@@ -65,15 +65,15 @@ bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactProof& proo
 
 }  // namespace
 
-bool supports_bear_out(const Scb& a, const Scb& b, const ContactProof& proof) {
+bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& proof) {
     return bear_out(a, b, b.c - a.c, proof);
 }
 
-bool supports_bear_out(const Ball& a, const Ball& b, const ContactProof& proof) {
+bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& proof) {
     return bear_out(a, b, b.center - a.center, proof);
 }
 
-bool supports_bear_out(const Obb& a, const Obb& b, const ContactProof& proof) {
+bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& proof) {
     return bear_out(a, b, b.center - a.center, proof);
 }
 

@@ -10,8 +10,8 @@ namespace scb {
 /// that can refute a depth, and proves none. What touches claims nothing and is not borne out.
 ///
 /// It shares nothing with proven_gap, proven_depth and verify, by which a sharpened proof is made.
-bool supports_bear_out(const Scb& a, const Scb& b, const ContactProof& proof);
-bool supports_bear_out(const Ball& a, const Ball& b, const ContactProof& proof);
-bool supports_bear_out(const Obb& a, const Obb& b, const ContactProof& proof);
+bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& proof);
+bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& proof);
+bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& proof);
 
 }  // namespace scb

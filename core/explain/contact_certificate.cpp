@@ -35,7 +35,7 @@ double reach(const Surroundings& s, double cosine, double sine) {
 
 /// `size`: the largest of the lengths that meet.
 template <class V>
-bool verify_within(const V& a, const V& b, const ContactProof& proof, double size) {
+bool verify_within(const V& a, const V& b, const ContactCertificate& proof, double size) {
     // Squares of shorter lengths lose digits, or vanish, and those of longer ones overflow.
     if (!(size > 1e-140 && size < 1e140)) return false;
     const double rounding = 1e-14 * size;
@@ -124,16 +124,16 @@ std::string_view contact_name(Contact contact) {
     return "touching";
 }
 
-bool verify(const Scb& a, const Scb& b, const ContactProof& proof) {
+bool verify(const Scb& a, const Scb& b, const ContactCertificate& proof) {
     return verify_within(a, b, proof, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
 }
 
-bool verify(const Ball& a, const Ball& b, const ContactProof& proof) {
+bool verify(const Ball& a, const Ball& b, const ContactCertificate& proof) {
     return verify_within(a, b, proof,
                          std::max({a.radius, b.radius, (b.center - a.center).stableNorm()}));
 }
 
-bool verify(const Obb& a, const Obb& b, const ContactProof& proof) {
+bool verify(const Obb& a, const Obb& b, const ContactCertificate& proof) {
     return verify_within(
         a, b, proof,
         std::max({a.half.stableNorm(), b.half.stableNorm(), (b.center - a.center).stableNorm()}));

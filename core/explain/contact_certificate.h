@@ -15,7 +15,7 @@ enum class Contact { disjoint, overlapping, touching };
 std::string_view contact_name(Contact contact);
 
 /// What was found about two volumes of one frame, with what proves it.
-struct ContactProof {
+struct ContactCertificate {
     Contact contact = Contact::touching;
     /// Disjoint: the unit direction from A to B along which the two are `margin` apart.
     Vec3 direction = Vec3::Zero();
@@ -51,11 +51,11 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 
 /// Whether the certificate shows the verdict, by at least the stated margin: proven_gap or
 /// proven_depth, with nothing of exact_overlap. Of a margin that `sharpened` found by climbing on
-/// these two it says no more than that; see supports_bear_out. `touching` claims nothing and is
+/// these two it says no more than that; see check_certificate. `touching` claims nothing and is
 /// never verified, nor are lengths whose squares are no normal numbers, or a direction that is no
 /// unit vector.
-bool verify(const Scb& a, const Scb& b, const ContactProof& proof);
-bool verify(const Ball& a, const Ball& b, const ContactProof& proof);
-bool verify(const Obb& a, const Obb& b, const ContactProof& proof);
+bool verify(const Scb& a, const Scb& b, const ContactCertificate& proof);
+bool verify(const Ball& a, const Ball& b, const ContactCertificate& proof);
+bool verify(const Obb& a, const Obb& b, const ContactCertificate& proof);
 
 }  // namespace scb

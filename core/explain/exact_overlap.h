@@ -33,22 +33,23 @@ inline constexpr double contact_tolerance = 1e-9;
 /// slabs are tried, which hold such points: what separates A from a larger B separates it from B.
 ///
 /// Other tests are made of candidate axes; these directions follow from closest points.
-ContactProof exact_overlap(const Scb& a, const Scb& b, double tolerance = contact_tolerance);
+ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance = contact_tolerance);
 
 /// The same of two balls: by the distance of their centers.
-ContactProof exact_overlap(const Ball& a, const Ball& b, double tolerance = contact_tolerance);
+ContactCertificate exact_overlap(const Ball& a, const Ball& b,
+                                 double tolerance = contact_tolerance);
 
 /// The same of two boxes, times half the larger diagonal. The gap is the greatest along the 15
 /// directions among which one separates two disjoint boxes (Gottschalk, Lin and Manocha, "OBBTree",
 /// Section 5); a common point is looked for on the edges, of which one meets the other box where
 /// two boxes overlap.
-ContactProof exact_overlap(const Obb& a, const Obb& b, double tolerance = contact_tolerance);
+ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance = contact_tolerance);
 
 /// The same verdict with a margin as great as a search finds, which climbs on proven_gap or
 /// proven_depth: close to the distance, or the depth of a deep common point; less where two thin
 /// volumes are nearly parallel and nearly touch. For people to look at.
-ContactProof sharpened(const Scb& a, const Scb& b, const ContactProof& proof);
-ContactProof sharpened(const Ball& a, const Ball& b, const ContactProof& proof);
-ContactProof sharpened(const Obb& a, const Obb& b, const ContactProof& proof);
+ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& proof);
+ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& proof);
+ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& proof);
 
 }  // namespace scb

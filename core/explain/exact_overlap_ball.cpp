@@ -5,13 +5,13 @@
 
 namespace scb {
 
-ContactProof exact_overlap(const Ball& a, const Ball& b, double tolerance) {
+ContactCertificate exact_overlap(const Ball& a, const Ball& b, double tolerance) {
     const double least = tolerance * std::max(a.radius, b.radius);
     const Vec3 to_b = b.center - a.center;
     const double distance = std::sqrt(squared_norm(to_b)), gap = distance - a.radius - b.radius;
     // Of balls with one center any direction is as good.
     const Vec3 direction = distance > 0 ? Vec3(to_b / distance) : Vec3::UnitX();
-    ContactProof proof;
+    ContactCertificate proof;
     if (gap > least) {
         proof = {Contact::disjoint, direction, Vec3::Zero(), gap};
     } else if (-gap > least) {

@@ -78,20 +78,21 @@ double depth_at(const Obb& a, const Obb& b, const Vec3& point) {
     const Obb about_a{point, a.axes, room_a}, about_b{point, b.axes, room_b};
     double least = HUGE_VAL;
     visit_directions(a, b, [&](const Vec3& d) {
-        least = std::min(least, extent(about_a, d) + extent(about_b, d));
+        least = std::min(least, support(about_a, d) + support(about_b, d));
     });
     return least - outside_a - outside_b;
 }
 
 }  // namespace
 
-ContactProof exact_overlap(const Obb& a, const Obb& b, double tolerance) {
+ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance) {
     const double larger = std::max(diameter(a), diameter(b)) / 2, least = tolerance * larger;
     const Vec3 to_b = b.center - a.center;
-    ContactProof proof;
+    ContactCertificate proof;
     double gap = -HUGE_VAL;
     visit_directions(a, b, [&](const Vec3& d) {
-        const double distance = dot(d, to_b), g = std::abs(distance) - extent(a, d) - extent(b, d);
+        const double distance = dot(d, to_b),
+                     g = std::abs(distance) - support(a, d) - support(b, d);
         if (g > gap) {
             gap = g;
             proof.direction = distance < 0 ? Vec3(-d) : d;

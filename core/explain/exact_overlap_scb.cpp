@@ -210,13 +210,13 @@ Pair cores(Pair p, const Crossing& crossing, double depth) {
 
 }  // namespace
 
-ContactProof exact_overlap(const Scb& a, const Scb& b, double tolerance) {
+ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     const double larger = std::max(a.r, b.r), least = tolerance * larger;
     Pair pair{a, b};
     pair.a.c = Vec3::Zero();
     pair.b.c = b.c - a.c;
 
-    ContactProof proof;
+    ContactCertificate proof;
     Separation separation{pair};
     try_closed_forms(pair, separation);
     const auto conclude_disjoint = [&] {

@@ -10,28 +10,28 @@ namespace scb {
 namespace {
 
 template <class V>
-ContactProof verdict(const V& a, const V& b, const Placement& placed) {
+ContactCertificate verdict(const V& a, const V& b, const Placement& placed) {
     // That of which exact_overlap takes its tolerance as a share.
     const double size = std::max(diameter(a), diameter(b)) / 2;
     const double tolerance =
         size > 0 ? std::max(contact_tolerance, placed.margin / size) : contact_tolerance;
-    const ContactProof proof = exact_overlap(a, seen_from_a(b, placed), tolerance);
+    const ContactCertificate proof = exact_overlap(a, seen_from_a(b, placed), tolerance);
     // Points, which have no size, are disjoint at any distance.
     const bool lost = proof.contact == Contact::disjoint && !(proof.margin > placed.margin);
-    return lost ? ContactProof{} : proof;
+    return lost ? ContactCertificate{} : proof;
 }
 
 }  // namespace
 
-ContactProof exact_verdict(const Scb& a, const Scb& b, const Placement& placed) {
+ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed) {
     return verdict(a, b, placed);
 }
 
-ContactProof exact_verdict(const Ball& a, const Ball& b, const Placement& placed) {
+ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed) {
     return verdict(a, b, placed);
 }
 
-ContactProof exact_verdict(const Obb& a, const Obb& b, const Placement& placed) {
+ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed) {
     return verdict(a, b, placed);
 }
 

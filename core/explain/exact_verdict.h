@@ -8,9 +8,9 @@ namespace scb {
 /// What is so of A, in its own frame, and B, in the one that `placed` says where it is: the proof
 /// of exact_overlap, in A's frame. Where gap or depth is within the placement's margin, where the
 /// overlap tests themselves cannot tell, the two touch. What a test is worth is judged by this.
-ContactProof exact_verdict(const Scb& a, const Scb& b, const Placement& placed);
-ContactProof exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
-ContactProof exact_verdict(const Obb& a, const Obb& b, const Placement& placed);
+ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed);
+ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
+ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed);
 
 /// B in A's frame, as the exact verdict takes it: a normal is made a unit vector again, where a
 /// pose that is rigid to ten digits has left it short.

@@ -29,7 +29,7 @@ OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     step.slack = (step.separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
     if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
     // The test compares what is left of both sides, which is next to nothing.
-    if (vanishes && !step.separates) step.skipped = "the edges are parallel, which is no axis";
+    if (vanishes && !step.separates) step.skipped = "the edges are parallel, which is not an axis";
     step.reach_a = axis.reach_a / scale;
     step.reach_b = axis.reach_b / scale;
     step.name_a = "ρ0";

@@ -2,6 +2,7 @@
 
 #include "core/explain/certificate_check.h"
 #include "core/explain/exact_overlap.h"
+#include "core/overlap/test_functors.h"
 #include "scb/overlap.h"
 
 namespace scb {
@@ -12,10 +13,10 @@ PairExplanation explained(const V& a, const V& b, const Placement& placed,
                           const OverlapOptions& options) {
     PairExplanation result;
     result.steps = overlap_steps(a, b, placed, options);
-    const ContactProof verdict = exact_verdict(a, b, placed);
+    const ContactCertificate verdict = exact_verdict(a, b, placed);
     const V in_a = seen_from_a(b, placed);
     result.proof = sharpened(a, in_a, verdict);
-    result.proven = verify(a, in_a, verdict) && supports_bear_out(a, in_a, result.proof);
+    result.proven = verify(a, in_a, verdict) && check_certificate(a, in_a, result.proof);
     result.answer = judged(result.steps.stage(), verdict.contact);
     return result;
 }

@@ -38,8 +38,8 @@ struct PairExplanation {
     Answer answer{};                ///< that test's
     std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
     /// That of exact_verdict, sharpened; in A's frame.
-    ContactProof proof;
-    /// What `verify` says of the verdict before it was sharpened, and supports_bear_out of the
+    ContactCertificate proof;
+    /// What `verify` says of the verdict before it was sharpened, and check_certificate of the
     /// proof.
     bool proven = false;
 };

@@ -86,7 +86,7 @@ double outside(const Obb& a, const Obb& b, const Vec3& point) {
 }
 
 template <class V>
-ContactProof sharpened_proof(const V& a, const V& b, ContactProof proof) {
+ContactCertificate sharpened_proof(const V& a, const V& b, ContactCertificate proof) {
     if (proof.contact == Contact::disjoint)
         climb(
             proof.direction, proof.margin, 0.5, [&](const Vec3& d) { return proven_gap(a, b, d); },
@@ -110,15 +110,15 @@ ContactProof sharpened_proof(const V& a, const V& b, ContactProof proof) {
 
 }  // namespace
 
-ContactProof sharpened(const Scb& a, const Scb& b, const ContactProof& proof) {
+ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& proof) {
     return sharpened_proof(a, b, proof);
 }
 
-ContactProof sharpened(const Ball& a, const Ball& b, const ContactProof& proof) {
+ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& proof) {
     return sharpened_proof(a, b, proof);
 }
 
-ContactProof sharpened(const Obb& a, const Obb& b, const ContactProof& proof) {
+ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& proof) {
     return sharpened_proof(a, b, proof);
 }
 

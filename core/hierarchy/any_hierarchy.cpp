@@ -3,6 +3,10 @@
 #include <array>
 #include <utility>
 
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
+
 namespace scb {
 namespace {
 
@@ -43,16 +47,22 @@ AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
     return fitted(Scb{});
 }
 
+std::vector<AnyHierarchy> build_hierarchies(const Mesh& mesh, std::span<const VolumeKind> kinds,
+                                            const BuildOptions& options, std::string_view name) {
+    const MeshTopology shared = checked_topology(mesh, options, name);
+    std::vector<AnyHierarchy> hierarchies;
+    for (const VolumeKind kind : kinds)
+        hierarchies.push_back(
+            fit_any(kind, shared.topology, shared.points, options.fit, options.threads));
+    return hierarchies;
+}
+
 const Topology& topology_of(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) -> const Topology& { return *h.topology; }, hierarchy);
 }
 
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh) {
     return std::visit([&](const auto& h) { return validate(h, mesh); }, hierarchy);
-}
-
-std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {
-    return std::visit([](const auto& h) { return level_statistics(h); }, hierarchy);
 }
 
 std::size_t bytes_per_volume(const AnyHierarchy& hierarchy) {

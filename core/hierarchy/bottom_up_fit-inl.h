@@ -66,7 +66,7 @@ class BottomUpFit {
             return;
         }
         BottomUpFit right(topology_, points_, options_, threads_, volumes_);
-        both(
+        parallel_invoke(
             threads_, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
         append(right);
         merge_top_two();

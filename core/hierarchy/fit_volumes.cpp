@@ -1,5 +1,5 @@
+#include "core/hierarchy/fit_volumes.h"
 #include "core/base/simd_targets.h"
-#include "scb/hierarchy.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hierarchy/fit_volumes.cpp"

@@ -1,17 +1,14 @@
 #include "scb/hierarchy.h"
 
 #include "core/base/sentence.h"
+#include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
-#include "scb/error.h"
 
 namespace scb {
+
 template <Volume V>
 Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options, std::string_view name) {
-    check_mesh(mesh, name);
-    if (!(options.fit.margin >= 0))
-        throw InputError(std::string(name) +
-                         ": the margin is below 0 or not a number; give a share of the radius.");
-    MeshTopology shared = mesh_topology(mesh, options.topology());
+    MeshTopology shared = checked_topology(mesh, options, name);
     std::vector<V> volumes =
         fit_volumes<V>(*shared.topology, shared.points, options.fit, options.threads);
     return {std::move(shared.topology), std::move(volumes)};

@@ -48,7 +48,7 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
     LeafOrder result;
     // Vertices at first, then points. What waits for memory is in threads; the rest is one pass.
     result.corners.resize(count);
-    in_blocks(threads, count, [&](std::size_t first, std::size_t end) {
+    parallel_blocks(threads, count, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k)
             for (std::size_t i = 0; i < 3; ++i)
                 result.corners[k][i] = welded[mesh.triangles[topology.order[k]][i]];
@@ -70,7 +70,7 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
     result.own_first.push_back(static_cast<std::uint32_t>(vertex_of.size()));
     PointArrays& points = result.points;
     points.resize(vertex_of.size());
-    in_blocks(threads, vertex_of.size(), [&](std::size_t first, std::size_t end) {
+    parallel_blocks(threads, vertex_of.size(), [&](std::size_t first, std::size_t end) {
         for (std::size_t p = first; p < end; ++p) points.set(p, mesh.vertices[vertex_of[p]]);
     });
     return result;

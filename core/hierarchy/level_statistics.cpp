@@ -22,6 +22,10 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
     return levels;
 }
 
+std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {
+    return std::visit([](const auto& h) { return level_statistics(h); }, hierarchy);
+}
+
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb>&);
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Ball>&);
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Obb>&);

@@ -1,13 +1,50 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "core/hierarchy/volume_statistics.h"
-#include "scb/hierarchy.h"
+#include "scb/any_hierarchy.h"
 
 namespace scb {
+
+/// A set of volumes in numbers. Lengths are those of Section 3.1 of the paper, the diameter d = 2r
+/// and the thickness tau = e - f (of an OBB the diagonal and the shortest side), in the mesh's
+/// units. Sums run in the order in which volumes were added.
+struct VolumeStatistics {
+    std::uint32_t volumes = 0;
+    std::uint32_t leaves = 0;  ///< of the volumes
+    double diameter_sum = 0, max_diameter = 0;
+    double thickness_sum = 0, max_thickness = 0;
+    double area = 0, volume = 0;  ///< summed
+
+    double mean_diameter() const { return volumes == 0 ? 0 : diameter_sum / volumes; }
+    double mean_thickness() const { return volumes == 0 ? 0 : thickness_sum / volumes; }
+
+    template <Volume V>
+    void add(const V& v, bool is_leaf) {
+        ++volumes;
+        leaves += is_leaf ? 1 : 0;
+        diameter_sum += diameter(v);
+        thickness_sum += thickness(v);
+        max_diameter = std::max(max_diameter, diameter(v));
+        max_thickness = std::max(max_thickness, thickness(v));
+        area += surface_area(v);
+        volume += scb::volume(v);
+    }
+
+    void add(const VolumeStatistics& other) {
+        volumes += other.volumes;
+        leaves += other.leaves;
+        diameter_sum += other.diameter_sum;
+        thickness_sum += other.thickness_sum;
+        max_diameter = std::max(max_diameter, other.max_diameter);
+        max_thickness = std::max(max_thickness, other.max_thickness);
+        area += other.area;
+        volume += other.volume;
+    }
+};
 
 /// The quality of one level of a hierarchy: its nodes at one depth.
 struct LevelStatistics : VolumeStatistics {
@@ -18,5 +55,17 @@ struct LevelStatistics : VolumeStatistics {
 /// One entry per level, root first. Sums run in the order of the nodes.
 template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
+
+/// The volumes of a cover in numbers.
+template <Volume V>
+VolumeStatistics cover_statistics(const Hierarchy<V>& hierarchy,
+                                  const std::vector<std::uint32_t>& cover) {
+    VolumeStatistics statistics;
+    for (const std::uint32_t node : cover)
+        statistics.add(hierarchy.volumes[node], hierarchy.topology->nodes[node].is_leaf());
+    return statistics;
+}
+
+std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
 
 }  // namespace scb

@@ -15,7 +15,7 @@ struct Primitives {
 
     Primitives(const Mesh& mesh, int threads)
         : boxes(mesh.triangles.size()), centroids(mesh.triangles.size()) {
-        in_blocks(threads, mesh.triangles.size(), [&](std::size_t first, std::size_t end) {
+        parallel_blocks(threads, mesh.triangles.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) {
                 const Triangle& t = mesh.triangles[i];
                 const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]],

@@ -108,7 +108,7 @@ std::uint32_t split_many(std::span<std::uint32_t> range, const Primitives& primi
 
 }  // namespace
 
-std::uint32_t split_at_least_cost(std::span<std::uint32_t> range, const Primitives& primitives) {
+std::uint32_t sah_split(std::span<std::uint32_t> range, const Primitives& primitives) {
     return range.size() <= tried_all ? split_few(range, primitives) : split_many(range, primitives);
 }
 

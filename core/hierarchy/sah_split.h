@@ -18,6 +18,6 @@ namespace scb {
 /// construction of SAH-based bounding volume hierarchies", 2007). Of equally cheap ones the first.
 /// A half has at least a tenth of the triangles, so that depth stays logarithmic, or one of fewer
 /// than ten.
-std::uint32_t split_at_least_cost(std::span<std::uint32_t> range, const Primitives& primitives);
+std::uint32_t sah_split(std::span<std::uint32_t> range, const Primitives& primitives);
 
 }  // namespace scb

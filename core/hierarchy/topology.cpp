@@ -164,7 +164,7 @@ class Builder {
         constexpr std::uint32_t divided_from = 4096;
         if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
             const std::pair<Open, Open> halves = children(root);
-            both(
+            parallel_invoke(
                 options_.threads, [&] { divide(halves.first); }, [&] { divide(halves.second); });
             return;
         }
@@ -193,7 +193,7 @@ class Builder {
 
     Split split(Range range, std::uint32_t first) const {
         if (options_.split == SplitMethod::cost)
-            if (const std::uint32_t left = split_at_least_cost(range, primitives_); left != 0)
+            if (const std::uint32_t left = sah_split(range, primitives_); left != 0)
                 return {left, SplitRule::least_cost};
         return split_by_section_3(range, first, primitives_);
     }

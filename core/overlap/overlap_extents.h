@@ -10,7 +10,7 @@
 namespace scb {
 
 /// How far an SCB reaches from its center in a direction at this cosine to its normal, see
-/// extent(); never too little by more than rounding of the radius. The bound is that of
+/// support(); never too little by more than rounding of the radius. The bound is that of
 /// BasicPlacement. T is the scalar type, see BasicScb.
 template <class T>
 T reach_at_cosine(const BasicScb<T>& s, const T& cosine, const T& squared_sine_bound) {

@@ -21,7 +21,7 @@ template <Figure8Errata errata, class T>
 Stage overlap_figure8(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed,
                       const T& threshold) {
     SlabDistances<T> at;
-    const Stage rejected = overlap_slabs<SlabErrata{errata.line_8}>(a, b, placed, at);
+    const Stage rejected = overlap_slabs<errata.line_8>(a, b, placed, at);
     if (rejected != Stage::overlapping) return rejected;
 
     const auto& [d0, d1, cosine] = at;

@@ -14,17 +14,10 @@ struct SlabDistances {
     T cosine = 0;  ///< of the two normals
 };
 
-/// What overlap_slabs does otherwise than it should. The last two are errors on purpose, by which
-/// tests are shown to be able to fail.
-struct SlabErrata {
-    bool line_8_as_printed = false;  ///< compares with the other radius, see Figure8Errata
-    bool flipped = false;            ///< compares B's ball with A's lower plane the wrong way round
-    bool swapped = false;            ///< B's slab comes before A's
-};
-
 /// The stages that Figure 8 (lines 2 to 11) and its symmetric form have in common: the balls, then
 /// each slab against the other's ball. `found` is set where none of them rejects.
-template <SlabErrata errata = SlabErrata{}, class T>
+/// `line_8_as_printed` compares with the other radius, see Figure8Errata.
+template <bool line_8_as_printed = false, class T>
 Stage overlap_slabs(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed,
                     SlabDistances<T>& found) {
     const T reach_b = b.r + placed.margin;
@@ -32,21 +25,14 @@ Stage overlap_slabs(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlace
     const T sum = a.r + reach_b;
     if (squared_norm(c) > sum * sum) return Stage::ball_ball;
 
-    const auto is_beyond_a = [&](const T& d0) {
-        return (d0 - a.e > reach_b) | (errata.flipped ? a.f - d0 < reach_b : a.f - d0 > reach_b);
-    };
     const T d0 = dot(a.n, c);
-    if constexpr (!errata.swapped)
-        if (is_beyond_a(d0)) return Stage::slab_ball;
+    if ((d0 - a.e > reach_b) | (a.f - d0 > reach_b)) return Stage::slab_ball;
 
     const Vector3<T> n = transform_direction(placed.b_to_a, b.n);
     const T d1 = -dot(n, c);
     const T reach_a = a.r + placed.margin;
-    if ((d1 - b.e > reach_a) | (b.f - d1 > (errata.line_8_as_printed ? reach_b : reach_a)))
+    if ((d1 - b.e > reach_a) | (b.f - d1 > (line_8_as_printed ? reach_b : reach_a)))
         return Stage::ball_slab;
-
-    if constexpr (errata.swapped)
-        if (is_beyond_a(d0)) return Stage::slab_ball;
 
     found = {d0, d1, dot(a.n, n)};
     return Stage::overlapping;

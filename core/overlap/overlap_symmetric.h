@@ -8,13 +8,13 @@ namespace scb {
 /// a threshold. A slab is its middle plane, at m along the normal, and half its thickness, h: the
 /// cylinder about B with the slab's height reaches |h1 cos| + r1 |sin| from its middle, m1, along
 /// A's normal. It rejects all that the corrected Figure 8 rejects, and its answer stays when A and
-/// B are exchanged or (n, e, f) becomes (-n, -f, -e). `errata`: none, but in tests of tests.
-template <SlabErrata errata = SlabErrata{}, class T>
+/// B are exchanged or (n, e, f) becomes (-n, -f, -e).
+template <class T>
 Stage overlap_symmetric(const BasicScb<T>& a, const BasicScb<T>& b,
                         const BasicPlacement<T>& placed) {
     using std::abs;
     SlabDistances<T> at;
-    const Stage rejected = overlap_slabs<errata>(a, b, placed, at);
+    const Stage rejected = overlap_slabs<>(a, b, placed, at);
     if (rejected != Stage::overlapping) return rejected;
 
     const auto& [d0, d1, cosine] = at;

@@ -1,7 +1,6 @@
 #include "scb/any_packed.h"
 
-#include <cassert>
-#include <cstdlib>
+#include "scb/error.h"
 
 namespace scb {
 
@@ -18,20 +17,23 @@ AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, 
         case 4:
             return floats ? packed.operator()<FloatCodec<4>>()
                           : packed.operator()<QuantizedCodec<4>>();
-        default:
-            assert(layout.width == 8 && "see PackedLayout");
+        case 8:
             return floats ? packed.operator()<FloatCodec<8>>()
                           : packed.operator()<QuantizedCodec<8>>();
+        default:
+            throw InputError("a packed layout has nodes of 2, 4 or 8 children.");
     }
 }
 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
                                PackedWorkspace* workspace, PackedFront* front) {
+    if (a.index() != b.index())
+        throw InputError("the two packed hierarchies have different layouts; pack both to one.");
     return std::visit(
         [&]<class Codec>(const PackedHierarchy<Codec>& of_a) {
             return collide_packed<Codec>({of_a, mesh_a},
-                                         {std::get<PackedHierarchy<Codec>>(b), mesh_b}, b_to_a,
+                                         {*std::get_if<PackedHierarchy<Codec>>(&b), mesh_b}, b_to_a,
                                          options, workspace, front);
         },
         a);

@@ -51,7 +51,7 @@ class Collapse {
         constexpr std::uint32_t divided_from = 8192;
         const TopologyNode& node = nodes_[root];
         if (threads > 1 && node.count >= divided_from)
-            both(
+            parallel_invoke(
                 threads, [&] { weigh_all(node.left, threads); },
                 [&] { weigh_all(node.left + 1, threads); });
         else if (!node.is_leaf())

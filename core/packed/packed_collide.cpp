@@ -7,8 +7,8 @@
 
 #include "core/base/parallel_for.h"
 #include "core/collide/pair_sort.h"
-#include "core/packed/packed_front_parts.h"
 #include "core/packed/packed_query.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 
@@ -96,7 +96,7 @@ void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chu
     if (count < 2) return finish(query, work, limit);
     chunks.resize(std::max(chunks.size(), std::min(count, most)));
     const std::size_t used = std::min(count, most);
-    in_threads(threads, used, [&](std::size_t i) {
+    parallel_for(threads, used, [&](std::size_t i) {
         Work& chunk = chunks[i];
         chunk.clear();
         append_share(chunk.lists.inner_inner, work.lists.inner_inner, i, used);
@@ -179,7 +179,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     auto& [work, chunks, room] = workspace->parts();
     PackedFindings& found = work.found;
     work.clear();
-    PairLimit limit{options.max_pairs};
+    PairLimit limit{options.give_up_after};
     const Placement placed = placement_of(a, b, b_to_a);
     bool from_front = false;
     if (front != nullptr) {

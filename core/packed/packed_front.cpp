@@ -1,6 +1,6 @@
 #include "scb/packed_front.h"
 
-#include "core/packed/packed_front_parts.h"
+#include "core/packed/packed_query.h"
 
 namespace scb {
 

@@ -34,14 +34,14 @@ class Packing {
 
     PackedHierarchy<Codec> run(int leaf_triangles) {
         std::vector<double> cost(volumes_.size());
-        in_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
+        parallel_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) cost[i] = surface_area(volumes_[i]);
         });
         const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
         packed_.nodes.resize(wide.nodes.size());
         place_leaves(wide);
-        in_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
+        parallel_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i)
                 set_node(packed_.nodes[i], wide.nodes[i], wide);
         });

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collide/collision.h"
+#include "core/packed/front_schedule.h"
+#include "scb/collide.h"
+#include "scb/packed_front.h"
 #include "scb/packed_hierarchy.h"
 #include "scb/placement.h"
 #include "scb/simd_level.h"
@@ -173,5 +175,10 @@ void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lis
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found);
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
+
+struct PackedFront::Parts {
+    FrontSchedule schedule;
+    PackedLists pairs;
+};
 
 }  // namespace scb

@@ -20,7 +20,7 @@ bool is_well_formed(const Ball& ball) {
     return ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0;
 }
 
-double extent(const Ball& ball, const Vec3&) { return ball.radius; }
+double support(const Ball& ball, const Vec3&) { return ball.radius; }
 
 double radius_reaching(double squared_distance) {
     double r = std::sqrt(squared_distance);

@@ -25,7 +25,7 @@ bool is_well_formed(const Obb& box) {
            rigidity_defect({box.axes, box.center}) <= 1e-12;
 }
 
-double extent(const Obb& box, const Vec3& direction) {
+double support(const Obb& box, const Vec3& direction) {
     double sum = 0;
     for (int i = 0; i < 3; ++i)
         sum += box.half[i] * std::abs(dot(Vec3(box.axes.col(i)), direction));

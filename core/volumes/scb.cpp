@@ -28,7 +28,7 @@ bool is_well_formed(const Scb& s) {
            -s.r <= s.f && s.f <= s.e && s.e <= s.r;
 }
 
-double extent(const Scb& s, const Vec3& direction) {
+double support(const Scb& s, const Vec3& direction) {
     const double cosine = dot(s.n, direction);
     const double h = s.r * cosine;
     if (s.f <= h && h <= s.e) return s.r;

@@ -11,7 +11,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,11 +23,11 @@ std::string pixels_words(std::size_t pixels, const PixelBox& box) {
            (where.starts_with("from") ? " in the box " : " ") + where;
 }
 
-std::string size_words(const Image& image) {
+std::string size_words(const render::Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-bool same_size(const Image& a, const Image& b) {
+bool same_size(const render::Image& a, const render::Image& b) {
     return a.width == b.width && a.height == b.height;
 }
 
@@ -66,19 +66,19 @@ class Comparison {
 
   private:
     bool is_missing() const {
-        return !(golden_.counts && is_there(baseline_.counts)) &&
-               !(golden_.ids && is_there(baseline_.ids)) &&
-               !(golden_.colors && is_there(baseline_.image));
+        return !(golden_.counts && render::is_there(baseline_.counts)) &&
+               !(golden_.ids && render::is_there(baseline_.ids)) &&
+               !(golden_.colors && render::is_there(baseline_.image));
     }
 
     /// False where the baseline lacks the file, which the run made.
     bool has(const fs::path& baseline, const char* what) {
-        if (is_there(baseline)) return true;
+        if (render::is_there(baseline)) return true;
         raise(Verdict::new_output);
         std::error_code ignored;
         said_.push_back(fs::exists(baseline, ignored)
                             ? baseline.filename().string() +
-                                  " of the baseline is no regular file, and the run made one"
+                                  " of the baseline is not a regular file, and the run made one"
                             : "the baseline has no " + std::string(what) +
                                   ", and the run made some");
         return false;
@@ -98,9 +98,9 @@ class Comparison {
     }
 
     /// Nothing where it cannot be read.
-    std::optional<Image> accepted_picture(const fs::path& path) {
+    std::optional<render::Image> accepted_picture(const fs::path& path) {
         try {
-            return read_png(path);
+            return render::read_png(path);
         } catch (const InputError& error) {
             unreadable_.emplace_back(error.what());
             return std::nullopt;
@@ -124,7 +124,7 @@ class Comparison {
         if (!has(baseline_.counts, "counts")) return;
         if (files_equal(baseline_.counts, candidate_.counts)) return;
         const auto read = [](const fs::path& path) {
-            return parse_json(read_text_file(path.string()), path.string());
+            return scenes::parse_json(scenes::read_text_file(path.string()), path.string());
         };
         result_.counts = counts_difference(read(baseline_.counts), read(candidate_.counts));
         if (result_.counts.empty()) return;
@@ -135,12 +135,14 @@ class Comparison {
     void compare_ids() {
         if (!has(baseline_.ids, "ids")) return;
         if (files_equal(baseline_.ids, candidate_.ids)) return;
-        const Image before = read_png(baseline_.ids), after = read_png(candidate_.ids);
+        const render::Image before = render::read_png(baseline_.ids),
+                            after = render::read_png(candidate_.ids);
         if (!same_size(before, after)) {
             size_differs(before, after);
             return;
         }
-        IdDifference difference = id_difference(unpack_ids(before), unpack_ids(after));
+        IdDifference difference =
+            id_difference(render::unpack_ids(before), render::unpack_ids(after));
         if (difference.pixels == 0) return;
         raise(Verdict::different);
         said_.push_back("the owners of " + pixels_words(difference.pixels, difference.box));
@@ -156,11 +158,11 @@ class Comparison {
                 result_.variant = static_cast<int>(i) + 1;
                 return;
             }
-        const Image after = read_png(candidate_.image);
+        const render::Image after = render::read_png(candidate_.image);
         std::optional<ImageDifference> closest;
-        Image closest_image;
+        render::Image closest_image;
         for (std::size_t i = 0; i < accepted.size(); ++i) {
-            std::optional<Image> before = accepted_picture(accepted[i]);
+            std::optional<render::Image> before = accepted_picture(accepted[i]);
             if (!before) continue;
             if (!same_size(*before, after)) {
                 if (!closest) closest_image = std::move(*before);
@@ -184,7 +186,7 @@ class Comparison {
         copy_pictures(&closest_image, after);
     }
 
-    void size_differs(const Image& before, const Image& after) {
+    void size_differs(const render::Image& before, const render::Image& after) {
         size_differs_ = true;
         size_words_ = "The baseline's picture has " + size_words(before) +
                       " pixels, and the run made " + size_words(after) + ".";
@@ -192,24 +194,25 @@ class Comparison {
         result_.picture.candidate = copied(candidate_.image, "new");
     }
 
-    void copy_pictures(const Image* before, const Image& after) {
+    void copy_pictures(const render::Image* before, const render::Image& after) {
         const std::vector<fs::path> accepted = accepted_images(folders_.baselines, golden_.name);
         result_.picture.baseline =
             copied(accepted[static_cast<std::size_t>(result_.variant) - 1], "baseline");
         result_.picture.candidate = copied(candidate_.image, "new");
         if (folders_.report.empty()) return;
         const std::string name = golden_.name + ".difference.png";
-        write_file_whole(folders_.report / name, encode_png(difference_picture(*before, after)));
+        render::write_file_whole(folders_.report / name,
+                                 render::encode_png(difference_picture(*before, after)));
         result_.picture.difference = name;
     }
 
     /// Copies a file for the report: its name there, empty where there is none.
     std::string copied(const fs::path& from, const std::string& kind) const {
-        if (folders_.report.empty() || !is_there(from)) return "";
+        if (folders_.report.empty() || !render::is_there(from)) return "";
         const std::string file = from.filename().string(),
                           ids = file.ends_with(".ids.png") ? ".ids" : "",
                           name = golden_.name + "." + kind + ids + ".png";
-        write_file_whole(folders_.report / name, file_bytes(from.string()));
+        render::write_file_whole(folders_.report / name, scenes::file_bytes(from.string()));
         return name;
     }
 
@@ -228,4 +231,4 @@ CaseResult compare_case(const GoldenCase& golden, const ComparisonFolders& folde
     return Comparison(golden, folders).make();
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include "golden/compare/result.h"
 #include "golden/suite/suite.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// Where the comparison finds and leaves files.
 struct ComparisonFolders {
@@ -22,4 +22,4 @@ struct ComparisonFolders {
 /// and their difference are copied there. Throws OutputError where that cannot be written.
 CaseResult compare_case(const GoldenCase& golden, const ComparisonFolders& folders);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using nlohmann::json;
@@ -112,4 +112,4 @@ std::vector<CountChange> counts_difference(const json& before, const json& after
     return std::move(walk).result();
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 
 /// A count that differs: by its place, "frames/100/stages/ball-slab" or "bodies/A/volumes". A place
 /// that only one side has has no value on the other.
@@ -31,4 +31,4 @@ struct CountChange {
 std::vector<CountChange> counts_difference(const nlohmann::json& before,
                                            const nlohmann::json& after);
 
-}  // namespace scb
+}  // namespace scb::golden

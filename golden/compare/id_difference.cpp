@@ -6,7 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using ChangesById = std::unordered_map<std::uint32_t, IdChange>;
@@ -35,7 +35,7 @@ void compare_rows(const std::uint32_t* before, const std::uint32_t* after, int w
 }
 
 /// Counts all pixels of the things that have changed.
-void count_pixels(const IdImage& image, std::size_t IdChange::*side, ChangesById& changes) {
+void count_pixels(const render::IdImage& image, std::size_t IdChange::*side, ChangesById& changes) {
     const std::vector<std::uint32_t>& ids = image.ids;
     for (std::size_t first = 0, end = 0; first < ids.size(); first = end) {
         for (end = first + 1; end < ids.size() && ids[end] == ids[first];) ++end;
@@ -51,7 +51,7 @@ bool comes_first(const IdChange& a, const IdChange& b) {
 
 }  // namespace
 
-IdDifference id_difference(const IdImage& before, const IdImage& after) {
+IdDifference id_difference(const render::IdImage& before, const render::IdImage& after) {
     assert(before.width == after.width && before.height == after.height &&
            before.ids.size() == after.ids.size() &&
            "id pictures of different sizes cannot be compared pixel by pixel");
@@ -72,4 +72,4 @@ IdDifference id_difference(const IdImage& before, const IdImage& after) {
     return difference;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

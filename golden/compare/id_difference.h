@@ -7,7 +7,7 @@
 #include "golden/compare/pixel_box.h"
 #include "render/files/image.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// How many pixels a thing of an id picture has, before and after.
 struct IdChange {
@@ -29,6 +29,6 @@ struct IdDifference {
 };
 
 /// Compares two id pictures. The sizes must be equal.
-IdDifference id_difference(const IdImage& before, const IdImage& after);
+IdDifference id_difference(const render::IdImage& before, const render::IdImage& after);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 /// Neighbors in number are far apart in hue.
-Rgba8 color_of(std::uint32_t id) {
+render::Rgba8 color_of(std::uint32_t id) {
     if (id == 0) return {0, 0, 0, 0};
     std::uint32_t h = id * 0x9e3779b1u;
     h ^= h >> 15;
@@ -22,25 +22,27 @@ Rgba8 color_of(std::uint32_t id) {
 
 }  // namespace
 
-Image shown_ids(const IdImage& ids) {
-    Image image{ids.width, ids.height, std::vector<std::uint8_t>(4 * ids.ids.size())};
+render::Image shown_ids(const render::IdImage& ids) {
+    render::Image image{ids.width, ids.height, std::vector<std::uint8_t>(4 * ids.ids.size())};
     for (int y = 0; y < ids.height; ++y)
-        for (int x = 0; x < ids.width; ++x) set_pixel(image, x, y, color_of(pixel(ids, x, y)));
+        for (int x = 0; x < ids.width; ++x)
+            render::set_pixel(image, x, y, color_of(render::pixel(ids, x, y)));
     return image;
 }
 
-Image shown_id_difference(const IdImage& before, const IdImage& after) {
+render::Image shown_id_difference(const render::IdImage& before, const render::IdImage& after) {
     assert(before.width == after.width && before.height == after.height &&
            "id pictures of two sizes have no difference");
-    Image image{after.width, after.height, std::vector<std::uint8_t>(4 * after.ids.size())};
+    render::Image image{after.width, after.height, std::vector<std::uint8_t>(4 * after.ids.size())};
     for (int y = 0; y < after.height; ++y)
         for (int x = 0; x < after.width; ++x) {
-            const std::uint32_t id = pixel(after, x, y);
+            const std::uint32_t id = render::pixel(after, x, y);
             const auto pale = static_cast<std::uint8_t>(id == 0 ? 250 : 205 + color_of(id).g / 8);
-            set_pixel(image, x, y,
-                      id == pixel(before, x, y) ? Rgba8{pale, pale, pale} : Rgba8{213, 0, 70});
+            render::set_pixel(image, x, y,
+                              id == render::pixel(before, x, y) ? render::Rgba8{pale, pale, pale}
+                                                                : render::Rgba8{213, 0, 70});
         }
     return image;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 /// The largest difference of a channel of two pixels, each 4 bytes.
@@ -18,7 +18,7 @@ int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
 }
 
 /// Okabe and Ito's vermillion, which nothing pale or grey can be taken for.
-constexpr Rgba8 accent{0xD5, 0x5E, 0x00};
+constexpr render::Rgba8 accent{0xD5, 0x5E, 0x00};
 
 /// A share of the accent on white, in 255ths: a difference of 1 has more than a third.
 int accent_share(int difference) { return 95 + 160 * difference / 255; }
@@ -28,7 +28,7 @@ std::uint8_t between(int from, int to, int share) {
 }
 
 /// Grey from 190 (black) to 255 (white), so that what agrees is recognized but stays behind.
-Rgba8 pale_grey(Rgba8 color) {
+render::Rgba8 pale_grey(render::Rgba8 color) {
     const int luma = (54 * color.r + 183 * color.g + 19 * color.b) / 256;
     const std::uint8_t grey = between(190, 255, luma);
     return {grey, grey, grey, 255};
@@ -36,7 +36,7 @@ Rgba8 pale_grey(Rgba8 color) {
 
 }  // namespace
 
-ImageDifference image_difference(const Image& a, const Image& b) {
+ImageDifference image_difference(const render::Image& a, const render::Image& b) {
     assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
            "pictures of different sizes cannot be compared pixel by pixel");
     ImageDifference difference;
@@ -69,10 +69,10 @@ bool within(const ImageDifference& difference, const ColorTolerance& tolerance) 
     return difference.beyond[static_cast<std::size_t>(delta)] <= tolerance.max_pixels;
 }
 
-Image difference_picture(const Image& a, const Image& b) {
+render::Image difference_picture(const render::Image& a, const render::Image& b) {
     assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
            "pictures of different sizes have no picture of their difference");
-    Image picture{b.width, b.height, {}};
+    render::Image picture{b.width, b.height, {}};
     picture.rgba.resize(b.rgba.size());
     for (int y = 0; y < b.height; ++y)
         for (int x = 0; x < b.width; ++x) {
@@ -81,15 +81,15 @@ Image difference_picture(const Image& a, const Image& b) {
                      static_cast<std::size_t>(x));
             const int by = pixel_difference(&a.rgba[at], &b.rgba[at]);
             if (by == 0) {
-                set_pixel(picture, x, y, pale_grey(pixel(b, x, y)));
+                render::set_pixel(picture, x, y, pale_grey(render::pixel(b, x, y)));
                 continue;
             }
             const int share = accent_share(by);
-            set_pixel(picture, x, y,
-                      {between(255, accent.r, share), between(255, accent.g, share),
-                       between(255, accent.b, share), 255});
+            render::set_pixel(picture, x, y,
+                              {between(255, accent.r, share), between(255, accent.g, share),
+                               between(255, accent.b, share), 255});
         }
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,9 +4,10 @@
 #include <cstddef>
 
 #include "golden/compare/pixel_box.h"
+#include "golden/suite/color_tolerance.h"
 #include "render/files/image.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// By how much two pictures of one size differ.
 struct ImageDifference {
@@ -21,22 +22,14 @@ struct ImageDifference {
     friend bool operator==(const ImageDifference&, const ImageDifference&) = default;
 };
 
-/// How colors may differ where a case says so; by default not at all.
-struct ColorTolerance {
-    int max_channel_delta = 0;
-    std::size_t max_pixels = 0;  ///< that differ by more than that
-
-    friend bool operator==(const ColorTolerance&, const ColorTolerance&) = default;
-};
-
 /// Compares all channels of all pixels. The sizes must be equal.
-ImageDifference image_difference(const Image& a, const Image& b);
+ImageDifference image_difference(const render::Image& a, const render::Image& b);
 
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 
 /// A picture of the difference: where they agree, `b` in pale grey; where they do not, the accent
 /// color, the stronger the more they differ, but never too faint to be seen. The sizes must be
 /// equal.
-Image difference_picture(const Image& a, const Image& b);
+render::Image difference_picture(const render::Image& a, const render::Image& b);
 
-}  // namespace scb
+}  // namespace scb::golden

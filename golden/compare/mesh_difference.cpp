@@ -7,9 +7,10 @@
 
 #include "golden/compare/number_words.h"
 #include "golden/suite/files_equal.h"
+#include "render/files/output_file.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 constexpr std::int64_t most = std::int64_t{1} << 32;
@@ -17,23 +18,25 @@ constexpr std::int64_t most = std::int64_t{1} << 32;
 /// What tells the mesh of each body from others.
 std::map<std::string, std::string> meshes_in(const std::filesystem::path& file) {
     std::map<std::string, std::string> meshes;
-    if (!is_there(file)) return meshes;
-    const nlohmann::json document = parse_json(read_text_file(file.string()), file.string());
-    const JsonPlace all{&document, file.string(), ""};
-    if (!document.is_object()) refuse_value(all, "an object");
-    if (!has(all, "bodies")) return meshes;
-    const JsonPlace bodies = field(all, "bodies");
-    const std::size_t size = array_size(bodies, "a list of bodies");
+    if (!render::is_there(file)) return meshes;
+    const nlohmann::json document =
+        scenes::parse_json(scenes::read_text_file(file.string()), file.string());
+    const scenes::JsonPlace all{&document, file.string(), ""};
+    if (!document.is_object()) scenes::refuse_value(all, "an object");
+    if (!scenes::has(all, "bodies")) return meshes;
+    const scenes::JsonPlace bodies = scenes::field(all, "bodies");
+    const std::size_t size = scenes::array_size(bodies, "a list of bodies");
     for (std::size_t i = 0; i < size; ++i) {
-        const JsonPlace body = element(bodies, i);
-        check_fields(body, {"name", "triangles", "vertices", "hash"});
+        const scenes::JsonPlace body = scenes::element(bodies, i);
+        scenes::check_fields(body, {"name", "triangles", "vertices", "hash"});
         const auto counted = [&](const char* what, const char* one) {
-            return words::counted(
-                static_cast<std::uint64_t>(read_integer(field(body, what), 0, most)), one, what);
+            return words::counted(static_cast<std::uint64_t>(
+                                      scenes::read_integer(scenes::field(body, what), 0, most)),
+                                  one, what);
         };
-        meshes[read_text(field(body, "name"))] = counted("triangles", "triangle") + ", " +
-                                                 counted("vertices", "vertex") + ", hash " +
-                                                 read_text(field(body, "hash"));
+        meshes[scenes::read_text(scenes::field(body, "name"))] =
+            counted("triangles", "triangle") + ", " + counted("vertices", "vertex") + ", hash " +
+            scenes::read_text(scenes::field(body, "hash"));
     }
     return meshes;
 }
@@ -63,4 +66,4 @@ std::string mesh_sentences(const std::filesystem::path& before,
     return sentences;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

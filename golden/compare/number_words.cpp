@@ -1,6 +1,6 @@
 #include "golden/compare/number_words.h"
 
-namespace scb::words {
+namespace scb::golden::words {
 namespace {
 
 std::uint64_t magnitude(std::int64_t n) {
@@ -38,4 +38,4 @@ std::string box_words(const PixelBox& box) {
     return "from " + place(box.left, box.top) + " to " + place(box.right - 1, box.bottom - 1);
 }
 
-}  // namespace scb::words
+}  // namespace scb::golden::words

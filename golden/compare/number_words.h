@@ -6,7 +6,7 @@
 #include "golden/compare/pixel_box.h"
 
 /// How messages, lines and pages say numbers and places.
-namespace scb::words {
+namespace scb::golden::words {
 
 /// "20,480"
 std::string grouped(std::uint64_t n);
@@ -23,4 +23,4 @@ std::string counted(std::uint64_t n, const char* one, const char* many);
 /// "at (x, y)" for one pixel, else "from (x, y) to (x, y)", both within; empty for an empty box.
 std::string box_words(const PixelBox& box);
 
-}  // namespace scb::words
+}  // namespace scb::golden::words

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace scb {
+namespace scb::golden {
 
 /// Pixels from (left, top) to before (right, bottom); empty where right <= left.
 struct PixelBox {
@@ -20,4 +20,4 @@ struct PixelBox {
     friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -121,4 +121,4 @@ Json result_json(const SuiteResult& result) {
             {"cases", list_json(result.cases, case_json)}};
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -12,7 +12,7 @@
 #include "golden/compare/image_difference.h"
 #include "golden/compare/verdict.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// A picture of a case in three versions, as paths of files relative to the folder of results.json;
 /// empty where there is none.
@@ -80,4 +80,4 @@ nlohmann::ordered_json result_json(const SuiteResult& result);
 /// field is missing, unknown, of another type or out of range.
 SuiteResult result_of(const nlohmann::json& json, const std::string& path);
 
-}  // namespace scb
+}  // namespace scb::golden

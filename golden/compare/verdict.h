@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace scb {
+namespace scb::golden {
 
 /// What the comparison of a case with its baseline came to.
 enum class Verdict {
@@ -24,4 +24,4 @@ std::optional<Verdict> verdict_of(std::string_view name);
 /// Whether a run with such a case fails: all but same and skipped.
 bool is_failure(Verdict verdict);
 
-}  // namespace scb
+}  // namespace scb::golden

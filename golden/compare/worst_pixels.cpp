@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace scb {
+namespace scb::golden {
 
 std::array<int, 4> PixelChange::by() const {
     return {after.r - before.r, after.g - before.g, after.b - before.b, after.a - before.a};
@@ -16,14 +16,15 @@ int PixelChange::most() const {
     return largest;
 }
 
-std::vector<PixelChange> worst_pixels(const Image& before, const Image& after, std::size_t listed) {
+std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
+                                      std::size_t listed) {
     assert(before.width == after.width && before.height == after.height &&
            "pictures of two sizes have no pixels in common");
     std::vector<PixelChange> worst;
     if (listed == 0) return worst;
     for (int y = 0; y < after.height; ++y)
         for (int x = 0; x < after.width; ++x) {
-            const PixelChange change{x, y, pixel(before, x, y), pixel(after, x, y)};
+            const PixelChange change{x, y, render::pixel(before, x, y), render::pixel(after, x, y)};
             const int most = change.most();
             if (most == 0 || (worst.size() == listed && most <= worst.back().most())) continue;
             const auto at = std::find_if(worst.begin(), worst.end(), [&](const PixelChange& other) {
@@ -35,4 +36,4 @@ std::vector<PixelChange> worst_pixels(const Image& before, const Image& after, s
     return worst;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

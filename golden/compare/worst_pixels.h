@@ -6,12 +6,12 @@
 
 #include "render/files/image.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// A pixel that has another color than before.
 struct PixelChange {
     int x = 0, y = 0;  ///< from the left, from the top
-    Rgba8 before, after;
+    render::Rgba8 before, after;
 
     /// What was added to red, green, blue, alpha.
     std::array<int, 4> by() const;
@@ -21,6 +21,7 @@ struct PixelChange {
 
 /// The pixels that differ most, at most `listed`; ties in the order of rows from the top. Both
 /// pictures of one size.
-std::vector<PixelChange> worst_pixels(const Image& before, const Image& after, std::size_t listed);
+std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
+                                      std::size_t listed);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace scb {
+namespace scb::golden {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
     constexpr std::string_view alphabet =
@@ -22,4 +22,4 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -10,7 +10,7 @@
 #include "golden/report/plain_text.h"
 #include "golden/report/result_lines.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 constexpr std::size_t most_annotations = 10, most_annotated_lines = 16, most_summary_lines = 30;
@@ -164,4 +164,4 @@ std::string github_summary(const SuiteResult& result, std::size_t largest) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// Workflow commands of GitHub Actions for standard output, one error annotation a failing case:
 /// "::error title=NAME (VERDICT)::MESSAGE", then its lines; one more where the run is incomplete.
@@ -22,4 +22,4 @@ inline constexpr std::size_t largest_github_summary =
 /// `largest` bytes, which must be 4096 or more: cases for which there is no room are counted.
 std::string github_summary(const SuiteResult& result, std::size_t largest = largest_github_summary);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -20,7 +20,7 @@ SCB_DECLARE_EMBEDDED(report_html)
 SCB_DECLARE_EMBEDDED(report_css)
 SCB_DECLARE_EMBEDDED(report_js)
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ std::string report_html(const SuiteResult& result, const fs::path& folder) {
     return html.render(values);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -11,14 +11,14 @@
 
 SCB_DECLARE_EMBEDDED(junit_xml)
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 
 /// With a point, whatever the locale.
-std::string seconds_text(double seconds) {
+std::string junit_seconds(double seconds) {
     std::array<char, 400> buffer{};  // the largest double has 309 digits
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), seconds,
                                    std::chars_format::fixed, 3)
@@ -43,7 +43,7 @@ std::string lines_of(const CaseResult& result) {
 data case_of(const CaseResult& result) {
     data values;
     values["name"] = xml_text(result.name);
-    values["time"] = seconds_text(result.seconds);
+    values["time"] = junit_seconds(result.seconds);
     if (result.verdict == Verdict::same) {
         values["outcome"] = data(data::type::bool_false);
         return values;
@@ -92,7 +92,7 @@ std::string junit_xml(const SuiteResult& result) {
     values["failures"] = std::to_string(failures);
     values["errors"] = std::to_string(errors);
     values["skipped"] = std::to_string(skipped);
-    values["time"] = seconds_text(seconds);
+    values["time"] = junit_seconds(seconds);
     values.set("properties", properties);
     values.set("cases", cases);
     mustache xml{std::string(SCB_EMBEDDED(junit_xml))};
@@ -100,4 +100,4 @@ std::string junit_xml(const SuiteResult& result) {
     return xml.render(values);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

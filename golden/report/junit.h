@@ -4,7 +4,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// The result as JUnit XML, as CI systems read it: one test case a case, with its time. Where a
 /// case fails it has a failure (an error where it could not run) with the sentence as its message
@@ -13,4 +13,4 @@ namespace scb {
 /// allow become U+FFFD.
 std::string junit_xml(const SuiteResult& result);
 
-}  // namespace scb
+}  // namespace scb::golden

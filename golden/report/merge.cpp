@@ -8,7 +8,7 @@
 #include "golden/suite/shard.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 std::optional<Shard> shard_of(const ResultPart& part) {
@@ -156,4 +156,4 @@ SuiteResult merge_results(const std::vector<ResultPart>& parts) {
     return merged;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// A result and the file that it was read from, for refusals.
 struct ResultPart {
@@ -20,4 +20,4 @@ struct ResultPart {
 /// suites, of another number of shards, or of a case or a shard that another has too.
 SuiteResult merge_results(const std::vector<ResultPart>& parts);
 
-}  // namespace scb
+}  // namespace scb::golden

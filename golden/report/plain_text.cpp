@@ -6,7 +6,7 @@
 
 #include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 /// The code point of a character of UTF-8.
@@ -41,7 +41,7 @@ std::string plain_text(std::string_view text) {
     // A command may have any blanks in front, those of Unicode too.
     bool in_front = true;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8_length(text.substr(at));
+        const std::size_t length = scenes::utf8_length(text.substr(at));
         const std::string_view character = text.substr(at, std::max<std::size_t>(1, length));
         const unsigned code = length == 0 ? '?' : code_point(character);
         const std::string_view rest = text.substr(at);
@@ -59,4 +59,4 @@ std::string plain_text(std::string_view text) {
     return plain;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -3,11 +3,11 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::golden {
 
 /// Text from a file, fit for a line of a terminal or of a log of CI: control characters and those
 /// that turn the direction of writing become "\n", "\x1b", "\u202e", what is not UTF-8 '?', and
 /// neither form of a command of GitHub Actions, "::" in front or "##[" anywhere, is left.
 std::string plain_text(std::string_view text);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,7 +7,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,7 +18,8 @@ void clear_report(const fs::path& folder) {
     if (!fs::exists(list, ignored)) return;
     SuiteResult old;
     try {
-        old = result_of(parse_json(read_text_file(list, std::size_t{1} << 30), list), list);
+        old = result_of(
+            scenes::parse_json(scenes::read_text_file(list, std::size_t{1} << 30), list), list);
     } catch (const InputError&) {
         return;  // whatever it is, it does not say which files are a report's
     }
@@ -33,10 +34,11 @@ void clear_report(const fs::path& folder) {
 fs::path place_of(const fs::path& folder, const fs::path& name) {
     const fs::path place = folder / name;
     std::error_code ignored;
-    if (fs::exists(place, ignored) && !is_there(place))
-        throw OutputError(place.string() +
-                          ": there is something of that name that is no file; remove it, or name "
-                          "another folder with --report.");
+    if (fs::exists(place, ignored) && !render::is_there(place))
+        throw render::OutputError(
+            place.string() +
+            ": there is something of that name that is not a file; remove it, or name "
+            "another folder with --report.");
     return place;
 }
 
@@ -46,14 +48,14 @@ void write_report_folder(const SuiteResult& result, const fs::path& folder, cons
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-        throw OutputError(folder.string() + ": this folder cannot be made (" + error.message() +
-                          "); name another with --report.");
+        throw render::OutputError(folder.string() + ": this folder cannot be made (" +
+                                  error.message() + "); name another with --report.");
     clear_report(folder);
     for (const fs::directory_entry& entry : fs::directory_iterator(work))
-        write_file_whole(place_of(folder, entry.path().filename()),
-                         file_bytes(entry.path().string()));
-    write_file_whole(place_of(folder, "report.html"), report_html(result, work));
-    write_file_whole(place_of(folder, "results.json"), results_json(result));
+        render::write_file_whole(place_of(folder, entry.path().filename()),
+                                 scenes::file_bytes(entry.path().string()));
+    render::write_file_whole(place_of(folder, "report.html"), report_html(result, work));
+    render::write_file_whole(place_of(folder, "results.json"), results_json(result));
 }
 
 std::string results_json(const SuiteResult& result) {
@@ -61,4 +63,4 @@ std::string results_json(const SuiteResult& result) {
     return result_json(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// Writes report.html and results.json into the folder, and beside them the pictures and traces
 /// that are in `work`. What an earlier report has left there, by its results.json, is removed
@@ -15,4 +15,4 @@ void write_report_folder(const SuiteResult& result, const std::filesystem::path&
 /// The result as the text of results.json.
 std::string results_json(const SuiteResult& result);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -15,7 +15,7 @@
 #include "render/files/image_file.h"
 #include "scb/error.h"
 
-namespace scb::report {
+namespace scb::golden::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,9 @@ std::optional<Png> png_file(const fs::path& path) {
     return png;
 }
 
-Png png_of(const Image& image) { return {encode_png(image), image.width, image.height}; }
+Png png_of(const render::Image& image) {
+    return {render::encode_png(image), image.width, image.height};
+}
 
 struct Pane {
     const char* kind;   ///< also of the styles and the script
@@ -64,11 +66,11 @@ std::vector<Pane> panes_of(const ResultPictures& pictures, const fs::path& folde
     for (Pane& pane : panes)
         if (!pane.path.empty()) pane.png = png_file(folder / pane.path);
     if (!ids) return panes;
-    std::array<std::optional<IdImage>, 2> owners;
+    std::array<std::optional<render::IdImage>, 2> owners;
     for (std::size_t i = 0; i < 2; ++i) {
         if (!panes[i].png) continue;
         try {
-            owners[i] = unpack_ids(read_png(folder / panes[i].path));
+            owners[i] = render::unpack_ids(render::read_png(folder / panes[i].path));
             panes[i].png = png_of(shown_ids(*owners[i]));
         } catch (const InputError&) {
             panes[i].png.reset();
@@ -156,4 +158,4 @@ data pictures_of(const CaseResult& result, const fs::path& folder) {
     return sets;
 }
 
-}  // namespace scb::report
+}  // namespace scb::golden::report

@@ -15,7 +15,7 @@
 #include "render/files/image_file.h"
 #include "scb/error.h"
 
-namespace scb::report {
+namespace scb::golden::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,7 +149,7 @@ void set_counts(data& values, const CaseResult& result) {
     values.set("count_tables", tables);
 }
 
-std::string hex_color(Rgba8 color) {
+std::string hex_color(render::Rgba8 color) {
     std::array<char, 16> text{};
     std::snprintf(text.data(), text.size(), color.a == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x",
                   color.r, color.g, color.b, color.a);
@@ -161,8 +161,8 @@ std::vector<PixelChange> worst_pixels_of(const CaseResult& result, const fs::pat
     const ResultPictures& picture = result.picture;
     if (!result.colors || picture.baseline.empty() || picture.candidate.empty()) return {};
     try {
-        const Image before = read_png(folder / picture.baseline);
-        const Image after = read_png(folder / picture.candidate);
+        const render::Image before = render::read_png(folder / picture.baseline);
+        const render::Image after = render::read_png(folder / picture.candidate);
         if (before.width != after.width || before.height != after.height) return {};
         return worst_pixels(before, after, shown_pixels);
     } catch (const InputError&) {
@@ -206,4 +206,4 @@ void set_tables(data& values, const CaseResult& result, const fs::path& folder) 
     set_worst_pixels(values, worst_pixels_of(result, folder));
 }
 
-}  // namespace scb::report
+}  // namespace scb::golden::report

@@ -5,7 +5,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb::report {
+namespace scb::golden::report {
 
 /// Sets the tables of a failure, as the report's template wants them: counts that differ, owners of
 /// pixels, the thresholds that would have passed, and the pixels that differ most, for which the
@@ -13,4 +13,4 @@ namespace scb::report {
 void set_tables(kainjow::mustache::data& values, const CaseResult& result,
                 const std::filesystem::path& folder);
 
-}  // namespace scb::report
+}  // namespace scb::golden::report

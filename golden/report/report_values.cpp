@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-namespace scb::report {
+namespace scb::golden::report {
 
 using kainjow::mustache::data;
 
@@ -21,4 +21,4 @@ std::string box_numbers(const PixelBox& box) {
            std::to_string(box.right) + " " + std::to_string(box.bottom);
 }
 
-}  // namespace scb::report
+}  // namespace scb::golden::report

@@ -6,7 +6,7 @@
 #include "golden/compare/pixel_box.h"
 
 /// Values of the report's template.
-namespace scb::report {
+namespace scb::golden::report {
 
 /// In templates a key that is absent is looked up further out, so every flag is always set.
 kainjow::mustache::data flag(bool value);
@@ -17,4 +17,4 @@ std::string percent(double part, double whole);
 /// Left, top, right and bottom, for the page's script; empty for an empty box.
 std::string box_numbers(const PixelBox& box);
 
-}  // namespace scb::report
+}  // namespace scb::golden::report

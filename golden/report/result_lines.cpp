@@ -3,7 +3,7 @@
 #include "golden/compare/number_words.h"
 #include "golden/report/plain_text.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 // Logs are read with tools that know ASCII best.
@@ -43,4 +43,4 @@ std::vector<std::string> result_lines(const CaseResult& result) {
     return lines;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

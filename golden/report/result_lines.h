@@ -5,7 +5,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// The first counts that differ, with their values, a line each: "frames/100/n_v: 20,627 -> 20,630
 /// (+3)"; then one that says how many more there are.
@@ -15,4 +15,4 @@ std::vector<std::string> count_lines(const CaseResult& result, std::size_t most 
 /// that differ, then its lines. All as plain_text.
 std::vector<std::string> result_lines(const CaseResult& result);
 
-}  // namespace scb
+}  // namespace scb::golden

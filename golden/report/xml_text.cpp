@@ -5,7 +5,7 @@
 
 #include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 /// How many bytes of the text's start are one character that XML allows (section 2.2 of the
@@ -13,7 +13,7 @@ namespace {
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     if (lead < 0x20) return lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
-    const std::string_view character = text.substr(0, utf8_length(text));
+    const std::string_view character = text.substr(0, scenes::utf8_length(text));
     return character == "\uFFFE" || character == "\uFFFF" ? 0 : character.size();
 }
 
@@ -32,4 +32,4 @@ std::string xml_text(std::string_view text) {
     return allowed;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,9 +5,9 @@
 #include "golden/run/failure_lines.h"
 #include "golden/run/for_each_in_threads.h"
 #include "golden/suite/baseline.h"
-#include "golden/suite/files_equal.h"
+#include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
     const auto keep = [&](const fs::path& folder, const char* kind) {
         const fs::path from = case_files(folder, result.name).trace;
-        if (!is_there(from)) return;
+        if (!render::is_there(from)) return;
         std::error_code error;
         const std::string name = result.name + "." + kind + ".scbtrace";
         fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
@@ -46,7 +46,8 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     }
     result.seconds = run.seconds;
     if (result.verdict == Verdict::different) {
-        const bool before = is_there(case_files(check.folders.baselines, golden.name).trace);
+        const bool before =
+            render::is_there(case_files(check.folders.baselines, golden.name).trace);
         const std::string trouble =
             before || check.traces ? record_trace(golden, check.settings, check.folders.candidates)
                                    : "";
@@ -60,8 +61,9 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
 
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
     const CaseFiles made = case_files(folders.candidates, golden.name);
-    return is_there(made.meta) && is_there(made.counts) &&
-           (!golden.colors || is_there(made.image)) && (!golden.ids || is_there(made.ids));
+    return render::is_there(made.meta) && render::is_there(made.counts) &&
+           (!golden.colors || render::is_there(made.image)) &&
+           (!golden.ids || render::is_there(made.ids));
 }
 
 CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
@@ -82,4 +84,4 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
     return all;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -6,7 +6,7 @@
 #include "golden/compare/comparison.h"
 #include "golden/run/run_case.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// What of a suite is run, and how.
 struct GoldenCheck {
@@ -31,4 +31,4 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
 /// Whether the run of the case has left everything that is compared.
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders);
 
-}  // namespace scb
+}  // namespace scb::golden

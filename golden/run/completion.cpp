@@ -8,7 +8,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 /// Copies a picture that the run made for the report, where it is not there yet.
 void show(std::string& candidate, const fs::path& made, const fs::path& report,
           const std::string& name) {
-    if (!candidate.empty() || report.empty() || !is_there(made)) return;
-    write_file_whole(report / name, file_bytes(made.string()));
+    if (!candidate.empty() || report.empty() || !render::is_there(made)) return;
+    render::write_file_whole(report / name, scenes::file_bytes(made.string()));
     candidate = name;
 }
 
@@ -29,8 +29,8 @@ void add_pictures(CaseResult& result, const CaseFiles& made, const fs::path& rep
 
 void add_counts(CaseResult& result, const fs::path& made) {
     const std::string file = made.string();
-    const std::vector<CountChange> counts =
-        counts_difference(nlohmann::json::object(), parse_json(read_text_file(file), file));
+    const std::vector<CountChange> counts = counts_difference(
+        nlohmann::json::object(), scenes::parse_json(scenes::read_text_file(file), file));
     result.counts.insert(result.counts.begin(), counts.begin(), counts.end());
 }
 
@@ -40,7 +40,8 @@ void add_tolerated_colors(CaseResult& result, const GoldenCase& golden,
     const fs::path accepted = accepted_images(
         folders.baselines, result.name)[static_cast<std::size_t>(result.variant) - 1];
     if (files_equal(accepted, made.image)) return;
-    const ImageDifference difference = image_difference(read_png(accepted), read_png(made.image));
+    const ImageDifference difference =
+        image_difference(render::read_png(accepted), render::read_png(made.image));
     if (difference.pixels > 0) result.colors = difference;
 }
 
@@ -58,9 +59,9 @@ void complete_result(CaseResult& result, const GoldenCase& golden,
             "below.";
         return add_pictures(result, made, folders.report, golden.ids, golden.colors);
     }
-    if (golden.counts && !is_there(before.counts)) add_counts(result, made.counts);
-    add_pictures(result, made, folders.report, golden.ids && !is_there(before.ids),
-                 golden.colors && !is_there(before.image));
+    if (golden.counts && !render::is_there(before.counts)) add_counts(result, made.counts);
+    add_pictures(result, made, folders.report, golden.ids && !render::is_there(before.ids),
+                 golden.colors && !render::is_there(before.image));
 }
 
-}  // namespace scb
+}  // namespace scb::golden

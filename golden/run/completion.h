@@ -2,7 +2,7 @@
 
 #include "golden/compare/comparison.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// Adds to what the comparison found what a person needs to judge it: where the baseline lacks or
 /// has broken files, the pictures and the counts that the run made instead, and what to do; and
@@ -11,4 +11,4 @@ namespace scb {
 void complete_result(CaseResult& result, const GoldenCase& golden,
                      const ComparisonFolders& folders);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -11,7 +11,7 @@
 #include "render/files/image_file.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 /// More do not help a reader.
@@ -55,14 +55,16 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
     const CaseFiles made = case_files(folders.candidates, result.name);
     const std::vector<std::filesystem::path> accepted =
         accepted_images(folders.baselines, result.name);
-    const Image before = read_png(accepted[static_cast<std::size_t>(result.variant) - 1]),
-                after = read_png(made.image);
-    const IdImage ids = unpack_ids(read_png(made.ids));
+    const render::Image before = render::read_png(
+                            accepted[static_cast<std::size_t>(result.variant) - 1]),
+                        after = render::read_png(made.image);
+    const render::IdImage ids = render::unpack_ids(render::read_png(made.ids));
     if (ids.width != after.width || ids.height != after.height) return;
     std::map<std::uint32_t, std::size_t> changed;
     for (int y = 0; y < after.height; ++y)
         for (int x = 0; x < after.width; ++x)
-            if (!(pixel(before, x, y) == pixel(after, x, y))) ++changed[pixel(ids, x, y)];
+            if (!(render::pixel(before, x, y) == render::pixel(after, x, y)))
+                ++changed[render::pixel(ids, x, y)];
     std::vector<std::pair<std::uint32_t, std::size_t>> most(changed.begin(), changed.end());
     std::stable_sort(most.begin(), most.end(),
                      [](const auto& x, const auto& y) { return x.second > y.second; });
@@ -110,4 +112,4 @@ void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSett
     }
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,7 +7,7 @@
 #include "golden/compare/comparison.h"
 #include "golden/run/run_case.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// What changed in the terms of the field, a sentence each: what the traces tell; then the nodes,
 /// triangles and pairs that appeared, vanished, or have other pixels or colors. Also gives the
@@ -15,4 +15,4 @@ namespace scb {
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders);
 
-}  // namespace scb
+}  // namespace scb::golden

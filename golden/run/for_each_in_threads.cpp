@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 
 void for_each_in_threads(std::size_t count, std::size_t threads,
                          const std::function<void(std::size_t)>& work,
@@ -36,4 +36,4 @@ void for_each_in_threads(std::size_t count, std::size_t threads,
     if (error) std::rethrow_exception(error);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

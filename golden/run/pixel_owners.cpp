@@ -2,26 +2,26 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/query/scene_options.h"
 #include "scb/error.h"
+#include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_hierarchies.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 
 using Json = nlohmann::json;
 
 Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
                const std::filesystem::path& index, bool same_meshes)
     : levels_(same_meshes) {
-    const Json document = parse_json(read_text_file(index.string()), index.string());
+    const Json document =
+        scenes::parse_json(scenes::read_text_file(index.string()), index.string());
     try {
-        SceneOptions options;
-        options.names = golden.scene;
+        scenes::LoadOptions options;
         options.models_dir = settings.models;
-        const Scene scene = options.load();
-        const std::vector<MeshTopology> topologies = build_topologies(scene);
-        for (const Body& body : scene.bodies)
+        const scenes::Scene scene = scenes::load_scene(golden.scene, options);
+        const std::vector<MeshTopology> topologies = scenes::build_topologies(scene);
+        for (const scenes::Body& body : scene.bodies)
             depths_[body.name] = node_depths(*topologies[body.mesh].topology);
         add_ranges(document);
     } catch (const InputError&) {
@@ -62,4 +62,4 @@ void Owners::add_ranges(const Json& index) {
     }
 }
 
-}  // namespace scb
+}  // namespace scb::golden

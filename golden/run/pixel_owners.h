@@ -9,7 +9,7 @@
 
 #include "golden/run/run_case.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// Names what owns the pixels of a case's pictures.
 class Owners {
@@ -37,4 +37,4 @@ class Owners {
     bool levels_;
 };
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/exit_status.h"
+#include "core/base/exit_status.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/case_counts.h"
 #include "golden/suite/files_equal.h"
@@ -14,7 +14,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 struct ChildEnd {
-    std::optional<ProcessEnd> end;  ///< nothing where it took too long or was stopped
+    std::optional<render::ProcessEnd> end;  ///< nothing where it took too long or was stopped
     bool stopped = false;
     std::string printed, last_line;
 };
@@ -30,10 +30,9 @@ struct ChildEnd {
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = settings.runner;
     words.insert(words.end(), {settings.program, "--quiet"});
-    if (!settings.mutation.empty()) words.insert(words.end(), {"--mutation", settings.mutation});
     words.insert(words.end(), command.begin(), command.end());
-    const UnnamedFile unused;
-    ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
+    const render::UnnamedFile unused;
+    render::ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
     ChildEnd result;
     result.end = child.wait(settings.patience, settings.stopped);
     result.stopped = !result.end && settings.stopped();
@@ -63,8 +62,8 @@ std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings, bo
 
 /// Whether the scene is a built-in one whose meshes are not here.
 bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
-    const BuiltinScene* scene = find_builtin(golden.scene[0]);
-    return scene != nullptr && !missing_mesh_file(*scene, settings.models).empty();
+    const scenes::BuiltinScene* scene = scenes::find_builtin(golden.scene[0]);
+    return scene != nullptr && !scenes::missing_mesh_file(*scene, settings.models).empty();
 }
 
 std::string meta_text(const GoldenCase& golden, const Json& document) {
@@ -78,8 +77,8 @@ void move_file(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
     if (error)
-        throw OutputError(to.string() + ": cannot be written (" + error.message() +
-                          "); see that the disk has room.");
+        throw render::OutputError(to.string() + ": cannot be written (" + error.message() +
+                                  "); see that the disk has room.");
 }
 
 /// The picture of a case among those that index.json has: of `inspect` the summary, behind which
@@ -103,18 +102,18 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
     Json document;
     if (has_picture(golden.run)) {
         const fs::path index = made / "index.json";
-        if (!is_there(index))
+        if (!render::is_there(index))
             throw InputError(ended_with(child.end->code) + " and has made no index.json.");
-        document = parse_json(read_text_file(index.string()), index.string());
+        document = scenes::parse_json(scenes::read_text_file(index.string()), index.string());
         const Json& drawn = only_picture(golden, document);
         move_file(made / drawn.at("file").get<std::string>(), files.image);
         if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
         move_file(index, folder / (golden.name + ".index.json"));
     } else {
-        document = parse_json(child.printed, "the output of the case");
+        document = scenes::parse_json(child.printed, "the output of the case");
     }
-    write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
-    write_file_whole(files.meta, meta_text(golden, document));
+    render::write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
+    render::write_file_whole(files.meta, meta_text(golden, document));
 }
 
 /// The option must win over SCB_MODELS, which a run would find in its environment.
@@ -143,10 +142,13 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         std::vector<std::string> command = command_of(in_own_folder(golden), made);
         add_models(command, settings);
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
+        if (has_picture(golden.run) || !settings.mutation.of_pictures)
+            command.insert(command.end(), settings.mutation.words.begin(),
+                           settings.mutation.words.end());
         const ChildEnd child = run_child(settings, command);
         result.message = trouble(child, settings, golden.run == GoldenRun::inspect);
         result.stopped = child.stopped;
-        result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
+        result.lacked_gl = child.end == render::ProcessEnd{false, exit_no_gl};
         if (result.message.empty()) take_over(golden, child, made, folder);
         result.ran = result.message.empty();
     } catch (const InputError& error) {
@@ -167,7 +169,8 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
     if (golden.run == GoldenRun::levels) return "";
     const CaseFiles files = case_files(folder, golden.name);
     const std::string counts = files.counts.string(),
-                      frame = only_frame(parse_json(read_text_file(counts), counts));
+                      frame =
+                          only_frame(scenes::parse_json(scenes::read_text_file(counts), counts));
     if (frame.empty()) return "";
     std::vector<std::string> command =
         trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
@@ -181,4 +184,4 @@ std::string typed(const std::vector<std::string>& command) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -9,7 +9,13 @@
 #include "golden/suite/case_command.h"
 #include "golden/suite/suite.h"
 
-namespace scb {
+namespace scb::golden {
+
+/// Words of the command line that put an error into a run, see `scb golden selftest`.
+struct RunMutation {
+    std::vector<std::string> words{};  ///< empty: no error
+    bool of_pictures = false;          ///< only commands that draw understand them
+};
 
 /// How cases are run.
 struct GoldenRunSettings {
@@ -18,7 +24,7 @@ struct GoldenRunSettings {
     std::string folder;                 ///< of the suite, where cases run, whatever this one is
     std::string models;                 ///< --models, from wherever; empty: none
     std::string gl;                     ///< --gl
-    std::string mutation{};             ///< of the runs, see Mutation; empty: none
+    RunMutation mutation{};             ///< of the runs
     std::chrono::seconds patience{300};
     /// Asked while a case runs; where it says true, that is ended.
     std::function<bool()> stopped = [] { return false; };
@@ -49,4 +55,4 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
 /// The command line of a case as a user would type it.
 std::string typed(const std::vector<std::string>& command);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,16 +7,16 @@
 #include "scenes/traces/trace_diff_text.h"
 #include "scenes/traces/trace_input.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Json = nlohmann::json;
 
-const TraceNames names = {"baseline", "new run"};
+const TraceNames trace_names = {"baseline", "new run"};
 
 /// Volume tests by the depth of the pair, frame by frame.
 Json tests_by_depth(const std::filesystem::path& trace) {
-    TraceInput input(trace.string());
+    scenes::TraceInput input(trace.string());
     Json counts = Json::object();
     while (const TraceFrame* frame = input.reader.next()) {
         std::map<int, std::int64_t> tests;
@@ -44,10 +44,10 @@ std::vector<std::string> conclusions(const TraceDiff& d, bool names_meshes) {
         if (names_meshes || !field.name.starts_with("mesh of "))
             lines.push_back("Another " + field.name + ": " + field.a + " before, " + field.b +
                             " now.");
-    if (const std::string lost = lost_pairs_text(d, names); !lost.empty())
+    if (const std::string lost = scenes::lost_pairs_text(d, trace_names); !lost.empty())
         lines.push_back(lost + ".");
     if (d.first)
-        lines.push_back("They part first at " + joined(words_of(*d.first, d.bodies, names)));
+        lines.push_back("They part first at " + joined(words_of(*d.first, d.bodies, trace_names)));
     return lines;
 }
 
@@ -59,7 +59,7 @@ bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool 
     std::error_code ignored;
     if (!std::filesystem::exists(before, ignored) || !std::filesystem::exists(after, ignored))
         return true;
-    TraceInput a(before.string()), b(after.string());
+    scenes::TraceInput a(before.string()), b(after.string());
     const TraceDiff d = diff(
         a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
         [&] { return b.reader.next(); });
@@ -67,8 +67,8 @@ bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool 
         result.counts.push_back(std::move(change));
     if (d.equal()) return true;
     for (std::string& line : conclusions(d, names_meshes)) result.lines.push_back(std::move(line));
-    result.trace_difference = trace_diff_text(d, names);
+    result.trace_difference = scenes::trace_diff_text(d, trace_names);
     return d.nodes_comparable;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,7 +2,7 @@
 
 #include "golden/compare/comparison.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// What the traces of the baseline and of the run tell, where there are both: lines for what was
 /// asked of only one of them (meshes only where these are to be named), for the pairs that only one
@@ -11,4 +11,4 @@ namespace scb {
 /// InputError.
 bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool names_meshes);
 
-}  // namespace scb
+}  // namespace scb::golden

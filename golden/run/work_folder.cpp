@@ -12,7 +12,7 @@
 
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,12 +38,12 @@ GoldenWork::GoldenWork() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     if (error)
-        throw OutputError("There is no folder for temporary files (" + error.message() +
-                          "); name one with TMPDIR.");
+        throw render::OutputError("There is no folder for temporary files (" + error.message() +
+                                  "); name one with TMPDIR.");
     std::string name = (folder / "scb-golden-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-        throw OutputError(folder.string() + ": no temporary files can be made there (" +
-                          std::strerror(errno) + "); name another folder with TMPDIR.");
+        throw render::OutputError(folder.string() + ": no temporary files can be made there (" +
+                                  std::strerror(errno) + "); name another folder with TMPDIR.");
     path_ = name;
     start_remover();
     fs::create_directory(candidates());
@@ -72,4 +72,4 @@ void GoldenWork::start_remover() {
     if (remover_ < 0) ::close(lifeline_);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

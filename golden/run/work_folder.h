@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace scb {
+namespace scb::golden {
 
 /// A folder for what a run makes, which is gone at the end, also where a signal ends the program:
 /// `candidates` and `report`.
@@ -27,4 +27,4 @@ class GoldenWork {
     pid_t remover_ = -1;  ///< who waits for that
 };
 
-}  // namespace scb
+}  // namespace scb::golden

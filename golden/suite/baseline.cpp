@@ -12,7 +12,7 @@
 #include "render/files/output_file.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,7 +53,7 @@ void check_readable(const fs::path& baselines) {
     if (status.type() == fs::file_type::not_found) return;
     if (!error && !fs::is_directory(status))
         throw InputError(baselines.string() +
-                         ": this is no folder; name that of the baselines with --baselines.");
+                         ": this is not a folder; name that of the baselines with --baselines.");
     if (error || ::access(baselines.c_str(), R_OK | X_OK) != 0)
         throw InputError(baselines.string() +
                          ": the baselines in this folder cannot be read; check its permissions.");
@@ -63,7 +63,7 @@ std::vector<fs::path> accepted_images(const fs::path& folder, const std::string&
     std::vector<fs::path> images;
     for (int variant = 1;; ++variant) {
         const fs::path path = folder / variant_name(name, variant);
-        if (!is_there(path)) return images;
+        if (!render::is_there(path)) return images;
         images.push_back(path);
     }
 }
@@ -73,8 +73,8 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
     std::error_code error;
     fs::create_directories(baselines, error);
     if (error)
-        throw OutputError(baselines.string() + ": this folder cannot be made (" + error.message() +
-                          "); name another with --baselines.");
+        throw render::OutputError(baselines.string() + ": this folder cannot be made (" +
+                                  error.message() + "); name another with --baselines.");
     const CaseFiles from = case_files(candidates, name), to = case_files(baselines, name);
     const std::vector<fs::path> accepted = accepted_images(baselines, name);
     const bool picture_is_accepted =
@@ -86,8 +86,8 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
                               &CaseFiles::meta, &CaseFiles::trace}) {
         const bool kept = member == &CaseFiles::trace && old_trace == OldTrace::kept;
         const bool same = member == &CaseFiles::image && picture_is_accepted;
-        if (!is_there(from.*member)) {
-            if (is_there(to.*member) && !kept) gone.push_back(to.*member);
+        if (!render::is_there(from.*member)) {
+            if (render::is_there(to.*member) && !kept) gone.push_back(to.*member);
         } else if (!same && !files_equal(from.*member, to.*member)) {
             changed.emplace_back(from.*member, to.*member);
         }
@@ -146,4 +146,4 @@ std::vector<std::string> stray_files(const fs::path& baselines, const Suite& sui
     return strays;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

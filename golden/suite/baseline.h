@@ -6,7 +6,7 @@
 
 #include "golden/suite/suite.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// The files of a case: of its baseline in one folder, of what a run made in another.
 struct CaseFiles {
@@ -14,7 +14,7 @@ struct CaseFiles {
 };
 CaseFiles case_files(const std::filesystem::path& folder, const std::string& name);
 
-/// Throws InputError where the folder of baselines is there, but is no folder or one whose files
+/// Throws InputError where the folder of baselines is there, but is not a folder or one whose files
 /// cannot be read: they would count as missing.
 void check_readable(const std::filesystem::path& baselines);
 
@@ -48,4 +48,4 @@ std::vector<std::string> uncompared_images(const std::filesystem::path& baseline
 /// Files in the folder of baselines that belong to no case of the suite.
 std::vector<std::string> stray_files(const std::filesystem::path& baselines, const Suite& suite);
 
-}  // namespace scb
+}  // namespace scb::golden

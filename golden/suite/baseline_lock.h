@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace scb {
+namespace scb::golden {
 
 /// The folder of baselines while it is updated: one update at a time. The lock is gone at the end,
 /// however the program ends.
@@ -23,4 +23,4 @@ class BaselineLock {
     bool held_ = false;
 };
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 
 #include "scenes/scene/builtin.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ std::string in_folder(const fs::path& folder, const std::string& name) {
 
 std::string scene_from_here(const std::string& name, const fs::path& folder,
                             const fs::path& models) {
-    if (find_builtin(name) != nullptr) return name;
+    if (scenes::find_builtin(name) != nullptr) return name;
     std::error_code ignored;
     const bool in_models = !models.empty() && !fs::exists(folder / name, ignored) &&
                            fs::exists(models / name, ignored);
@@ -55,7 +55,7 @@ std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& fo
         command.emplace_back("render");
     command.push_back(name);
     command.insert(command.end(), golden.scene.begin(), golden.scene.end());
-    add_option(command, golden.run == GoldenRun::levels ? "--frame" : "--frames", golden.frames);
+    add_option(command, "--frames", golden.frames);
     add_option(command, "--volume", golden.volume);
     add_option(command, "--test", golden.test);
     command.insert(command.end(), golden.arguments.begin(), golden.arguments.end());
@@ -109,4 +109,4 @@ GoldenCase seen_from_here(GoldenCase golden, const fs::path& folder, const fs::p
     return golden;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

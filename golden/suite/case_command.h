@@ -6,7 +6,7 @@
 
 #include "golden/suite/suite.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// The command line of a case after `scb`: writes into `folder`, or prints JSON where it makes no
 /// picture.
@@ -24,4 +24,4 @@ GoldenCase in_own_folder(GoldenCase golden);
 GoldenCase seen_from_here(GoldenCase golden, const std::filesystem::path& folder,
                           const std::filesystem::path& models);
 
-}  // namespace scb
+}  // namespace scb::golden

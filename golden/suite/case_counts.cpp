@@ -7,7 +7,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Json = nlohmann::json;
@@ -37,7 +37,8 @@ std::int64_t hash_count(const Json& hash, const std::string& place) {
     std::uint64_t value = 0;
     const char* end = text.data() + text.size();
     if (text.size() != 16 || std::from_chars(text.data(), end, value, 16).ptr != end)
-        throw InputError(place + " is no hash of 16 hexadecimal digits; was it made by this scb?");
+        throw InputError(place +
+                         " is not a hash of 16 hexadecimal digits; was it made by this scb?");
     return static_cast<std::int64_t>(value >> dropped_bits);
 }
 
@@ -108,4 +109,4 @@ std::string only_frame(const Json& counts) {
     return frames->begin().key();
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 
 #include "golden/suite/suite.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// The counts of what a run of a case made: of the index.json beside its pictures, or of the JSON
 /// that it printed. A tree of objects with sorted keys whose leaves are integers: lists of frames,
@@ -19,4 +19,4 @@ nlohmann::json case_counts(GoldenRun run, const nlohmann::json& document);
 /// The frame that such counts are of, where it is one; else empty.
 std::string only_frame(const nlohmann::json& counts);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -10,7 +10,7 @@
 #include "render/files/output_file.h"
 #include "scenes/text/file_bytes.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,9 +21,9 @@ class StagingFolder {
     explicit StagingFolder(const fs::path& beside) {
         std::string name = (beside / (std::string(replacement_prefix) + "XXXXXX")).string();
         if (::mkdtemp(name.data()) == nullptr)
-            throw OutputError("Cannot write into \"" + beside.string() +
-                              "\": " + std::strerror(errno) +
-                              "; choose a folder that may be written, with room.");
+            throw render::OutputError("Cannot write into \"" + beside.string() +
+                                      "\": " + std::strerror(errno) +
+                                      "; choose a folder that may be written, with room.");
         path_ = name;
     }
     ~StagingFolder() {
@@ -54,14 +54,14 @@ class Replacement {
     void run(const std::vector<std::pair<fs::path, fs::path>>& changed,
              const std::vector<fs::path>& gone) {
         for (const auto& [source, target] : changed)
-            write_file_whole(staged(target), file_bytes(source.string()));
+            render::write_file_whole(staged(target), scenes::file_bytes(source.string()));
         try {
             for (const auto& [source, target] : changed) put(target);
             for (const fs::path& target : gone) remove(target);
-        } catch (const OutputError& error) {
+        } catch (const render::OutputError& error) {
             const std::string lost = undo();
             if (lost.empty()) throw;
-            throw OutputError(std::string(error.what()) + " " + lost);
+            throw render::OutputError(std::string(error.what()) + " " + lost);
         }
     }
 
@@ -74,12 +74,12 @@ class Replacement {
     void put(const fs::path& target) {
         std::error_code error;
         // A second name, not another one: the target is never missing.
-        if (is_there(target)) fs::create_hard_link(target, backup(target), error);
+        if (render::is_there(target)) fs::create_hard_link(target, backup(target), error);
         if (error) fs::copy_file(target, backup(target), error);
         if (!error) fs::rename(staged(target), target, error);
         if (error)
-            throw OutputError(target.string() + ": it cannot be replaced (" + error.message() +
-                              "); see that it may be written.");
+            throw render::OutputError(target.string() + ": it cannot be replaced (" +
+                                      error.message() + "); see that it may be written.");
         done_.push_back(target);
     }
 
@@ -87,8 +87,8 @@ class Replacement {
         std::error_code error;
         fs::rename(target, backup(target), error);
         if (error)
-            throw OutputError(target.string() + ": it cannot be removed (" + error.message() +
-                              "); see that its folder may be written.");
+            throw render::OutputError(target.string() + ": it cannot be removed (" +
+                                      error.message() + "); see that its folder may be written.");
         done_.push_back(target);
     }
 
@@ -98,7 +98,7 @@ class Replacement {
         for (; !done_.empty(); done_.pop_back()) {
             const fs::path& target = done_.back();
             std::error_code error;
-            if (is_there(backup(target)))
+            if (render::is_there(backup(target)))
                 fs::rename(backup(target), target, error);
             else
                 fs::remove(target, error);
@@ -122,4 +122,4 @@ void replace_files(const fs::path& folder,
     Replacement(folder).run(changed, gone);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 
 /// What the names of folders begin with in which new files wait for their places.
 inline constexpr const char* replacement_prefix = ".update-";
@@ -19,4 +19,4 @@ void replace_files(
     const std::vector<std::pair<std::filesystem::path, std::filesystem::path>>& changed,
     const std::vector<std::filesystem::path>& gone);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -6,7 +6,7 @@
 #include <memory>
 #include <system_error>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -16,11 +16,6 @@ File open_file(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-bool is_there(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored);
-}
 
 bool files_equal(const std::filesystem::path& a, const std::filesystem::path& b) {
     // Sizes are known without reading; folders and missing files have none.
@@ -41,4 +36,4 @@ bool files_equal(const std::filesystem::path& a, const std::filesystem::path& b)
     }
 }
 
-}  // namespace scb
+}  // namespace scb::golden

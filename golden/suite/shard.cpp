@@ -7,7 +7,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 std::optional<std::size_t> number_in(std::string_view digits) {
@@ -27,7 +27,7 @@ Shard parse_shard(std::string_view text) {
         if (k && n && *k >= 1 && *k <= *n) return {*k, *n};
     }
     throw InputError("\"" + std::string(text) +
-                     "\" is no shard; give K/N, the K-th of N parts, such as 2/3.");
+                     "\" is not a shard; give K/N, the K-th of N parts, such as 2/3.");
 }
 
 bool in_shard(const Shard& shard, std::size_t index) {
@@ -35,4 +35,4 @@ bool in_shard(const Shard& shard, std::size_t index) {
     return index % shard.n == shard.k - 1;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

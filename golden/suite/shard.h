@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace scb {
+namespace scb::golden {
 
 /// One of several parts of a suite that run on machines of their own: the k-th of n, from 1.
 struct Shard {
@@ -19,4 +19,4 @@ Shard parse_shard(std::string_view text);
 /// case belongs to one shard of n, and none has two cases more than another.
 bool in_shard(const Shard& shard, std::size_t index);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace scb {
+namespace scb::golden {
 
 std::string shell_word(const std::string& text) {
     constexpr std::string_view plain =
@@ -15,4 +15,4 @@ std::string shell_word(const std::string& text) {
     return word + "'";
 }
 
-}  // namespace scb
+}  // namespace scb::golden

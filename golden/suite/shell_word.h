@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace scb {
+namespace scb::golden {
 
 /// The text as one word of a POSIX shell: in single quotes where it needs them.
 std::string shell_word(const std::string& text);
 
-}  // namespace scb
+}  // namespace scb::golden

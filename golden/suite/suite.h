@@ -8,7 +8,7 @@
 
 #include "golden/compare/image_difference.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// What a case makes: the commands of scb.
 enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide };
@@ -25,7 +25,7 @@ struct GoldenCase {
     std::string name;  ///< letters, digits, '_' and '-'; baselines are named after it
     GoldenRun run = GoldenRun::levels;
     std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
-    std::string frames;                  ///< --frame of levels, --frames of the others; empty: none
+    std::string frames;                  ///< --frames; empty: none
     std::string volume, test;            ///< --volume, --test; empty: none
     std::string size;                    ///< of pictures, WIDTHxHEIGHT
     std::vector<std::string> arguments;  ///< more of the command line
@@ -48,4 +48,4 @@ struct Suite {
 /// frames or volumes, and for a comparison or a tolerance of what the run does not make.
 Suite load_suite(const std::filesystem::path& file);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace scb {
+namespace scb::render {
 
 EyeView make_eye_view(const Pane& pane, int picture_height, int scale) {
     const PixelRect& v = pane.viewport;
@@ -40,4 +40,4 @@ void set_eye_uniforms(const GlProgram& program, const EyeView& view) {
     program.set("line_scale", f(view.scale));
 }
 
-}  // namespace scb
+}  // namespace scb::render

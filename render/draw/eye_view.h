@@ -4,7 +4,7 @@
 #include "render/view/camera.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A pane's camera as the shaders need it. Lengths are divided by the far distance, so that single
 /// precision serves scenes of any size; all that is done here is done in double precision.
@@ -31,4 +31,4 @@ Vec3 rotate_to_eye(const EyeView& view, const Vec3& direction);
 /// Sets the uniforms of shaders/eye.glsl in a program that is in use.
 void set_eye_uniforms(const GlProgram& program, const EyeView& view);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -17,7 +17,7 @@ SCB_DECLARE_EMBEDDED(light_glsl)
 SCB_DECLARE_EMBEDDED(mesh_vert)
 SCB_DECLARE_EMBEDDED(mesh_frag)
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -37,8 +37,6 @@ std::array<std::int16_t, 4> quantised_normal(const Vec3& a, const Vec3& b, const
             static_cast<std::int16_t>(std::lround(cross[i] / length * 32767));
     return result;
 }
-
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace
 
@@ -85,9 +83,9 @@ MeshHandle MeshPainter::upload(const Mesh& mesh) {
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
                    corners.data(), GL_STATIC_DRAW);
     gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                            offset(offsetof(Corner, position)));
+                            buffer_offset(offsetof(Corner, position)));
     gl_.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, sizeof(Corner),
-                            offset(offsetof(Corner, normal)));
+                            buffer_offset(offsetof(Corner, normal)));
     gl_.EnableVertexAttribArray(0);
     gl_.EnableVertexAttribArray(1);
 
@@ -179,4 +177,4 @@ void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, 
     gl_.DepthMask(GL_TRUE);
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/view/picture.h"
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The corners of that many triangles, as OpenGL counts them. Throws InputError where an int does
 /// not hold them.
@@ -50,4 +50,4 @@ class MeshPainter {
     std::uint32_t next_index_ = 1;
 };
 
-}  // namespace scb
+}  // namespace scb::render

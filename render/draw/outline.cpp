@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// One byte for each pixel of a pane, row by row.
@@ -53,4 +53,4 @@ void draw_outline(Image& image, const IdImage& ids, const PixelRect& pane, const
         }
 }
 
-}  // namespace scb
+}  // namespace scb::render

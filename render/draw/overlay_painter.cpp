@@ -8,13 +8,9 @@
 SCB_DECLARE_EMBEDDED(overlay_vert)
 SCB_DECLARE_EMBEDDED(overlay_frag)
 
-namespace scb {
+namespace scb::render {
 
-namespace {
-
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
-}  // namespace
+namespace {}  // namespace
 
 OverlayPainter::OverlayPainter(const Gl& gl)
     : gl_(gl),
@@ -26,11 +22,11 @@ OverlayPainter::OverlayPainter(const Gl& gl)
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert),
-                            offset(offsetof(ImDrawVert, pos)));
+                            buffer_offset(offsetof(ImDrawVert, pos)));
     gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert),
-                            offset(offsetof(ImDrawVert, uv)));
+                            buffer_offset(offsetof(ImDrawVert, uv)));
     gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert),
-                            offset(offsetof(ImDrawVert, col)));
+                            buffer_offset(offsetof(ImDrawVert, col)));
     for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
     const unsigned char white = 255;
     textures_.emplace(0, upload(&white, 1, 1));
@@ -77,11 +73,11 @@ void OverlayPainter::paint(const Overlay& overlay, int width, int height) {
                         textures_.at(reinterpret_cast<std::uintptr_t>(command.TextureId)).name());
         gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                                    sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                                   offset(command.IdxOffset * sizeof(ImDrawIdx)),
+                                   buffer_offset(command.IdxOffset * sizeof(ImDrawIdx)),
                                    static_cast<GLint>(command.VtxOffset));
     }
     gl_.Disable(GL_BLEND);
     gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-}  // namespace scb
+}  // namespace scb::render

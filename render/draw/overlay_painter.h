@@ -6,7 +6,7 @@
 #include "render/gl/gl_program.h"
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Draws an overlay into the framebuffer that is bound, whose first row is the picture's top one.
 /// Takes the place of ImGui's own OpenGL back end, which asks GLX for its functions.
@@ -28,4 +28,4 @@ class OverlayPainter {
         textures_;  // by the number of the face; 0 is one white pixel
 };
 
-}  // namespace scb
+}  // namespace scb::render

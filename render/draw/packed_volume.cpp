@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& 
     return packed;
 }
 
-}  // namespace scb
+}  // namespace scb::render

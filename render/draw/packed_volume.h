@@ -7,7 +7,7 @@
 #include "render/draw/eye_view.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A volume as shaders/volume.vert reads it: five texels of four words. 0: its rectangle on the
 /// screen (left, bottom, right, top in normalised device coordinates); 1 to 3: its shape in eye
@@ -20,4 +20,4 @@ struct PackedVolume {
 /// Nothing where the volume is outside the view, or has no size.
 std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& view);
 
-}  // namespace scb
+}  // namespace scb::render

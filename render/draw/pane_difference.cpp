@@ -4,7 +4,7 @@
 #include <iterator>
 #include <tuple>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 struct Shown {
@@ -40,4 +40,4 @@ std::vector<std::uint32_t> differing_ids(const Pane& a, const Pane& b) {
     return ids;
 }
 
-}  // namespace scb
+}  // namespace scb::render

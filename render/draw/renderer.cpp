@@ -15,7 +15,7 @@
 #include "render/gl/render_target.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -212,4 +212,4 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 #include "render/view/picture.h"
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::render {
 
 class Overlay;
 
@@ -49,4 +49,4 @@ class Renderer {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

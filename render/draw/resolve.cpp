@@ -4,7 +4,7 @@
 #include <bit>
 #include <cassert>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Where alpha is in a word depends on the machine.
@@ -38,4 +38,4 @@ void resolve_ids(const std::uint32_t* samples, int scale, std::span<std::uint32_
     for (std::size_t x = 0; x < row.size(); ++x) row[x] = last[step * x];
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-namespace scb {
+namespace scb::render {
 
 /// One row of a picture from the rows of its samples: each pixel is the mean of scale x scale
 /// samples, in whole numbers, so that the rounding is the same everywhere; opaque. A color is
@@ -14,4 +14,4 @@ void resolve_colors(const std::uint32_t* samples, int scale, std::span<std::uint
 /// The same for ids: that of each pixel's left sample in the last of the rows.
 void resolve_ids(const std::uint32_t* samples, int scale, std::span<std::uint32_t> row);
 
-}  // namespace scb
+}  // namespace scb::render

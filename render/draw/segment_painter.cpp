@@ -10,7 +10,7 @@ SCB_DECLARE_EMBEDDED(eye_glsl)
 SCB_DECLARE_EMBEDDED(segment_vert)
 SCB_DECLARE_EMBEDDED(segment_frag)
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -59,8 +59,6 @@ void append(std::vector<Corner>& corners, const Segment& segment, const EyeView&
     corner(p, -1, -1), corner(q, 1, 1), corner(p, -1, 1);
 }
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
 }  // namespace
 
 SegmentPainter::SegmentPainter(const Gl& gl)
@@ -72,10 +70,11 @@ SegmentPainter::SegmentPainter(const Gl& gl)
     gl_.BindVertexArray(attributes_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                            offset(offsetof(Corner, position)));
+                            buffer_offset(offsetof(Corner, position)));
     gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner),
-                            offset(offsetof(Corner, color)));
-    gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, id)));
+                            buffer_offset(offsetof(Corner, color)));
+    gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Corner),
+                             buffer_offset(offsetof(Corner, id)));
     for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
 }
 
@@ -95,4 +94,4 @@ void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& v
     if (on_top) gl_.Enable(GL_DEPTH_TEST);
 }
 
-}  // namespace scb
+}  // namespace scb::render

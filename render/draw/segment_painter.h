@@ -4,7 +4,7 @@
 #include "render/gl/gl_program.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Draws segments as rectangles that face the viewer (OpenGL's own lines are drawn differently on
 /// different CPUs).
@@ -22,4 +22,4 @@ class SegmentPainter {
     GlBuffer buffer_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

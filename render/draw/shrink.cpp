@@ -13,7 +13,7 @@
 #include <stb_image_resize.h>
 #pragma GCC diagnostic pop
 
-namespace scb {
+namespace scb::render {
 
 Image shrunk(const Image& picture, const PixelRect& part, int width, int height) {
     Image image{width, height, {}};
@@ -29,4 +29,4 @@ Image shrunk(const Image& picture, const PixelRect& part, int width, int height)
     return image;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -13,7 +13,7 @@ SCB_DECLARE_EMBEDDED(volume_vert)
 SCB_DECLARE_EMBEDDED(scb_frag)
 SCB_DECLARE_EMBEDDED(obb_frag)
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -132,4 +132,4 @@ void VolumePainter::upload(std::size_t batch) {
     uploaded_batch_ = batch;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/gl/gl_program.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
 /// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
@@ -51,4 +51,4 @@ class VolumePainter {
     std::vector<Run> runs_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -12,7 +12,7 @@
 #include "render/plots/bar_plot.h"
 #include "render/plots/line_plot.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// One of the two plots: what it shows and how it is called.
@@ -246,4 +246,4 @@ Picture compose(const BenchFigure& full, int width, int height, Overlay& overlay
     return Picture{width, height, 1, theme.background, {}};
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 #include "render/view/picture.h"
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What one kind of hierarchy did in each frame of a scene.
 struct BenchSeries {
@@ -58,4 +58,4 @@ std::optional<double> time_over_scb(const BenchSeries& scb, const BenchSeries& o
 /// plots.
 Picture compose(const BenchFigure& figure, int width, int height, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -11,7 +11,7 @@
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -259,4 +259,4 @@ void draw_bench_legend(Overlay& overlay, const PixelRect& rect, const PixelRect&
     }
 }
 
-}  // namespace scb
+}  // namespace scb::render

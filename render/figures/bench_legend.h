@@ -6,7 +6,7 @@
 #include "render/figures/bench_figure.h"
 #include "render/overlay/line_stroke.h"
 
-namespace scb {
+namespace scb::render {
 
 /// How a series looks in plots and legend. No two of a figure look alike: those of one kind of
 /// hierarchy have shades of its color, and other strokes.
@@ -57,4 +57,4 @@ void draw_bench_legend(Overlay& overlay, const PixelRect& rect, const PixelRect&
                        const PixelRect& right, BenchLegend legend, int text_size,
                        const Theme& theme);
 
-}  // namespace scb
+}  // namespace scb::render

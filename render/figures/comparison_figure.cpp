@@ -4,7 +4,7 @@
 
 #include "render/draw/pane_difference.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr int line_height(int unit) { return unit * 5 / 4; }
@@ -96,4 +96,4 @@ Picture compose(ComparisonFigure figure, const ComparisonLayout& layout, int wid
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/side_panel.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One of two things that are compared.
 struct ComparedView {
@@ -60,4 +60,4 @@ std::size_t outline_differences(std::array<ComparedView, 2>& views, std::uint32_
 Picture compose(ComparisonFigure figure, const ComparisonLayout& layout, int width, int height,
                 int samples, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

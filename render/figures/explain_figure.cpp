@@ -14,7 +14,7 @@
 #include "render/plots/slack_chart.h"
 #include "render/view/fit_camera.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 double radius_of(const AnyVolume& volume) {
@@ -23,7 +23,7 @@ double radius_of(const AnyVolume& volume) {
 
 /// The disc of the plane between two disjoint volumes, in A's frame, beside the smaller one.
 Scb separating_disc(const ExplainFigure& figure) {
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     const Vec3 a = center(figure.a), b = center(figure.b), d = proof.direction;
     const double radius_a = radius_of(figure.a), radius_b = radius_of(figure.b),
                  height = reach(figure.a, d) + proof.margin / 2;
@@ -44,7 +44,7 @@ std::vector<AnyVolume> held(const ExplainFigure& figure) {
 
 Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect& view, int unit) {
     const Theme& theme = *figure.theme;
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     Pane pane;
     pane.viewport = view;
     pane.camera = camera;
@@ -69,7 +69,7 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
 }
 
 SectionPlane plane_of(const ExplainFigure& figure) {
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     return section_plane(
         figure.a, figure.b, shown_step(figure),
         proof.contact == Contact::overlapping ? std::optional(proof.point) : std::nullopt);
@@ -78,7 +78,7 @@ SectionPlane plane_of(const ExplainFigure& figure) {
 /// The point of both, also where something hides it.
 void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
                        const PixelRect& view, int unit) {
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     if (proof.contact != Contact::overlapping) return;
     const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + proof.point)),
                at = project(camera, point, view.width, view.height);
@@ -124,7 +124,7 @@ void draw_caption(Overlay& overlay, const PixelRect& box, const std::string& tex
 void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
     const Theme& theme = *figure.theme;
     const OverlapStep& step = shown_step(figure);
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     const bool wrong = figure.found->answer == Answer::false_negative;
     SectionPlot plot;
     plot.a = figure.a;
@@ -176,7 +176,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
     heading.unit = layout.unit;
     heading.heading = layout.heading;
     draw_heading(overlay, heading, theme, figure.title, figure.subtitle);
-    const ContactProof& proof = figure.found->proof;
+    const ContactCertificate& proof = figure.found->proof;
     draw_caption(overlay, layout.view, "exact: " + exact_words(proof), theme.text,
                  proof.contact == Contact::disjoint
                      ? "the disc is between the two; across it, the gap"
@@ -201,4 +201,4 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 #include "render/view/picture.h"
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 class Overlay;
 
@@ -40,4 +40,4 @@ Camera explain_camera(const ExplainFigure& figure, double aspect);
 
 Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/plots/slack_chart.h"
 
-namespace scb {
+namespace scb::render {
 
 PixelRect ExplainLayout::view_box() const {
     const int caption = caption_height(), below = 2 * unit;
@@ -55,4 +55,4 @@ ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure)
     return layout;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -2,7 +2,7 @@
 
 #include "render/figures/explain_figure.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Where the parts of a picture of an explanation lie.
 struct ExplainLayout {
@@ -18,4 +18,4 @@ struct ExplainLayout {
 };
 ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure);
 
-}  // namespace scb
+}  // namespace scb::render

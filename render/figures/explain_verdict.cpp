@@ -6,7 +6,7 @@
 #include "render/plots/ending_colors.h"
 #include "render/plots/slack_chart.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 Rgba8 answer_color(Answer answer, const Theme& theme) {
@@ -28,7 +28,7 @@ const OverlapStep& shown_step(const ExplainFigure& figure) {
     return steps.steps[steps.closest()];
 }
 
-std::string exact_words(const ContactProof& proof) {
+std::string exact_words(const ContactCertificate& proof) {
     switch (proof.contact) {
         case Contact::disjoint:
             return "disjoint, " + number_text(proof.margin) + " apart";
@@ -117,4 +117,4 @@ void draw_verdict(Overlay& overlay, const PixelRect& box, const ExplainFigure& f
     }
 }
 
-}  // namespace scb
+}  // namespace scb::render

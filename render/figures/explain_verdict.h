@@ -7,13 +7,13 @@
 #include "render/figures/explain_figure.h"
 #include "render/overlay/font_face.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The step that a figure shows: the one that decided, or came closest.
 const OverlapStep& shown_step(const ExplainFigure& figure);
 
 /// "disjoint, 0.0123 apart".
-std::string exact_words(const ContactProof& proof);
+std::string exact_words(const ContactCertificate& proof);
 
 /// A line of what a figure concludes.
 struct VerdictLine {
@@ -29,4 +29,4 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure);
 /// Draws them into the rectangle, wrapped; what does not fit is left out.
 void draw_verdict(Overlay& overlay, const PixelRect& box, const ExplainFigure& figure, int unit);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Details with a dot between them, as many as there is room for.
@@ -138,4 +138,4 @@ Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay) {
     return image;
 }
 
-}  // namespace scb
+}  // namespace scb::render

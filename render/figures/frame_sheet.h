@@ -9,7 +9,7 @@
 #include "render/overlay/overlay.h"
 #include "render/overlay/side_panel.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One picture of a sequence.
 struct FrameSheetCell {
@@ -41,4 +41,4 @@ std::string scale_end(const std::vector<PanelItem>& panel);
 /// Draws the sheet, strip by strip, as a sheet can be many times as large as a picture.
 Image draw(const FrameSheet& sheet, Renderer& renderer, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

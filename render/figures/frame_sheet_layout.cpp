@@ -5,7 +5,7 @@
 
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Below it neither the subject nor a caption can be made out.
@@ -65,4 +65,4 @@ std::size_t most_frame_cells(const PixelRect& view) {
                                     one.cell_height());
 }
 
-}  // namespace scb
+}  // namespace scb::render

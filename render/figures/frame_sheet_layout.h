@@ -6,7 +6,7 @@
 #include "render/overlay/sheet_grid.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The pixels of a sheet of views that are drawn already, each below its captions.
 struct FrameSheetLayout : SheetGrid {
@@ -22,4 +22,4 @@ struct FrameSheetLayout : SheetGrid {
 std::optional<FrameSheetLayout> frame_sheet_layout(std::size_t cells, const PixelRect& view);
 std::size_t most_frame_cells(const PixelRect& view);
 
-}  // namespace scb
+}  // namespace scb::render

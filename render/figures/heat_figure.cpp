@@ -4,18 +4,18 @@
 
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
-constexpr std::array<std::string_view, 2> names = {"volumes", "triangles"};
+constexpr std::array<std::string_view, 2> heat_names = {"volumes", "triangles"};
 
 }  // namespace
 
-std::string_view heat_of_name(HeatOf of) { return names[static_cast<std::size_t>(of)]; }
+std::string_view heat_of_name(HeatOf of) { return heat_names[static_cast<std::size_t>(of)]; }
 
 std::optional<HeatOf> heat_of_of(std::string_view name) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return static_cast<HeatOf>(i);
+    for (std::size_t i = 0; i < heat_names.size(); ++i)
+        if (heat_names[i] == name) return static_cast<HeatOf>(i);
     return std::nullopt;
 }
 
@@ -83,4 +83,4 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     return items;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 #include "render/figures/scene_figure.h"
 #include "render/plots/plot_axis.h"
 
-namespace scb {
+namespace scb::render {
 
 std::string_view heat_of_name(HeatOf of);
 std::optional<HeatOf> heat_of_of(std::string_view name);
@@ -38,4 +38,4 @@ PanelItem heat_key(const Heat& heat);
 std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
                                   const Heat& heat);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 #include "render/plots/ending_colors.h"
 #include "render/plots/stacked_bars_plot.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr PassReason reasons[] = {PassReason::triangles_meet, PassReason::loose_fit,
@@ -93,7 +93,7 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     if (figure.others.empty()) return items;
     items.emplace_back(PanelHeading{"with another test"});
     items.emplace_back(PanelRow{"", {"tests", "operations"}});
-    for (const OtherTest& other : figure.others)
+    for (const AlternativeTest& other : figure.others)
         items.emplace_back(PanelRow{overlap_title(other.overlap),
                                     {change_text(counts.all.volume_tests, other.all.volume_tests),
                                      change_text(counts.all.operations, other.all.operations)}});
@@ -107,7 +107,7 @@ Rgba8 pass_reason_color(PassReason reason, const Theme& theme) {
         case PassReason::triangles_meet:
             return theme.mesh;
         case PassReason::loose_fit:
-            return ending_color(Ending::triangles_apart, theme);
+            return ending_color(Outcome::triangles_apart, theme);
         case PassReason::weak_test:
             break;
     }
@@ -139,4 +139,4 @@ Picture compose(const InspectFigure& figure, int width, int height, Overlay& ove
     return {width, height, 1, theme.background, {}};
 }
 
-}  // namespace scb
+}  // namespace scb::render

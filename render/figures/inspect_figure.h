@@ -9,7 +9,7 @@
 #include "render/view/palette.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What the tests of queries wasted and why: per frame, per depth and in all, and what other
 /// overlap tests would have done.
@@ -18,7 +18,7 @@ struct InspectFigure {
     std::string subtitle;
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
-    std::vector<OtherTest> others;  ///< what others would have done
+    std::vector<AlternativeTest> others;  ///< what others would have done
     const Theme* theme = &light_theme;
 };
 
@@ -32,4 +32,4 @@ std::string change_text(std::uint64_t from, std::uint64_t to);
 
 Picture compose(const InspectFigure& figure, int width, int height, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

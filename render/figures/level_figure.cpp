@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/hierarchy/level_statistics.h"
 #include "render/overlay/side_panel.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Whether the thickness is but rounding noise.
@@ -106,7 +107,7 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
                     double most = -std::numeric_limits<double>::infinity();
                     for (const std::uint32_t node : nodes)
                         most = std::max(most, dot(center(h.volumes[node]), local) +
-                                                  extent(h.volumes[node], local));
+                                                  support(h.volumes[node], local));
                     return most;
                 },
                 *body.hierarchy);
@@ -183,4 +184,4 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/hierarchy/level_statistics.h"
 #include "render/figures/volume_colors.h"
 #include "render/overlay/figure_layout.h"
 #include "render/view/fit_camera.h"
@@ -12,7 +13,7 @@
 #include "scb/any_hierarchy.h"
 #include "scb/level_cover.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A body as the pictures of levels need it, at one frame. What it points to is owned elsewhere.
 struct LevelBody {
@@ -75,4 +76,4 @@ struct LevelFigure {
 /// Composes the picture and its overlay: view, numbers, legend, magnified detail.
 Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "core/hierarchy/level_statistics.h"
 #include "render/overlay/side_panel.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
-constexpr int most_columns = 5;
+constexpr int most_level_columns = 5;
 constexpr int margin = sheet_margin;
 
 // Title and keys.
-constexpr int heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
+constexpr int level_heading_height(int unit) { return margin + title_size(unit) + 9 * unit / 2; }
 
 int cell_height(const LevelSheetLayout& layout) {
     return layout.view_height + layout.detail_size + 4 * layout.unit;
@@ -26,17 +27,18 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
         static_cast<SheetGrid&>(layout) = sheet_grid(count, columns, view_width);
         layout.view_height = view_width * (with_detail ? 5 : 6) / 8;
         layout.detail_size = with_detail ? view_width * 9 / 20 : 0;
-        layout.height = heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
+        layout.height =
+            level_heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
         return fits(layout);
     };
-    const int columns = std::min(count, most_columns);
+    const int columns = std::min(count, most_level_columns);
     const int roomy = roomy_view_width(columns);
     // As tall as twice its width is tall enough.
-    for (int wider = most_columns; wider <= 2 * most_columns; ++wider)
+    for (int wider = most_level_columns; wider <= 2 * most_level_columns; ++wider)
         if (lay_out(std::min(count, wider), roomy) && layout.height <= 2 * layout.width)
             return layout;
     for (int view_width = roomy; view_width >= 160; view_width -= 20)
-        for (int wider = most_columns; wider <= count + most_columns; wider += 2)
+        for (int wider = most_level_columns; wider <= count + most_level_columns; wider += 2)
             if (lay_out(std::min(count, wider), view_width)) return layout;
     return layout;
 }
@@ -77,7 +79,7 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         }
     }
 
-    const int first_y = heading_height(unit);
+    const int first_y = level_heading_height(unit);
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {
             const LevelSheetCell& cell = sheet.rows[r][c];
@@ -134,4 +136,4 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

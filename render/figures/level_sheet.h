@@ -7,7 +7,7 @@
 #include "render/figures/level_figure.h"
 #include "render/overlay/sheet_grid.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One row or column of a sheet: what is compared.
 struct LevelSheetCell {
@@ -37,4 +37,4 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

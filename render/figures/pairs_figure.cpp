@@ -4,8 +4,9 @@
 
 #include "core/geometry/triangle_segment.h"
 #include "render/plots/ending_colors.h"
+#include "scb/triangle_overlap.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr double leaf_opacity = 0.3;
@@ -39,7 +40,7 @@ void add_keys(std::vector<PanelItem>& items, const PairsStyle& style) {
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
     if (style.leaves)
         items.emplace_back(
-            PanelKey{ending_color(Ending::triangles_apart, *style.theme), "leaves that overlap"});
+            PanelKey{ending_color(Outcome::triangles_apart, *style.theme), "leaves that overlap"});
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
         else if (style.leaves)
             add_volumes(
                 pane, body, side_of(apart_leaves(frame), side),
-                with_opacity(ending_color(Ending::triangles_apart, *style.theme), leaf_opacity));
+                with_opacity(ending_color(Outcome::triangles_apart, *style.theme), leaf_opacity));
     }
     if (stops_at_level(header)) return pane;
     // A thin line where a body hides it, a strong one where it can be seen.
@@ -151,4 +152,4 @@ std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHead
     return region;
 }
 
-}  // namespace scb
+}  // namespace scb::render

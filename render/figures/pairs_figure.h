@@ -4,7 +4,7 @@
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What pictures of a query's result show.
 struct PairsStyle {
@@ -36,4 +36,4 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
                                       const TraceFrame& frame);
 
-}  // namespace scb
+}  // namespace scb::render

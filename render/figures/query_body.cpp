@@ -2,7 +2,7 @@
 
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::render {
 
 AnyVolume volume_of(const QueryBody& body, std::uint32_t node) {
     return std::visit([&](const auto& h) { return AnyVolume(placed(h.volumes[node], body.pose)); },
@@ -24,4 +24,4 @@ MeshDraw mesh_draw(const QueryBody& body, Rgba8 color) {
     return draw;
 }
 
-}  // namespace scb
+}  // namespace scb::render

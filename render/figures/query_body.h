@@ -9,7 +9,7 @@
 #include "render/view/picture.h"
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One of the two bodies of a query as pictures need it, at one frame. What it points to is owned
 /// elsewhere.
@@ -35,4 +35,4 @@ Rgba8 dimmed_body_color(std::size_t side, const Theme& theme);
 /// The body's mesh in that color, with ids.
 MeshDraw mesh_draw(const QueryBody& body, Rgba8 color);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/figures/heat_figure.h"
 #include "render/plots/ending_colors.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr int number_rows = 6, scale_rows = 4;
@@ -107,7 +107,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
     std::array<ComparedView, 2> views;
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        const TestTree tree = test_tree(*query.header, *query.frame);
+        const TraversalTree tree = traversal_tree(*query.header, *query.frame);
         const Fronts fronts = fronts_of(query.bodies, *query.frame, tree, style);
         views[side].pane = rejections_pane(query.bodies, fronts, style);
         views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
@@ -151,4 +151,4 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
 
 ComparisonRows compared_heat_rows() { return {number_rows, scale_rows}; }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 #include "render/figures/pairs_figure.h"
 #include "render/figures/rejections_figure.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One of two queries that are compared: of the same bodies at the same poses.
 struct ComparedQuery {
@@ -45,4 +45,4 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
                                         const RejectionsStyle& style);
 ComparisonRows compared_heat_rows();
 
-}  // namespace scb
+}  // namespace scb::render

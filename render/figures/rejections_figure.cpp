@@ -4,12 +4,12 @@
 
 #include "render/plots/ending_colors.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr std::array<std::string_view, 4> color_names = {"first", "last", "dominant", "share"};
 
-Rgba8 color_of(const FrontNode& node, FrontColor by, const Theme& theme) {
+Rgba8 color_of(const EndedPaths& node, FrontColor by, const Theme& theme) {
     switch (by) {
         case FrontColor::first:
             return ending_color(node.first, theme);
@@ -25,8 +25,8 @@ Rgba8 color_of(const FrontNode& node, FrontColor by, const Theme& theme) {
 
 /// What is left over may hold much of the front, and would hide it.
 double opacity_of(Rgba8 color, const RejectionsStyle& style) {
-    return color == ending_color(Ending::left_over, *style.theme) ? style.opacity / 5
-                                                                  : style.opacity;
+    return color == ending_color(Outcome::left_over, *style.theme) ? style.opacity / 5
+                                                                   : style.opacity;
 }
 
 }  // namespace
@@ -41,12 +41,12 @@ std::optional<FrontColor> front_color_of(std::string_view name) {
     return std::nullopt;
 }
 
-Fronts fronts_of(const QueryBodies& bodies, const TraceFrame& frame, const TestTree& tree,
+Fronts fronts_of(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
                  const RejectionsStyle& style) {
     Fronts fronts;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!style.sides[side]) continue;
-        fronts[side] = traversal_front(frame, tree, side, style.filter);
+        fronts[side] = ended_paths(frame, tree, side, style.filter);
         if (!style.nested)
             fronts[side] = innermost(fronts[side], topology_of(*bodies[side].hierarchy));
     }
@@ -57,7 +57,7 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
                      const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side)
-        for (const FrontNode& node : fronts[side]) {
+        for (const EndedPaths& node : fronts[side]) {
             const Rgba8 color = color_of(node, style.by, *style.theme);
             pane.volumes.push_back({volume_of(bodies[side], node.node),
                                     with_opacity(color, opacity_of(color, style)),
@@ -77,7 +77,7 @@ PanelItem front_color_key(const RejectionsStyle& style) {
 }
 
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TestTree& tree, const Theme& theme) {
+                                      const TraversalTree& tree, const Theme& theme) {
     const EndingCounts counts = ending_counts(frame, tree);
     const auto ended =
         static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
@@ -86,7 +86,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
     for (const EndingGroup& group :
          ending_groups(endings_of(header.volume, header.options), theme)) {
         const std::uint64_t count = count_of(group, counts);
-        if (count == 0 && group.endings.front() == Ending::left_over) continue;
+        if (count == 0 && group.endings.front() == Outcome::left_over) continue;
         items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
                                           share_text(static_cast<double>(count), ended)});
     }
@@ -94,7 +94,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
 }
 
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                        const TraceFrame& frame, const TestTree& tree,
+                                        const TraceFrame& frame, const TraversalTree& tree,
                                         const Fronts& fronts, const RejectionsStyle& style) {
     const EndingCounts counts = ending_counts(frame, tree);
     const std::uint64_t ended = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -114,8 +114,8 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     return items;
 }
 
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, const TestTree& tree,
-                         const Theme& theme) {
+PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
+                         const TraversalTree& tree, const Theme& theme) {
     PanelChart chart;
     chart.title = "by depth of the pair";
     const std::vector<EndingGroup> groups =
@@ -128,4 +128,4 @@ PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame, con
     return chart;
 }
 
-}  // namespace scb
+}  // namespace scb::render

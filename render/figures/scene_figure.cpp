@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Below the panel's rows, or beside them where the panel is below the view.
@@ -69,4 +69,4 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

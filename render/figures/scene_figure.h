@@ -7,7 +7,7 @@
 #include "render/overlay/scales.h"
 #include "render/overlay/side_panel.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i.
 struct PanelChart {
@@ -36,4 +36,4 @@ struct SceneFigure {
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

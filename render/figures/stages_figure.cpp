@@ -7,7 +7,7 @@
 #include "render/overlay/side_panel.h"
 #include "render/plots/stacked_bars_plot.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 StackedBarsPlot plot_of(const StagesFigure& figure) {
@@ -37,7 +37,7 @@ std::vector<PanelItem> panel_of(const StagesFigure& figure) {
                                     PanelHeading{"paths that ended, mean per frame"}};
     for (std::size_t g = 0; g < figure.groups.size(); ++g) {
         const EndingGroup& group = figure.groups[g];
-        if (means[g] == 0 && group.endings.front() == Ending::left_over) continue;
+        if (means[g] == 0 && group.endings.front() == Outcome::left_over) continue;
         items.emplace_back(PanelLegendRow{group.color, std::string(group.label),
                                           mean_text(means[g]), share_text(means[g], all)});
     }
@@ -61,4 +61,4 @@ Picture compose(const StagesFigure& figure, int width, int height, Overlay& over
     return {width, height, 1, theme.background, {}};
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/plots/ending_colors.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// How the paths of a traversal ended, frame by frame, as one stacked bar for each: which stage of
 /// the overlap test earns its operations (Table 1 of the paper).
@@ -28,4 +28,4 @@ double most_paths(const StagesFigure& figure);
 /// frames than pixels, a bar is the mean of those that fall on it.
 Picture compose(const StagesFigure& figure, int width, int height, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

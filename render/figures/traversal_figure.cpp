@@ -9,7 +9,7 @@
 #include "render/plots/ending_colors.h"
 #include "render/plots/icicle_plot.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Plots that are less tall, in text units, have neither legend nor notes.
@@ -92,13 +92,13 @@ struct Key {
     std::uint64_t count = 0;
 };
 
-std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const TraceFrame& frame,
-                         const TestTree& tree, const Theme& theme) {
+std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const TraversalTree& tree,
+                         const Theme& theme) {
     EndingCounts counts{};
     std::uint64_t divided = 0;
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        if (const auto ending = ending_of(frame.events.volume_tests[i], tree.outcomes[i]))
-            ++counts[static_cast<std::size_t>(*ending)];
+        if (is_ending(tree.outcomes[i]))
+            ++counts[static_cast<std::size_t>(tree.outcomes[i])];
         else
             ++divided;
     }
@@ -106,7 +106,7 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const TraceFram
     for (const EndingGroup& group : groups) {
         const std::uint64_t count = count_of(group, counts);
         // Of queries that were not told to stop early there is nothing to explain.
-        if (group.endings.front() == Ending::left_over && count == 0) continue;
+        if (group.endings.front() == Outcome::left_over && count == 0) continue;
         keys.push_back({std::string(group.label), group.color, count});
     }
     return keys;
@@ -208,7 +208,7 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     const FigureLayout layout = figure_layout(width, height);
     const FigureStyle style{theme, layout.unit};
     const int unit = layout.unit, margin = layout.heading.x, inside = width - 2 * margin;
-    const TestTree tree = test_tree(header, frame);
+    const TraversalTree tree = traversal_tree(header, frame);
     const DepthMatrix matrix = depth_matrix(frame.events);
     const std::vector<EndingGroup> groups =
         ending_groups(endings_of(header.volume, header.options), theme);
@@ -221,8 +221,7 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
           unit / 2;
     int bottom = height - margin;
     if (figure.icicle) {
-        const Legend legend(overlay, keys_of(groups, frame, tree, theme), frame.found.n_v, inside,
-                            style);
+        const Legend legend(overlay, keys_of(groups, tree, theme), frame.found.n_v, inside, style);
         // In a tiny picture the plots come first.
         if (bottom - legend.height() - top >= least_body * unit) {
             bottom -= legend.height();
@@ -266,4 +265,4 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     return Picture{width, height, 1, theme.background, {}};
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/plots/depth_matrix_plot.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Where the traversal of one frame spent itself, in the domain of pairs: without a camera.
 struct TraversalFigure {
@@ -25,4 +25,4 @@ struct TraversalFigure {
 Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
                 int width, int height, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 #include "render/plots/line_plot.h"
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 const Rgba8 n_v_color = category_color(0), operations_color = category_color(1),
@@ -130,4 +130,4 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
     return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::render

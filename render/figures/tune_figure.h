@@ -7,7 +7,7 @@
 #include "render/overlay/overlay.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What a setting took, as a multiple of what the base did.
 struct TuneCosts {
@@ -38,4 +38,4 @@ struct TuneFigure {
 /// the picture is taller than wide.
 Picture compose(const TuneFigure& figure, int width, int height, Overlay& overlay);
 
-}  // namespace scb
+}  // namespace scb::render

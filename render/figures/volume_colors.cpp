@@ -7,10 +7,10 @@
 #include "core/base/logarithm.h"
 #include "render/overlay/figure_layout.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
-constexpr std::array<std::string_view, 4> names = {"body", "depth", "radius", "thickness"};
+constexpr std::array<std::string_view, 4> color_by_names = {"body", "depth", "radius", "thickness"};
 
 // Lighter or darker by up to a tenth, the same for a node in every picture.
 Rgba8 varied(Rgba8 color, std::uint32_t node) {
@@ -20,11 +20,11 @@ Rgba8 varied(Rgba8 color, std::uint32_t node) {
 
 }  // namespace
 
-std::string_view color_by_name(ColorBy by) { return names[static_cast<std::size_t>(by)]; }
+std::string_view color_by_name(ColorBy by) { return color_by_names[static_cast<std::size_t>(by)]; }
 
 std::optional<ColorBy> color_by_of(std::string_view name) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return static_cast<ColorBy>(i);
+    for (std::size_t i = 0; i < color_by_names.size(); ++i)
+        if (color_by_names[i] == name) return static_cast<ColorBy>(i);
     return std::nullopt;
 }
 
@@ -103,4 +103,4 @@ template Rgba8 volume_color(const ColorScale&, const Scb&, int, std::size_t, std
 template Rgba8 volume_color(const ColorScale&, const Ball&, int, std::size_t, std::uint32_t);
 template Rgba8 volume_color(const ColorScale&, const Obb&, int, std::size_t, std::uint32_t);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 #include "render/view/palette.h"
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What the color of a volume tells.
 enum class ColorBy {
@@ -46,4 +46,4 @@ double largest_root(const std::vector<AnyHierarchy>& hierarchies);
 /// The scale as a legend, or nothing where the colors are categories.
 std::optional<PanelScale> legend_of(const ColorScale& scale);
 
-}  // namespace scb
+}  // namespace scb::render

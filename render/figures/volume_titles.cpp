@@ -4,7 +4,7 @@
 
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 std::string_view volume_title(VolumeKind kind) {
     // In the order of the enumeration.
@@ -12,4 +12,4 @@ std::string_view volume_title(VolumeKind kind) {
     return titles[static_cast<std::size_t>(kind)];
 }
 
-}  // namespace scb
+}  // namespace scb::render

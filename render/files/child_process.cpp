@@ -14,16 +14,32 @@
 #include <cstring>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 [[noreturn]] void fail_to_start(const std::string& program, int error) {
     throw OutputError("Cannot start " + program + ": " + std::strerror(error) +
                       "; see that it is installed and can be run.");
 }
+
+/// A descriptor that is closed unless it is released.
+struct Descriptor {
+    int number;
+
+    explicit Descriptor(int opened) : number(opened) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    void close() {
+        if (number >= 0) ::close(std::exchange(number, -1));
+    }
+    int release() { return std::exchange(number, -1); }
+};
 
 // The child's descriptor that ChildProcess::output_path names, and the one behind it.
 constexpr int output_descriptor = 3, first_not_given = 4;
@@ -57,7 +73,12 @@ struct SpawnSettings {
             error = errno;
             return;
         }
-        copies.push_back(copy);
+        try {
+            copies.push_back(copy);
+        } catch (...) {
+            ::close(copy);
+            throw;
+        }
         posix_spawn_file_actions_adddup2(&files, copy, as);
     }
 };
@@ -97,17 +118,17 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     int sockets[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
         fail_to_start(command[0], errno);
-    input_ = sockets[0];
+    Descriptor own(sockets[0]), given(sockets[1]);
     const timeval most = {patience.count() / 1000, patience.count() % 1000 * 1000};
-    ::setsockopt(input_, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most);
+    ::setsockopt(own.number, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most);
     SpawnSettings settings;
-    settings.give(sockets[1], STDIN_FILENO);
+    settings.give(given.number, STDIN_FILENO);
     settings.give(output_.descriptor(), STDOUT_FILENO);
     settings.give(errors_.descriptor(), STDERR_FILENO);
     settings.give(output.descriptor(), output_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&settings.files, first_not_given);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&settings.files, folder.c_str());
-    ::close(sockets[1]);
+    given.close();
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -115,9 +136,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Unname
     if (error == 0)
         error = ::posix_spawnp(&id_, arguments[0], &settings.files, &settings.attributes,
                                arguments.data(), environ);
-    if (error == 0) return;
-    ::close(input_);
-    fail_to_start(command[0], error);
+    if (error != 0) fail_to_start(command[0], error);
+    input_ = own.release();
 }
 
 ChildProcess::~ChildProcess() {
@@ -182,4 +202,4 @@ std::string ChildProcess::last_line() const {
     return last.empty() ? last_line_of(text_of(output_)) : last;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -12,7 +12,7 @@
 
 #include "render/files/unnamed_file.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Whether PATH has a program of that name.
 bool is_on_path(const std::string& program);
@@ -72,4 +72,4 @@ class ChildProcess {
     pid_t id_ = -1;   ///< -1 once it was waited for
 };
 
-}  // namespace scb
+}  // namespace scb::render

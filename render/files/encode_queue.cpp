@@ -5,7 +5,7 @@
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::render {
 
 void EncodeQueue::push(std::filesystem::path path, Image image) {
     const std::size_t bytes = image.rgba.size();
@@ -21,4 +21,4 @@ void EncodeQueue::push(std::filesystem::path path, IdImage image) {
     });
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 #include "render/files/image.h"
 #include "render/files/work_queue.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Encodes pictures as PNG and writes them beside the drawing, with the order, the bounds and the
 /// errors (OutputError) of a WorkQueue.
@@ -26,4 +26,4 @@ class EncodeQueue {
     WorkQueue queue_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

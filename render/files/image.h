@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace scb {
+namespace scb::render {
 
 /// A color, 8 bits a channel, not premultiplied; `a` is 255 for opaque.
 struct Rgba8 {
@@ -58,4 +58,4 @@ inline std::uint32_t pixel(const IdImage& image, int x, int y) {
                      static_cast<std::size_t>(x)];
 }
 
-}  // namespace scb
+}  // namespace scb::render

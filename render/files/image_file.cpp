@@ -41,7 +41,7 @@ unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed_size, 
 #include <stb_image_write.h>
 #pragma GCC diagnostic pop
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -139,4 +139,4 @@ IdImage unpack_ids(const Image& image) {
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::render

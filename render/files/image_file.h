@@ -6,7 +6,7 @@
 
 #include "render/files/image.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The PNG file of a picture: 8 bits a channel, without alpha where every pixel is opaque. The same
 /// picture always gives the same bytes (with the same zlib).
@@ -16,11 +16,11 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 /// lowest first.
 std::vector<std::uint8_t> encode_png(const IdImage& image);
 
-/// Reads a picture from a PNG file. Throws InputError where there is no such file, it is no PNG of
-/// 8 bits a channel, or none at all but a pipe or a device, which need not end.
+/// Reads a picture from a PNG file. Throws InputError where there is no such file, it is not a PNG
+/// of 8 bits a channel, or none at all but a pipe or a device, which need not end.
 Image read_png(const std::filesystem::path& path);
 
 /// The ids of a picture as encode_png(IdImage) packs them.
 IdImage unpack_ids(const Image& image);
 
-}  // namespace scb
+}  // namespace scb::render

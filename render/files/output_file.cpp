@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 std::string advice(int error) {
@@ -49,6 +49,12 @@ int write_all(int file, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
+/// Waits until what was written is on the disk: before a file gets its name, so that a loss of
+/// power leaves the old file or the new one. Some file systems cannot, and say so.
+int synchronized(int file) {
+    return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
+
 /// A name beside `path` that no one else has. `take` is to make it, and returns -1 and EEXIST where
 /// there is such a file; what it returns last is returned.
 template <class Take>
@@ -79,6 +85,7 @@ bool write_unnamed(const std::filesystem::path& path, std::span<const std::uint8
     const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
     if (file < 0) return false;
     error = write_all(file, bytes);
+    if (error == 0) error = synchronized(file);
     const std::string self = "/proc/self/fd/" + std::to_string(file);
     bool named = true;
     if (error == 0)
@@ -105,6 +112,7 @@ int write_named(const std::filesystem::path& path, std::span<const std::uint8_t>
         return errno;
     }
     int error = write_all(file, bytes);
+    if (error == 0) error = synchronized(file);
     if (::close(file) != 0 && error == 0) error = errno;
     return error;
 }
@@ -140,7 +148,7 @@ void write_file_whole(const std::filesystem::path& given, std::span<const std::u
     struct stat existing;
     const bool exists = ::stat(path.c_str(), &existing) == 0;
     int error = 0;
-    // A device is no file to replace, and neither is what this program already writes to.
+    // A device is not a file to replace, and neither is what this program already writes to.
     if (exists && ((!S_ISREG(existing.st_mode) && !S_ISDIR(existing.st_mode)) ||
                    standard_stream(existing) >= 0)) {
         error = write_in_place(path, existing, bytes);
@@ -161,4 +169,9 @@ void write_file_whole(const std::filesystem::path& path, std::string_view text) 
     write_file_whole(path, std::span(bytes, text.size()));
 }
 
-}  // namespace scb
+bool is_there(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace scb {
+namespace scb::render {
 
 /// A file could not be written: the disk is full, the folder is missing or may not be written.
 /// `what()` is one sentence that names the file, the system's reason and what to do. A program that
@@ -24,4 +24,7 @@ struct OutputError : std::runtime_error {
 void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file_whole(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace scb
+/// Whether it is a file: a folder of that name is none.
+bool is_there(const std::filesystem::path& path);
+
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 [[noreturn]] void fail(const char* verb, int error) {
@@ -39,4 +39,4 @@ std::vector<std::uint8_t> UnnamedFile::bytes() const {
     return bytes;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace scb {
+namespace scb::render {
 
 /// A file without a name, which is gone with its last user, whatever happens.
 class UnnamedFile {
@@ -22,4 +22,4 @@ class UnnamedFile {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 std::string even_size_filter(int width, int height, Rgba8 background) {
@@ -111,4 +111,4 @@ void VideoFile::fail(std::optional<ProcessEnd> end) const {
                       "; see that it works here and has libx264, or make no video.");
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 #include "render/files/image.h"
 #include "render/files/work_queue.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The program that makes videos.
 inline constexpr const char* video_program = "ffmpeg";
@@ -48,4 +48,4 @@ class VideoFile {
     WorkQueue queue_;  ///< ends first: it writes to the encoder
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -1,10 +1,9 @@
 #include "render/files/work_queue.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
-namespace scb {
+namespace scb::render {
 
 WorkQueue::WorkQueue(std::size_t capacity, std::size_t threads, std::size_t byte_capacity)
     : capacity_(std::max<std::size_t>(capacity, 1)), byte_capacity_(byte_capacity) {
@@ -12,7 +11,8 @@ WorkQueue::WorkQueue(std::size_t capacity, std::size_t threads, std::size_t byte
     threads_.reserve(threads);
     try {
         while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
-    } catch (const std::system_error&) {
+    } catch (...) {
+        // No thread, or no memory for one: those that run will do.
         if (threads_.empty()) throw;
     }
 }
@@ -81,4 +81,4 @@ void WorkQueue::work() {
     }
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace scb {
+namespace scb::render {
 
 /// Does jobs beside the thread that hands them on, in the order they came (with one thread).
 ///
@@ -61,4 +61,4 @@ class WorkQueue {
     std::vector<std::thread> threads_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

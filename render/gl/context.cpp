@@ -4,7 +4,7 @@
 
 #include "render/gl/context_platform.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -85,4 +85,4 @@ Context::~Context() = default;
 
 void Context::make_current() const { platform_->make_current(); }
 
-}  // namespace scb
+}  // namespace scb::render

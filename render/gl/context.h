@@ -8,7 +8,7 @@
 
 #include "render/gl/gl.h"
 
-namespace scb {
+namespace scb::render {
 
 struct ContextPlatform;
 
@@ -77,4 +77,4 @@ class Context {
     GlInfo info_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

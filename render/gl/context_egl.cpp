@@ -7,7 +7,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -57,16 +57,16 @@ struct EglPlatform final : ContextPlatform {
 
 std::unique_ptr<ContextPlatform> make_egl_platform() { return std::make_unique<EglPlatform>(); }
 
-}  // namespace scb
+}  // namespace scb::render
 
 #else
 
-namespace scb {
+namespace scb::render {
 
 std::unique_ptr<ContextPlatform> make_egl_platform() {
     throw GlError("This program was built without EGL; choose the other back end, osmesa.");
 }
 
-}  // namespace scb
+}  // namespace scb::render
 
 #endif

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -48,16 +48,16 @@ std::unique_ptr<ContextPlatform> make_osmesa_platform() {
     return std::make_unique<OsmesaPlatform>();
 }
 
-}  // namespace scb
+}  // namespace scb::render
 
 #else
 
-namespace scb {
+namespace scb::render {
 
 std::unique_ptr<ContextPlatform> make_osmesa_platform() {
     throw GlError("This program was built without OSMesa; choose the other back end, egl.");
 }
 
-}  // namespace scb
+}  // namespace scb::render
 
 #endif

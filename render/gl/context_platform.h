@@ -2,7 +2,7 @@
 
 #include <memory>
 
-namespace scb {
+namespace scb::render {
 
 /// What a back end has to provide. Internal to the context.
 struct ContextPlatform {
@@ -19,4 +19,4 @@ struct ContextPlatform {
 std::unique_ptr<ContextPlatform> make_osmesa_platform();
 std::unique_ptr<ContextPlatform> make_egl_platform();
 
-}  // namespace scb
+}  // namespace scb::render

@@ -2,7 +2,7 @@
 
 #include <GL/glcorearb.h>
 
-namespace scb {
+namespace scb::render {
 
 /// The functions of OpenGL 3.3 core that this library calls. A list of its own, because the usual
 /// loaders ask GLX or a display for addresses, and there is neither here.
@@ -82,4 +82,4 @@ struct Gl {
 #undef SCB_GL_MEMBER
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "render/gl/gl.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Owns one OpenGL object and deletes it; the context must be current then. `Traits` says how one
 /// is made.
@@ -47,4 +47,7 @@ SCB_GL_OBJECT(Framebuffer, Framebuffers)
 SCB_GL_OBJECT(VertexArray, VertexArrays)
 #undef SCB_GL_OBJECT
 
-}  // namespace scb
+/// Where in a buffer an attribute begins, as OpenGL takes it.
+inline const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace scb::render

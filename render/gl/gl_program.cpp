@@ -6,7 +6,7 @@
 
 #include "render/gl/context.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -46,4 +46,4 @@ GlProgram::GlProgram(const Gl& gl, std::initializer_list<std::string_view> verte
     throw DrawError("The OpenGL library cannot link a shader program: " + std::string(log.data()));
 }
 
-}  // namespace scb
+}  // namespace scb::render

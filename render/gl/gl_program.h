@@ -5,7 +5,7 @@
 
 #include "render/gl/gl_object.h"
 
-namespace scb {
+namespace scb::render {
 
 struct ProgramTraits {
     static GLuint create(const Gl& gl) { return gl.CreateProgram(); }
@@ -45,4 +45,4 @@ class GlProgram {
     GlObject<ProgramTraits> object_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "render/gl/context.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -38,4 +38,4 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
                         " pixels; choose a smaller --size.");
 }
 
-}  // namespace scb
+}  // namespace scb::render

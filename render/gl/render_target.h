@@ -2,7 +2,7 @@
 
 #include "render/gl/gl_object.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A framebuffer of its own: colors (RGBA8), ids (R32UI), and depth (32 bits, float) where it is
 /// drawn into.
@@ -26,4 +26,4 @@ class RenderTarget {
     GlFramebuffer framebuffer_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 
 #include "core/base/trigonometry.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 double length_of(const ScreenPosition& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
@@ -130,4 +130,4 @@ std::vector<ScreenPosition> circle_points(const ScreenCircle& circle, const Pixe
     return points;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A convex polygon in a picture, corner by corner; empty where nothing is left.
 using ScreenPolygon = std::vector<ScreenPosition>;
@@ -38,4 +38,4 @@ std::vector<std::vector<ScreenPosition>> clipped(const std::vector<ScreenPositio
 /// to the first, or only the arc near the rectangle where that is small beside the circle.
 std::vector<ScreenPosition> circle_points(const ScreenCircle& circle, const PixelRect& rect);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 
 FigureLayout figure_layout(int width, int height) {
     FigureLayout layout;
@@ -161,4 +161,4 @@ std::string share_text(double part, double whole) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::render

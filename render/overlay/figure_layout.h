@@ -10,7 +10,7 @@
 #include "render/view/camera.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of
 /// numbers at its right, or below it where the picture is taller than wide. Nothing of the panel or
@@ -65,4 +65,4 @@ std::string count_text(std::uint64_t count);
 /// "43.8 %"; a dash where there is no whole.
 std::string share_text(double part, double whole);
 
-}  // namespace scb
+}  // namespace scb::render

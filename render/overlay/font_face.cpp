@@ -11,7 +11,7 @@ SCB_DECLARE_EMBEDDED(roboto_regular)
 SCB_DECLARE_EMBEDDED(roboto_medium)
 SCB_DECLARE_EMBEDDED(roboto_bold)
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -59,4 +59,4 @@ FontFace make_font_face(FontWeight weight, int size) {
     return face;
 }
 
-}  // namespace scb
+}  // namespace scb::render

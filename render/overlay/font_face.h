@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace scb {
+namespace scb::render {
 
 /// The weights that texts are set in (Roboto).
 enum class FontWeight { regular, medium, bold };
@@ -23,4 +23,4 @@ struct FontFace {
 /// them.
 FontFace make_font_face(FontWeight weight, int size);
 
-}  // namespace scb
+}  // namespace scb::render

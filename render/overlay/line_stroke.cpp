@@ -5,7 +5,7 @@
 
 #include "render/overlay/smooth_line.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Lengths of dashes and gaps by turns, in thicknesses. Round ends make dashes one longer and gaps
@@ -61,4 +61,4 @@ int line_sample_width(const FigureStyle& style) {
     return static_cast<int>(15 * sample_thickness(style));
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 
 /// In full, or in one of the patterns that can be told apart where colors cannot; from the fullest
 /// to the sparsest. Lines drawn in this order show even where they lie on top of each other.
@@ -32,4 +32,4 @@ void draw_line_sample(Overlay& overlay, int x, int y, int width, Rgba8 color, Li
 /// How wide a sample must be for its pattern to be seen.
 int line_sample_width(const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

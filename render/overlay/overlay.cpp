@@ -10,7 +10,7 @@
 
 #include "render/overlay/font_face.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -119,4 +119,4 @@ const ImDrawList& Overlay::draw_list() const { return parts_->list; }
 
 std::span<const FontFace> Overlay::faces() const { return parts_->faces; }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 
 struct ImDrawList;
 
-namespace scb {
+namespace scb::render {
 
 enum class FontWeight;
 struct FontFace;
@@ -85,4 +85,4 @@ class Overlay {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace scb
+}  // namespace scb::render

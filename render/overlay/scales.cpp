@@ -6,7 +6,7 @@
 
 #include "render/overlay/font_face.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -130,4 +130,4 @@ PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, doub
     return together(panel, text);
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Figures made of an overlay's text and rectangles. Each returns the pixels that it covers, panel
 /// included.
@@ -48,4 +48,4 @@ PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<co
 PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, double pixels_per_unit,
                          const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -1,6 +1,6 @@
 #include "render/overlay/sheet_grid.h"
 
-namespace scb {
+namespace scb::render {
 
 int SheetGrid::x(int column) const { return sheet_margin + column * (view_width + sheet_margin); }
 
@@ -20,4 +20,4 @@ bool fits(const SheetGrid& grid) {
     return grid.width <= largest_sheet_side && grid.height <= largest_sheet_side;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -2,7 +2,7 @@
 
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Cells of equal size side by side below a heading, wrapped into bands where there are many: what
 /// sheets share. The height is for whoever knows how high a cell is.
@@ -29,4 +29,4 @@ int roomy_view_width(int columns);
 
 bool fits(const SheetGrid& grid);
 
-}  // namespace scb
+}  // namespace scb::render

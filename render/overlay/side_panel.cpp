@@ -5,7 +5,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 struct PanelPainter {
@@ -142,4 +142,4 @@ int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, 
     return painter.y;
 }
 
-}  // namespace scb
+}  // namespace scb::render

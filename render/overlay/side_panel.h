@@ -7,7 +7,7 @@
 
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A column of numbers beside a view: what can stand in it, from top to bottom.
 struct PanelHeading {
@@ -55,4 +55,4 @@ using PanelItem =
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Positions are whole sixteenths of a pixel; a pixel is sampled at 8 x 8 of the odd ones.
@@ -185,4 +185,4 @@ std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> 
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 
 #include "render/overlay/overlay.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A line through the points (pixels), `thickness` pixels wide, with round ends and joints; a
 /// single point is a dot. It is smoothed: each pixel is as opaque as the share of it that the line
@@ -20,4 +20,4 @@ void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, 
 std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points,
                                                 std::span<const double> pattern);
 
-}  // namespace scb
+}  // namespace scb::render

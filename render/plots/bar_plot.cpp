@@ -6,7 +6,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 bool drawable(const PlotBar& bar) { return std::isfinite(bar.value) && bar.value >= 0; }
@@ -69,4 +69,4 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
     return area;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A horizontal bar, with its name before it and its number behind it.
 struct PlotBar {
@@ -28,4 +28,4 @@ struct BarPlot {
 PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& plot,
                         const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 #include "render/overlay/font_face.h"
 #include "render/plots/plot_axis.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr int least_cell = 4, least_text = 10;
@@ -168,4 +168,4 @@ PixelRect draw_depth_matrix(Overlay& overlay, const PixelRect& rect, const Depth
             scale.y + scale.height - rect.y};
 }
 
-}  // namespace scb
+}  // namespace scb::render

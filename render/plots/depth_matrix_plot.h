@@ -3,7 +3,7 @@
 #include "core/analysis/depth_matrix.h"
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What the colors of a matrix of depths say.
 enum class MatrixMeasure {
@@ -23,4 +23,4 @@ PixelRect draw_depth_matrix(Overlay& overlay, const PixelRect& rect, const Depth
 /// down.
 std::string short_count(std::uint64_t count);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -1,6 +1,6 @@
 #include "render/plots/ending_colors.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr Rgba8 grey{0xAC, 0xAC, 0xAC}, blue{0x00, 0x72, 0xB2}, sky{0x56, 0xB4, 0xE9},
@@ -12,16 +12,19 @@ struct Look {
     Rgba8 color;
 };
 
-Look look_of(Ending ending, const Theme& theme) {
+Look look_of(Outcome ending, const Theme& theme) {
     switch (ending) {
-        case Ending::triangles_apart:
+        case Outcome::triangles_apart:
             return {"triangles apart", purple};
-        case Ending::triangles_meet:
+        case Outcome::triangles_meet:
             return {"triangles meet", vermillion};
-        case Ending::found:
+        case Outcome::found:
             return {"overlap", vermillion};
-        case Ending::left_over:
+        case Outcome::left_over:
             return {"left over", theme.left_over};
+        case Outcome::divided_a:
+        case Outcome::divided_b:
+            break;
     }
     const auto stage = static_cast<Stage>(ending);
     switch (stage) {
@@ -67,9 +70,9 @@ Look look_of(Ending ending, const Theme& theme) {
 
 }  // namespace
 
-std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings, const Theme& theme) {
+std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme) {
     std::vector<EndingGroup> groups;
-    for (const Ending ending : endings) {
+    for (const Outcome ending : endings) {
         const Look look = look_of(ending, theme);
         if (groups.empty() || groups.back().label != look.label)
             groups.push_back({look.label, look.color, {}});
@@ -78,12 +81,12 @@ std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings, const
     return groups;
 }
 
-Rgba8 ending_color(Ending ending, const Theme& theme) { return look_of(ending, theme).color; }
+Rgba8 ending_color(Outcome ending, const Theme& theme) { return look_of(ending, theme).color; }
 
 std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts) {
     std::uint64_t sum = 0;
-    for (const Ending ending : group.endings) sum += counts[static_cast<std::size_t>(ending)];
+    for (const Outcome ending : group.endings) sum += counts[static_cast<std::size_t>(ending)];
     return sum;
 }
 
-}  // namespace scb
+}  // namespace scb::render

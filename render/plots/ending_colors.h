@@ -6,25 +6,25 @@
 #include "core/analysis/ending.h"
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Endings that a picture shows alike: every stage of slab cut balls and balls for itself, the 15
 /// axes of boxes in three groups.
 struct EndingGroup {
     std::string_view label;  ///< "slab A, ball B", "faces of A", "triangles apart"
     Rgba8 color;
-    std::vector<Ending> endings;
+    std::vector<Outcome> endings;
 };
 
 /// The groups of the endings, in their order. Colors mean the same in every picture: what the
 /// volume test rejected is grey (balls), blue (a slab and a ball) or green and yellow (a slab and a
 /// cylinder, or what comes last); what it let pass is purple where the triangles were apart and
 /// vermillion where they meet. What the query left over has the theme's color.
-std::vector<EndingGroup> ending_groups(const std::vector<Ending>& endings, const Theme& theme);
+std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme);
 
-Rgba8 ending_color(Ending ending, const Theme& theme);
+Rgba8 ending_color(Outcome ending, const Theme& theme);
 
 /// Of the counts, those of the group.
 std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,21 +4,21 @@
 #include <array>
 #include <cassert>
 
-#include "core/analysis/test_sizes.h"
+#include "core/analysis/traversal_tree.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 std::size_t depth_of(const VolumeTest& test) { return std::size_t{test.depth_a} + test.depth_b; }
 
 /// Where each test begins, in tests.
-std::vector<std::uint32_t> begins_of(const TestTree& tree,
+std::vector<std::uint32_t> begins_of(const TraversalTree& tree,
                                      const std::vector<std::uint32_t>& sizes) {
     std::vector<std::uint32_t> begins(sizes.size(), 0);
     std::vector<std::uint32_t> next(sizes.size(), 0);  // where a test's next child begins
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const std::uint32_t parent = tree.parents[i];
-        if (parent != TestTree::no_parent) {
+        if (parent != TraversalTree::no_parent) {
             begins[i] = next[parent];
             next[parent] += sizes[i];
         }
@@ -45,11 +45,11 @@ class GroupIndex {
     explicit GroupIndex(const std::vector<EndingGroup>& groups)
         : divided_(static_cast<std::uint32_t>(groups.size())) {
         for (std::uint32_t g = 0; g < groups.size(); ++g)
-            for (const Ending ending : groups[g].endings) of_[static_cast<std::size_t>(ending)] = g;
+            for (const Outcome ending : groups[g].endings)
+                of_[static_cast<std::size_t>(ending)] = g;
     }
-    std::uint32_t operator()(const VolumeTest& test, Outcome outcome) const {
-        const std::optional<Ending> ending = ending_of(test, outcome);
-        return ending ? of_[static_cast<std::size_t>(*ending)] : divided_;
+    std::uint32_t operator()(Outcome outcome) const {
+        return is_ending(outcome) ? of_[static_cast<std::size_t>(outcome)] : divided_;
     }
     std::uint32_t divided() const { return divided_; }
 
@@ -86,8 +86,8 @@ class Picker {
 
 }  // namespace
 
-Icicle icicle(const Events& events, const TestTree& tree, const std::vector<EndingGroup>& groups,
-              int columns, int most_rows) {
+Icicle icicle(const Events& events, const TraversalTree& tree,
+              const std::vector<EndingGroup>& groups, int columns, int most_rows) {
     assert(columns > 0 && most_rows > 0 && "an icicle has pixels");
     assert(groups.size() <= ending_count && "each ending is in one group");
     const std::vector<VolumeTest>& tests = events.volume_tests;
@@ -100,7 +100,7 @@ Icicle icicle(const Events& events, const TestTree& tree, const std::vector<Endi
     const auto most = static_cast<std::size_t>(most_rows);
     const std::size_t per_row = (depths + most - 1) / most;
     result.depths_per_row = static_cast<int>(per_row);
-    const std::vector<std::uint32_t> sizes = test_sizes(tree);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
     const std::vector<std::uint32_t> begins = begins_of(tree, sizes);
     const std::vector<std::vector<std::uint32_t>> rows = rows_of(tests, per_row);
     result.rows = static_cast<int>(rows.size());
@@ -112,7 +112,7 @@ Icicle icicle(const Events& events, const TestTree& tree, const std::vector<Endi
     for (std::size_t row = 0; row < rows.size(); ++row) {
         std::fill(line.begin(), line.end(), Column{});
         for (const std::uint32_t i : rows[row]) {
-            const std::uint32_t group = group_of(tests[i], tree.outcomes[i]);
+            const std::uint32_t group = group_of(tree.outcomes[i]);
             const std::uint64_t first = begins[i] * width / all;
             const std::uint64_t behind =
                 ((begins[i] + std::uint64_t{sizes[i]}) * width + all - 1) / all;
@@ -127,8 +127,7 @@ Icicle icicle(const Events& events, const TestTree& tree, const std::vector<Endi
             const Column& column = line[static_cast<std::size_t>(x)];
             if (column.touched == 0) continue;
             const bool alone = column.touched == 1;
-            std::uint32_t group =
-                alone ? group_of(tests[column.last], tree.outcomes[column.last]) : picker(column);
+            std::uint32_t group = alone ? group_of(tree.outcomes[column.last]) : picker(column);
             if (group == group_of.divided()) group = IcicleRun::divided;
             const std::uint32_t test = alone ? column.last : IcicleRun::several;
             if (!result.runs.empty()) {
@@ -145,4 +144,4 @@ Icicle icicle(const Events& events, const TestTree& tree, const std::vector<Endi
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include "render/plots/ending_colors.h"
 #include "scb/event_recorder.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Neighboring columns of one row of an icicle that look alike.
 struct IcicleRun {
@@ -22,9 +22,9 @@ struct IcicleRun {
 
 /// The recursion of a traversal as an icicle (Kruskal and Landwehr, "Icicle Plots", The American
 /// Statistician 37, 1983): every volume test is a rectangle one row below that of the pair whose
-/// division led to it. Its width is the share of all tests that begin with it (test_sizes), and the
-/// children of a pair lie below its left end, in the order in which they were tested; what is left
-/// at its right end is the pair's own test.
+/// division led to it. Its width is the share of all tests that begin with it (subtree_sizes), and
+/// the children of a pair lie below its left end, in the order in which they were tested; what is
+/// left at its right end is the pair's own test.
 ///
 /// A column of a row that several tests touch shows the outcome of some of them, such that along
 /// the row the outcomes appear in proportion: every column gives each outcome credit for its share
@@ -41,7 +41,7 @@ struct Icicle {
 
 /// Of a query's events and their tree; `groups` must have all endings that occur. `columns` and
 /// `most_rows` are at least 1.
-Icicle icicle(const Events& events, const TestTree& tree, const std::vector<EndingGroup>& groups,
-              int columns, int most_rows);
+Icicle icicle(const Events& events, const TraversalTree& tree,
+              const std::vector<EndingGroup>& groups, int columns, int most_rows);
 
-}  // namespace scb
+}  // namespace scb::render

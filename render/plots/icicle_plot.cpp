@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/analysis/test_sizes.h"
+#include "core/analysis/traversal_tree.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
 #include "render/plots/icicle.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Rectangles at least so wide end with a thin line, and rows at least so high with one of
@@ -20,16 +20,16 @@ constexpr int least_text = 10;
 Rgba8 divided_color(const Theme& theme) { return mix(theme.background, theme.text, 0.1); }
 
 PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
-                      const TestTree& tree, const std::vector<EndingGroup>& groups,
+                      const TraversalTree& tree, const std::vector<EndingGroup>& groups,
                       const FigureStyle& style) {
     const Theme& theme = style.theme;
     const int unit = style.unit, small = small_size(unit);
     const TextStyle label{small, FontWeight::regular, theme.faint_text, Align::right};
     const int left = overlay.measure("00", label).width + unit / 3;
     if (rect.width <= left || rect.height < 1) return {rect.x, rect.y, 0, 0};
-    const Icicle icicle = scb::icicle(events, tree, groups, rect.width - left, rect.height);
+    const Icicle icicle = render::icicle(events, tree, groups, rect.width - left, rect.height);
     if (icicle.rows == 0) return {rect.x, rect.y, 0, 0};
-    const std::vector<std::uint32_t> sizes = test_sizes(tree);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
 
     const int row_height = std::min(rect.height / icicle.rows, 2 * unit);
     const int row_gap = row_height >= least_parted_height ? 1 : 0;
@@ -60,4 +60,4 @@ PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& eve
     return {rect.x, rect.y, rect.width, icicle.rows * row_height};
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 #include "render/overlay/scales.h"
 #include "render/plots/ending_colors.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The color of pairs that were divided: pale, so that the endings stand out.
 Rgba8 divided_color(const Theme& theme);
@@ -13,7 +13,7 @@ Rgba8 divided_color(const Theme& theme);
 /// its left. Rectangles of divided pairs carry how many tests they cost, where there is room.
 /// Returns what is covered.
 PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
-                      const TestTree& tree, const std::vector<EndingGroup>& groups,
+                      const TraversalTree& tree, const std::vector<EndingGroup>& groups,
                       const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -10,7 +10,7 @@
 #include "render/overlay/smooth_line.h"
 #include "render/plots/line_thinning.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // From here on a linear scale would hide most lines in its lowest twentieth.
@@ -276,4 +276,4 @@ PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot
     return area;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include "render/overlay/line_stroke.h"
 #include "render/plots/plot_frame.h"
 
-namespace scb {
+namespace scb::render {
 
 /// One line of a plot.
 struct PlotSeries {
@@ -55,4 +55,4 @@ PlotScale chosen_scale(const LinePlot& plot);
 PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot& plot,
                          const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

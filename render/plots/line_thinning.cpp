@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace scb {
+namespace scb::render {
 
 std::vector<ScreenPosition> thinned(std::span<const ScreenPosition> points) {
     std::vector<ScreenPosition> result;
@@ -30,4 +30,4 @@ std::vector<ScreenPosition> thinned(std::span<const ScreenPosition> points) {
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::render

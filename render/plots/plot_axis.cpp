@@ -11,7 +11,7 @@
 
 #include "core/base/logarithm.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Steps of a range are counted up to this share of one.
@@ -165,4 +165,4 @@ double axis_position(const PlotAxis& axis, double value) {
     return std::clamp((decimal_logarithm(value) - low) / (high - low), 0.0, 1.0);
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace scb {
+namespace scb::render {
 
 /// Values beyond it (in either direction) have no place on an axis: differences of larger ones
 /// overflow.
@@ -47,4 +47,4 @@ PlotAxis log_axis(double low, double high, int most_ticks, bool with_zero = fals
 /// one where zero_at_low).
 double axis_position(const PlotAxis& axis, double value);
 
-}  // namespace scb
+}  // namespace scb::render

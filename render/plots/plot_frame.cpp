@@ -6,7 +6,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 int hairline(const FigureStyle& style) { return std::max(1, style.unit / 20); }
@@ -157,4 +157,4 @@ PixelRect draw_plot_frame(Overlay& overlay, const PixelRect& rect, const PlotFra
     return painter.area;
 }
 
-}  // namespace scb
+}  // namespace scb::render

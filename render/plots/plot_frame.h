@@ -6,7 +6,7 @@
 #include "render/overlay/scales.h"
 #include "render/plots/plot_axis.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A part of the x axis that is shaded from top to bottom.
 struct PlotRange {
@@ -39,4 +39,4 @@ PixelRect plot_area(Overlay& overlay, const PixelRect& rect, const PlotFrame& fr
 PixelRect draw_plot_frame(Overlay& overlay, const PixelRect& rect, const PlotFrame& frame,
                           const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

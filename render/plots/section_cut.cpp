@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace scb {
+namespace scb::render {
 
 SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const SectionPlane& plane,
                        double before, Rgba8 color) {
@@ -68,4 +68,4 @@ HalfPlane SectionScale::side(const SectionCut& cut, double k, double sign) const
     return {n, n.x * c.x + n.y * c.y + k * pixels};
 }
 
-}  // namespace scb
+}  // namespace scb::render

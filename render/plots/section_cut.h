@@ -6,7 +6,7 @@
 #include "render/plots/section_plane.h"
 #include "render/view/palette.h"
 
-namespace scb {
+namespace scb::render {
 
 /// What a section plane cuts out of a ball or slab cut ball, in plane coordinates from the center
 /// of A: x to the right, y up.
@@ -53,4 +53,4 @@ struct SectionScale {
     HalfPlane side(const SectionCut& cut, double k, double sign) const;
 };
 
-}  // namespace scb
+}  // namespace scb::render

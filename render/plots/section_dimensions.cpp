@@ -6,7 +6,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/smooth_line.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Labels one below the other, each as near to its height as the others let it.
@@ -83,4 +83,4 @@ void draw_dimensions(Overlay& overlay, const SectionScale& scale, const PixelRec
     }
 }
 
-}  // namespace scb
+}  // namespace scb::render

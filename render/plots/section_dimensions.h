@@ -5,7 +5,7 @@
 
 #include "render/plots/section_cut.h"
 
-namespace scb {
+namespace scb::render {
 
 class Overlay;
 
@@ -30,4 +30,4 @@ void draw_dimensions(Overlay& overlay, const SectionScale& scale, const PixelRec
                      std::vector<SectionDimension> dimensions, const Theme& theme, int unit,
                      double line_width);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// The direction's part across `up`, of length 1; zero where it is as good as parallel.
@@ -94,4 +94,4 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
     return plane;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include "core/explain/overlap_steps.h"
 #include "render/view/any_volume.h"
 
-namespace scb {
+namespace scb::render {
 
 /// How a step of an overlap test is drawn in a plane, in A's frame. Up is the direction along which
 /// the step separates, so that A is below and B above.
@@ -27,4 +27,4 @@ struct SectionPlane {
 SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const OverlapStep& step,
                            const std::optional<Vec3>& common_point);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 #include "render/overlay/smooth_line.h"
 #include "render/plots/section_dimensions.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 struct Shown {
@@ -242,4 +242,4 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     return shown.detail;
 }
 
-}  // namespace scb
+}  // namespace scb::render

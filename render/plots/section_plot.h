@@ -7,7 +7,7 @@
 #include "render/view/palette.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 class Overlay;
 
@@ -32,4 +32,4 @@ struct SectionPlot {
 bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlot& plot,
                        const Theme& theme, int unit);
 
-}  // namespace scb
+}  // namespace scb::render

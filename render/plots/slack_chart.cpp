@@ -6,7 +6,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/plots/ending_colors.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 struct Row {
@@ -127,4 +127,4 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
                       theme.text);
 }
 
-}  // namespace scb
+}  // namespace scb::render

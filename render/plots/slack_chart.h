@@ -7,7 +7,7 @@
 #include "render/view/palette.h"
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 class Overlay;
 
@@ -26,4 +26,4 @@ int slack_line(int unit);
 void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart& chart,
                       const Theme& theme, int unit);
 
-}  // namespace scb
+}  // namespace scb::render

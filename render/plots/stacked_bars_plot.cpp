@@ -5,7 +5,7 @@
 
 #include "render/plots/plot_frame.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// `most` bars at most, each the mean of those that follow each other.
@@ -97,4 +97,4 @@ PixelRect draw_stacked_bars_plot(Overlay& overlay, const PixelRect& rect,
     return area;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 
 #include "render/overlay/scales.h"
 
-namespace scb {
+namespace scb::render {
 
 /// Vertical bars of parts, one for each of a sequence of numbers (of frames, of levels).
 struct StackedBarsPlot {
@@ -31,4 +31,4 @@ double highest_bar(const StackedBarsPlot& plot);
 PixelRect draw_stacked_bars_plot(Overlay& overlay, const PixelRect& rect,
                                  const StackedBarsPlot& plot, const FigureStyle& style);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -1,6 +1,6 @@
 #include "render/view/any_volume.h"
 
-namespace scb {
+namespace scb::render {
 
 AnyVolume placed(const AnyVolume& volume, const Pose& pose) {
     return std::visit([&](const auto& v) { return AnyVolume(placed(v, pose)); }, volume);
@@ -16,7 +16,7 @@ Vec3 center(const AnyVolume& volume) {
 }
 
 double reach(const AnyVolume& volume, const Vec3& direction) {
-    const double offset = std::visit([&](const auto& v) { return extent(v, direction); }, volume);
+    const double offset = std::visit([&](const auto& v) { return support(v, direction); }, volume);
     return dot(center(volume), direction) + offset;
 }
 
@@ -32,4 +32,4 @@ bool identical(const Obb& a, const Obb& b) {
     return a.center == b.center && a.axes == b.axes && a.half == b.half;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "core/volumes/placed_volume.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A volume of any type, for pictures that mix them.
 using AnyVolume = std::variant<Scb, Ball, Obb>;
@@ -23,4 +23,4 @@ Vec3 center(const AnyVolume& volume);
 /// The largest `direction.x` over the points x of the volume, for a unit direction.
 double reach(const AnyVolume& volume, const Vec3& direction);
 
-}  // namespace scb
+}  // namespace scb::render

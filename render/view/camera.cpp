@@ -4,7 +4,7 @@
 
 #include "core/base/trigonometry.h"
 
-namespace scb {
+namespace scb::render {
 
 Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees) {
     const SinCos az = sin_cos_degrees(azimuth_degrees);
@@ -70,4 +70,4 @@ double pixels_per_unit(const Camera& camera, const Vec3& point, int height) {
     return height / view_height;
 }
 
-}  // namespace scb
+}  // namespace scb::render

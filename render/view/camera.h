@@ -3,7 +3,7 @@
 #include "scb/pose.h"
 #include "scb/vec.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A camera in the world. Eye space is right-handed: x to the right, y up, z backward (towards the
 /// viewer).
@@ -50,4 +50,4 @@ Vec3 project(const Camera& camera, const Vec3& point, int width, int height);
 /// pixels high.
 double pixels_per_unit(const Camera& camera, const Vec3& point, int height);
 
-}  // namespace scb
+}  // namespace scb::render

@@ -8,7 +8,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -124,4 +124,4 @@ void set_depth_range(Camera& camera, const Support& support) {
     camera.near_distance = std::max(nearest * 0.98, camera.far_distance * 1e-4);
 }
 
-}  // namespace scb
+}  // namespace scb::render

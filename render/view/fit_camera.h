@@ -8,7 +8,7 @@
 #include "scb/mesh.h"
 #include "scb/pose.h"
 
-namespace scb {
+namespace scb::render {
 
 /// The support function of a set of points in the world: the largest `direction.x` over the set,
 /// for a unit direction. Minus infinity for the empty set.
@@ -47,4 +47,4 @@ Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& opt
 /// nearer than a ten thousandth of the far distance, is cut off.
 void set_depth_range(Camera& camera, const Support& support);
 
-}  // namespace scb
+}  // namespace scb::render

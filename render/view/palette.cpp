@@ -6,7 +6,7 @@
 
 #include "scb/any_hierarchy.h"
 
-namespace scb {
+namespace scb::render {
 
 namespace {
 
@@ -99,4 +99,4 @@ const Theme dark_theme = {.background = {22, 25, 30},
                           .warning = {0xFF, 0x7A, 0x90},
                           .left_over = {236, 239, 243}};
 
-}  // namespace scb
+}  // namespace scb::render

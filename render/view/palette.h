@@ -5,8 +5,10 @@
 #include "render/files/image.h"
 
 namespace scb {
-
 enum class VolumeKind;
+}
+
+namespace scb::render {
 
 /// The palette of Okabe and Ito ("Color Universal Design", 2008), which color-blind readers can
 /// tell apart, in the order used here: blue (body A), orange (body B), bluish green, vermillion,
@@ -53,4 +55,4 @@ struct Theme {
 extern const Theme light_theme;
 extern const Theme dark_theme;
 
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 #include "render/view/camera.h"
 #include "scb/pose.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A mesh that a Renderer has taken to the GPU; valid for that renderer, until it is released.
 struct MeshHandle {
@@ -105,4 +105,4 @@ struct Picture {
     std::vector<Pane> panes;
 };
 
-}  // namespace scb
+}  // namespace scb::render

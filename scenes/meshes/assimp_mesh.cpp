@@ -12,7 +12,7 @@
 #include "scenes/meshes/polygon.h"
 #include "scenes/text/tokens.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// assimp's message on one line of plain characters, without a dot at the end.
@@ -172,4 +172,4 @@ Mesh assimp_mesh(const std::string& path) {
     return joined(*scene, path);
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

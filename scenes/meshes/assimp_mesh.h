@@ -4,7 +4,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// The meshes of a file as assimp reads them, placed by their nodes and joined (see load_mesh), not
 /// yet checked. Throws InputError; what else the library throws passes through.
@@ -14,4 +14,4 @@ Mesh assimp_mesh(const std::string& path);
 inline constexpr const char* mesh_formats =
     "OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX or another format that assimp reads";
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -9,7 +9,7 @@
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 using nlohmann::json;
@@ -179,4 +179,4 @@ void check_gltf(std::string_view bytes, const std::filesystem::path& folder,
     }
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

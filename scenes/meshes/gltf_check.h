@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::scenes {
 
 /// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
 /// index against the count of the primitive's POSITION accessor. assimp's reader quietly drops
@@ -18,4 +18,4 @@ namespace scb {
 void check_gltf(std::string_view bytes, const std::filesystem::path& folder,
                 const std::string& name);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <csignal>
 
-namespace scb {
+namespace scb::scenes {
 
 bool survives(const std::function<void()>& action) {
     const pid_t child = fork();
@@ -41,4 +41,4 @@ bool survives(const std::function<void()>& action) {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

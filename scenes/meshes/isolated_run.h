@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace scb {
+namespace scb::scenes {
 
 /// Runs an action in a child process that ends with it, and tells whether the child came to the
 /// end: false where it crashed or used more than five minutes of processor time. What the action
@@ -13,4 +13,4 @@ namespace scb {
 /// it.
 bool survives(const std::function<void()>& action);
 
-}  // namespace scb
+}  // namespace scb::scenes

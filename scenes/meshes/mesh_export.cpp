@@ -9,10 +9,10 @@
 
 #include <new>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
-#include "scenes/text/number_text.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 struct Format {
@@ -36,7 +36,7 @@ void check_range(const ExportPart& part, const std::string& name) {
         for (const double coordinate : v)
             if (!(std::abs(coordinate) <= most))
                 throw InputError(name + ": " + part.name + " has the coordinate " +
-                                 number_text(coordinate) +
+                                 exact_number(coordinate) +
                                  ", but mesh files hold at most 3.4e38; scale the mesh down.");
 }
 
@@ -109,4 +109,4 @@ std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
     return {bytes, bytes + blob->size};
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -8,7 +8,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A mesh of one color in a file that other viewers read.
 struct ExportPart {
@@ -27,4 +27,4 @@ struct ExportPart {
 std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
                                       const std::filesystem::path& path);
 
-}  // namespace scb
+}  // namespace scb::scenes

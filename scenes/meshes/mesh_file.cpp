@@ -12,7 +12,7 @@
 #include "scenes/meshes/ply_check.h"
 #include "scenes/text/file_bytes.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ Mesh load_mesh(const fs::path& path) {
     }
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -4,7 +4,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Reads a mesh file of any format that assimp reads: OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX
 /// and more.
@@ -33,4 +33,4 @@ namespace scb {
 /// out of range; a used vertex is not finite; there is no triangle.
 Mesh load_mesh(const std::filesystem::path& path);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -1,7 +1,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 
-namespace scb {
+namespace scb::scenes {
 
 // In place of mesh_file.cpp where the library is built without assimp.
 Mesh load_mesh(const std::filesystem::path& path) {
@@ -9,4 +9,4 @@ Mesh load_mesh(const std::filesystem::path& path) {
                      ": this build reads no mesh files; build with SCB_BUILD_APP=ON.");
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

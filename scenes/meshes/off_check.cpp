@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
-#include "scenes/text/number_text.h"
 #include "scenes/text/tokens.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// The lines that hold something besides a comment.
@@ -75,11 +75,11 @@ void check_off(std::string_view bytes, const std::string& name) {
             if (!index) missing("face", i, faces);
             if (!is_whole(*index, 0, vertices - 1))
                 throw InputError(name + ": face " + std::to_string(i) + " names vertex " +
-                                 number_text(*index) + ", but there are " +
+                                 exact_number(*index) + ", but there are " +
                                  std::to_string(static_cast<std::uint64_t>(vertices)) +
                                  " vertices, numbered from 0; repair the index.");
         }
     }
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

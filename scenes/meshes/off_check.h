@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::scenes {
 
 /// Checks a text OFF file: that the declared vertices and faces are there, and that faces name
 /// vertices that exist. assimp's reader quietly bends an index out of range to the last vertex,
@@ -13,4 +13,4 @@ namespace scb {
 /// Throws InputError that names the file and the vertex or face at fault.
 void check_off(std::string_view bytes, const std::string& name);
 
-}  // namespace scb
+}  // namespace scb::scenes

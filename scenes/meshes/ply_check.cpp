@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
-#include "scenes/text/number_text.h"
 #include "scenes/text/tokens.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 enum class Encoding { text, little_endian, big_endian };
@@ -105,8 +105,7 @@ Header read_header(std::string_view bytes, const std::string& name) {
                 std::from_chars(count.data(), count.data() + count.size(), element.count);
             if (parsed.ec != std::errc{} || parsed.ptr != count.data() + count.size() ||
                 count.empty())
-                fail("element " + printable(element.name) +
-                     " needs a count, a whole number from 0");
+                fail("element " + excerpt(element.name) + " needs a count, a whole number from 0");
             header.elements.push_back(std::move(element));
         } else if (key == "property") {
             if (header.elements.empty()) fail("a property stands before the first element");
@@ -119,12 +118,12 @@ Header read_header(std::string_view bytes, const std::string& name) {
                 word = words.next();
             }
             const auto type = type_of(word);
-            if (!type) fail("the type \"" + printable(word) + "\" is not a PLY type");
+            if (!type) fail("the type \"" + excerpt(word) + "\" is not a PLY type");
             property.type = *type;
             property.name = words.next();
             header.elements.back().properties.push_back(std::move(property));
         } else if (key != "comment" && key != "obj_info" && looks_like_declaration(words)) {
-            fail("\"" + printable(key) + "\" is not a PLY keyword");
+            fail("\"" + excerpt(key) + "\" is not a PLY keyword");
         }
     }
     if (!has_format) throw InputError(name + ": the header has no format line; repair the header.");
@@ -188,7 +187,7 @@ void check_element(Values& values, const Element& element, std::uint64_t vertice
                    const std::string& name) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
         const auto place = [&] {
-            return name + ": " + printable(element.name) + " " + std::to_string(i);
+            return name + ": " + excerpt(element.name) + " " + std::to_string(i);
         };
         for (const Property& property : element.properties) {
             if (!property.list_length) {
@@ -208,7 +207,7 @@ void check_element(Values& values, const Element& element, std::uint64_t vertice
                         const double index = values.next(property.type);
                         if (values.ok && !(index >= 0 && index < static_cast<double>(vertices) &&
                                            index == std::floor(index)))
-                            throw InputError(place() + " names vertex " + number_text(index) +
+                            throw InputError(place() + " names vertex " + exact_number(index) +
                                              ", but there are " + std::to_string(vertices) +
                                              " vertices, numbered from 0; repair the index.");
                     }
@@ -232,7 +231,7 @@ void check_ply(std::string_view bytes, const std::string& name) {
     for (const Element& element : header.elements) {
         // Without properties an element takes no room, and its count would be believed.
         if (element.properties.empty() && element.count > 0)
-            throw InputError(name + ": the header declares element " + printable(element.name) +
+            throw InputError(name + ": the header declares element " + excerpt(element.name) +
                              " without any property; repair the header.");
         if (element.name == "vertex") {
             vertices = element.count;
@@ -256,4 +255,4 @@ void check_ply(std::string_view bytes, const std::string& name) {
     for (const Element& element : header.elements) check_element(values, element, vertices, name);
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::scenes {
 
 /// Checks a PLY file from its first byte to its last, without keeping anything: the header, that
 /// every declared element is there, and that faces name vertices that exist. assimp's reader hangs
@@ -15,4 +15,4 @@ namespace scb {
 /// Throws InputError that names the file and the header line, vertex or face at fault.
 void check_ply(std::string_view bytes, const std::string& name);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -6,7 +6,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 struct Point2 {
@@ -121,4 +121,4 @@ void append_polygon(std::span<const std::uint32_t> corners, const std::vector<Ve
         triangles.push_back({corners[0], corners[i], corners[i + 1]});
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -5,7 +5,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Cuts a polygon, given by the indices of its corners in order (at least 3), into `corners.size()
 /// - 2` triangles of the same orientation and appends them to `triangles`.
@@ -18,4 +18,4 @@ namespace scb {
 void append_polygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
                     std::string_view name, std::vector<Triangle>& triangles);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -8,7 +8,7 @@
 
 #include "core/base/trigonometry.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 // Two unit vectors that make a right-handed frame with n.
@@ -126,4 +126,4 @@ Mesh volume_mesh(const Obb& box, int) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -5,7 +5,7 @@
 #include "scb/obb.h"
 #include "scb/scb.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// The surface of a volume as triangles, for viewers that cannot draw it exactly: vertices lie on
 /// the surface, so the mesh is inside the volume. `segments` (at least 3) corners to a circle; a
@@ -20,4 +20,4 @@ Mesh volume_mesh(const Scb& scb, int segments);
 Mesh volume_mesh(const Ball& ball, int segments);
 Mesh volume_mesh(const Obb& box, int segments);
 
-}  // namespace scb
+}  // namespace scb::scenes

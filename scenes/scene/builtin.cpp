@@ -30,7 +30,7 @@ SCB_FOR_EACH_BUILTIN(SCB_DECLARE)
 #undef SCB_DECLARE
 }
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 BuiltinScene summary(const char* begin, const char* end) {
@@ -78,4 +78,4 @@ Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& model
     return parse_scene(scene.json, {"built-in " + scene.name, {}, models_dir});
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

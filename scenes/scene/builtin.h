@@ -7,7 +7,7 @@
 
 #include "scenes/scene/scene.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A scene file that the program carries in itself.
 struct BuiltinScene {
@@ -32,4 +32,4 @@ std::string missing_mesh_file(const BuiltinScene& scene, const std::filesystem::
 /// lacks one of `mesh_files` or holds another mesh under its name, see parse_scene.
 Scene load_builtin(const BuiltinScene& scene, const std::filesystem::path& models_dir = {});
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -5,15 +5,14 @@
 #include <vector>
 
 #include "scb/error.h"
-#include "scenes/scene/camera_json.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 constexpr std::string_view option_help =
     "give fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] or the path of a JSON file.";
 
-CameraSpec parse_orbit(std::string_view text) {
+CameraView parse_orbit(std::string_view text) {
     const std::string_view numbers = text.substr(text.find(':') + 1);
     const auto fail = [text](const std::string& reason) {
         throw InputError("--camera " + std::string(text) + ": " + reason + "; " +
@@ -34,7 +33,7 @@ CameraSpec parse_orbit(std::string_view text) {
         ++at;
     }
     if (values.size() != 2 && values.size() != 3) fail("two or three numbers are expected");
-    CameraSpec camera;
+    CameraView camera;
     camera.azimuth = values[0];
     camera.elevation = values[1];
     if (!(std::abs(camera.azimuth) <= 1e6)) fail("the azimuth must be -1e6 to 1e6 degrees");
@@ -50,10 +49,10 @@ nlohmann::ordered_json array_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-CameraSpec read_camera(const JsonPlace& place) {
+CameraView read_camera(const JsonPlace& place) {
     check_fields(place, {"azimuth", "elevation", "distance", "target", "up", "field_of_view",
                          "orthographic", "view_height", "inset"});
-    CameraSpec camera;
+    CameraView camera;
     if (has(place, "azimuth")) camera.azimuth = read_number(field(place, "azimuth"), -1e6, 1e6);
     if (has(place, "elevation")) camera.elevation = read_number(field(place, "elevation"), -90, 90);
     if (has(place, "distance")) camera.distance = read_positive(field(place, "distance"));
@@ -72,14 +71,14 @@ CameraSpec read_camera(const JsonPlace& place) {
     return camera;
 }
 
-CameraSpec parse_camera_json(std::string_view json_text, const std::string& file) {
+CameraView parse_camera_json(std::string_view json_text, const std::string& file) {
     const nlohmann::json document = parse_json(json_text, file);
     const JsonPlace root{&document, file, ""};
     if (document.is_object() && has(root, "camera")) return read_camera(field(root, "camera"));
     return read_camera(root);
 }
 
-CameraSpec parse_camera(std::string_view text) {
+CameraView parse_camera(std::string_view text) {
     if (text == "fit") return {};
     if (text.substr(0, 6) == "orbit:") return parse_orbit(text);
     const std::string file(text);
@@ -89,7 +88,7 @@ CameraSpec parse_camera(std::string_view text) {
     return parse_camera_json(read_text_file(file), file);
 }
 
-std::string camera_json(const CameraSpec& camera) {
+std::string camera_json(const CameraView& camera) {
     nlohmann::ordered_json json = {{"azimuth", camera.azimuth}, {"elevation", camera.elevation}};
     if (camera.distance) json["distance"] = *camera.distance;
     if (camera.target) json["target"] = array_of(*camera.target);
@@ -103,4 +102,4 @@ std::string camera_json(const CameraSpec& camera) {
     return json.dump();
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -5,8 +5,9 @@
 #include <string_view>
 
 #include "scb/vec.h"
+#include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A detail of the scene that pictures may magnify: what is within `radius` of `center`, in world
 /// coordinates.
@@ -20,7 +21,7 @@ struct Inset {
 /// The camera orbits the target with z up: seen from the target it lies in the direction
 ///     (cos(elevation) sin(azimuth), -cos(elevation) cos(azimuth), sin(elevation)),
 /// so azimuth 0 looks along +y with x to the right, and elevation 90 looks straight down.
-struct CameraSpec {
+struct CameraView {
     double azimuth = 30;             ///< degrees
     double elevation = 20;           ///< degrees, -90 to 90
     std::optional<double> distance;  ///< scene units from the target
@@ -35,15 +36,18 @@ struct CameraSpec {
 /// What `--camera` takes: `fit` (all fitted, default angles), `orbit:AZIMUTH,ELEVATION[,DISTANCE]`,
 /// or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
 /// file and place.
-CameraSpec parse_camera(std::string_view text);
+CameraView parse_camera(std::string_view text);
 
 /// The camera object of a scene file, from its JSON text; or the field `camera` of an object that
 /// has one, such as a scene file or the index.json beside pictures. `file` is named in errors
 /// (InputError).
-CameraSpec parse_camera_json(std::string_view json_text, const std::string& file);
+CameraView parse_camera_json(std::string_view json_text, const std::string& file);
 
 /// The camera object of a scene file, as JSON text: what parse_camera_json reads back to the same
 /// values.
-std::string camera_json(const CameraSpec& camera);
+std::string camera_json(const CameraView& camera);
 
-}  // namespace scb
+/// The camera object that stands at `place`. Throws InputError, naming file and place.
+CameraView read_camera(const JsonPlace& place);
+
+}  // namespace scb::scenes

@@ -8,7 +8,7 @@
 #include "scenes/scene/scene_file.h"
 #include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ Scene load_scene(const std::vector<std::string>& names, const LoadOptions& optio
     return one_mesh(name, find_mesh(name, options.models_dir));
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

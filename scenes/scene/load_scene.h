@@ -7,7 +7,7 @@
 
 #include "scenes/scene/scene.h"
 
-namespace scb {
+namespace scb::scenes {
 
 struct LoadOptions {
     /// Where meshes are looked for that are not where their name says: beside the scene file, or at
@@ -30,4 +30,4 @@ struct LoadOptions {
 /// not rigid, and whatever parse_scene and load_mesh refuse.
 Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options = {});
 
-}  // namespace scb
+}  // namespace scb::scenes

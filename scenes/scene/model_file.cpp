@@ -5,7 +5,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ NamedMesh read_model_file(const JsonPlace& place, const SceneContext& context) {
     return model;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

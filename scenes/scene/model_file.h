@@ -3,7 +3,7 @@
 #include "scenes/scene/scene_file.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// The fields of a model that say what its mesh file is; they need the field `file`.
 inline constexpr const char* model_file_fields[] = {"vertices", "triangles", "published"};
@@ -17,4 +17,4 @@ inline constexpr const char* model_file_fields[] = {"vertices", "triangles", "pu
 /// the counts differ, with both; whatever load_mesh refuses.
 NamedMesh read_model_file(const JsonPlace& model, const SceneContext& context);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -7,7 +7,7 @@
 #include "scenes/shapes/procedural.h"
 #include "scenes/shapes/torus_knot.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// Fields that may be left out; the parameters' own ranges are checked where the mesh is made.
@@ -194,4 +194,4 @@ NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
     return model;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

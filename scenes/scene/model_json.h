@@ -3,10 +3,10 @@
 #include "scenes/scene/scene_file.h"
 #include "scenes/text/json_reader.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Makes or loads the model that stands at `place` of a scene file (see parse_scene).
 /// Throws InputError, naming file and place.
 NamedMesh read_model(const JsonPlace& place, const SceneContext& context);
 
-}  // namespace scb
+}  // namespace scb::scenes

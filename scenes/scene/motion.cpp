@@ -5,7 +5,7 @@
 #include "core/base/trigonometry.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// The product in one stated order of operations.
@@ -50,4 +50,4 @@ Pose pose_at(const Motion& motion, int frame) {
     return pose;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

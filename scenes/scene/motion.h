@@ -4,7 +4,7 @@
 
 #include "scb/pose.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A rotation about an axis through the origin of the body frame: by `degrees + degrees_per_frame *
 /// frame`, counterclockwise seen from the tip of the axis. The axis need not be a unit vector, but
@@ -41,4 +41,4 @@ Mat3 rotation_about(const Vec3& axis, double degrees);
 /// Throws InputError where the pose is not rigid and finite, see check_rigid.
 Pose pose_at(const Motion& motion, int frame);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/json_reader.h"
-#include "scenes/text/number_text.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// What single precision may have left of a unit vector or a rotation.
@@ -29,10 +29,10 @@ Vec3 read_normal(const JsonPlace& place, Notes& notes) {
     const Vec3 v = read_direction(place);
     const double length = length_of(v);
     if (!(std::abs(length - 1) <= largest_defect))
-        refuse(place, "this is no unit vector: its length is " + short_number(length) +
+        refuse(place, "this is not a unit vector: its length is " + short_number(length) +
                           "; divide it by that, and e and f too if they were meant along it.");
     if (std::abs(length - 1) > least_noted)
-        notes.push_back(place.path + " has the length " + number_text(length) +
+        notes.push_back(place.path + " has the length " + exact_number(length) +
                         " and was made a unit vector.");
     // Twice, since the first quotient may be off by more than an SCB's normal may.
     const Vec3 once = v / length;
@@ -52,7 +52,7 @@ Mat3 made_rotation(const Mat3& m) {
     return result;
 }
 
-/// `fault`: what it means where the matrix is no rotation.
+/// `fault`: what it means where the matrix is not a rotation.
 Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& fault,
                       Notes& notes) {
     const double defect = rigidity_defect({m, Vec3::Zero()});
@@ -63,7 +63,7 @@ Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& 
                                                     short_number(defect) + ")") +
                           "; give a rotation, with 7 digits or more.");
     if (defect <= least_noted) return m;
-    notes.push_back(place.path + " is off a rotation by " + number_text(defect) +
+    notes.push_back(place.path + " is off a rotation by " + exact_number(defect) +
                     " and was made one.");
     return made_rotation(m);
 }
@@ -86,7 +86,7 @@ Pose read_pair_pose(const JsonPlace& place, Notes& notes) {
 double read_length(const JsonPlace& place) {
     const double length = read_number(place, 0);
     if (length > 0 && length < min_size)
-        refuse(place, number_text(length) + " is too small; at least " + number_text(min_size) +
+        refuse(place, exact_number(length) + " is too small; at least " + exact_number(min_size) +
                           ", or 0.");
     return length;
 }
@@ -98,9 +98,9 @@ void read(const JsonPlace& place, Scb& s, Notes& notes) {
     s.n = read_normal(field(place, "normal"), notes);
     s.e = read_number(field(place, "e"));
     s.f = read_number(field(place, "f"));
-    const auto e = [&] { return "e = " + number_text(s.e); };
-    const auto f = [&] { return "f = " + number_text(s.f); };
-    const std::string r = number_text(s.r);
+    const auto e = [&] { return "e = " + exact_number(s.e); };
+    const auto f = [&] { return "f = " + exact_number(s.f); };
+    const std::string r = exact_number(s.r);
     if (s.e < s.f)
         refuse(field(place, "e"), e() + " is below " + f() +
                                       "; e is the upper plane: exchange "
@@ -117,7 +117,7 @@ void read(const JsonPlace& place, Scb& s, Notes& notes) {
     }
     if (s.f < -s.r) {
         notes.push_back(place.path + "." + f() + " is beyond the ball and was made " +
-                        number_text(-s.r) + ".");
+                        exact_number(-s.r) + ".");
         s.f = -s.r;
     }
 }
@@ -135,7 +135,7 @@ void read(const JsonPlace& place, Obb& box, Notes& notes) {
     if (array_size(axes, "three axes") != 3) refuse_value(axes, "three axes");
     for (std::size_t i = 0; i < 3; ++i)
         box.axes.col(static_cast<Eigen::Index>(i)) = read_vec3(element(axes, i));
-    box.axes = checked_rotation(axes, box.axes, "the axes are no rotation", notes);
+    box.axes = checked_rotation(axes, box.axes, "the axes are not a rotation", notes);
     const JsonPlace half = field(place, "half");
     if (array_size(half, "three half lengths") != 3) refuse_value(half, "three half lengths");
     for (std::size_t i = 0; i < 3; ++i)
@@ -168,8 +168,8 @@ void check_distance(const JsonPlace& place, const RawPair<V>& pair) {
     const double distance = apart.stableNorm();
     if (distance > 0 && distance < (1 - 1e-9) * min_size)
         refuse(field(field(place, "b"), "center"), "the two points are " + short_number(distance) +
-                                                       " apart; at least " + number_text(min_size) +
-                                                       ", or 0.");
+                                                       " apart; at least " +
+                                                       exact_number(min_size) + ", or 0.");
 }
 
 template <class V>
@@ -213,4 +213,4 @@ std::vector<AnyRawPair> read_raw_pairs(const std::string& file) {
     return parse_raw_pairs(read_text_file(file, std::size_t{512} << 20), file);
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

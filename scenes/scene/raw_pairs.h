@@ -10,7 +10,7 @@
 #include "scb/pose.h"
 #include "scb/scb.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Two volumes that somebody gave as numbers, each in a frame of its own; well-formed.
 template <class V>
@@ -34,10 +34,10 @@ using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>>;
 /// and a note says so. Throws InputError, naming file, pair and field, for everything else: not
 /// JSON, unknown, missing or wrong fields, a normal without length, e < f, a slab that misses its
 /// ball, a negative radius or half length, one below min_size that is not 0 (or the distance of two
-/// points that is), axes or a pose that is no rotation. `file` is named in errors.
+/// points that is), axes or a pose that is not a rotation. `file` is named in errors.
 std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::string& file);
 
 /// The same of a file of at most 512 MiB.
 std::vector<AnyRawPair> read_raw_pairs(const std::string& file);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace scb {
+namespace scb::scenes {
 
 std::string file_name_of(const std::string& text) {
     constexpr std::string_view allowed =
@@ -20,4 +20,4 @@ std::string file_name_of(const std::string& text) {
     return name.empty() ? "scene" : name;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

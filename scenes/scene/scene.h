@@ -10,7 +10,7 @@
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/motion.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// No scene has more frames.
 inline constexpr int most_frames = 1'000'000;
@@ -37,7 +37,7 @@ struct Scene {
     std::vector<NamedMesh> meshes;
     std::vector<Body> bodies;
     int frames = 1;
-    std::optional<CameraSpec> camera;
+    std::optional<CameraView> camera;
     int default_frame = 0;  ///< the frame to show where none is asked for
 };
 
@@ -45,4 +45,4 @@ struct Scene {
 /// characters; "scene" where nothing is left.
 std::string file_name_of(const std::string& text);
 
-}  // namespace scb
+}  // namespace scb::scenes

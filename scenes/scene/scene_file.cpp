@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "scb/error.h"
-#include "scenes/scene/camera_json.h"
+#include "scenes/scene/camera_view.h"
 #include "scenes/scene/model_json.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 constexpr std::size_t most_procedural_triangles = std::size_t{1} << 25;
@@ -151,4 +151,4 @@ Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::
     return parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -6,7 +6,7 @@
 
 #include "scenes/scene/scene.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Where a scene file comes from.
 struct SceneContext {
@@ -23,7 +23,7 @@ struct SceneContext {
 ///     [description]    one sentence
 ///     [frames]         1 to 1,000,000; default 1
 ///     [default_frame]  0 to frames - 1; default 0
-///     [camera]         see CameraSpec: [azimuth], [elevation], [distance], [target], [up],
+///     [camera]         see CameraView: [azimuth], [elevation], [distance], [target], [up],
 ///                      [field_of_view], [orthographic], [view_height], [inset {center, radius}]
 ///     models           a list, at least one, of
 ///       name           by which bodies refer to it
@@ -64,4 +64,4 @@ Scene parse_scene(std::string_view json_text, const SceneContext& context);
 /// Reads a scene file; `models_dir` as in SceneContext. Throws InputError.
 Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir);
 
-}  // namespace scb
+}  // namespace scb::scenes

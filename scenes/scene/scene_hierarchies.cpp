@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/cli/mutation.h"
+#include "core/hierarchy/fit_volumes.h"
 #include "scb/level_cover.h"
 
-namespace scb {
+namespace scb::scenes {
 
 std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options) {
     std::vector<MeshTopology> result;
@@ -26,11 +26,9 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options) {
     std::vector<AnyHierarchy> result;
-    for (const MeshTopology& mesh : topologies) {
+    for (const MeshTopology& mesh : topologies)
         result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads));
-        mutate(result.back());
-    }
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

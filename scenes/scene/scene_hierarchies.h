@@ -6,7 +6,7 @@
 #include "scb/any_hierarchy.h"
 #include "scenes/scene/scene.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// One per mesh of the scene. Throws InputError, naming the mesh, where check_mesh does.
 std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options = {});
@@ -18,4 +18,4 @@ int deepest(const std::vector<MeshTopology>& topologies);
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options);
 
-}  // namespace scb
+}  // namespace scb::scenes

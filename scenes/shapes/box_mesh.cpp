@@ -4,7 +4,7 @@
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 
-namespace scb {
+namespace scb::scenes {
 
 Mesh box_mesh(const BoxShape& shape) {
     for (int axis = 0; axis < 3; ++axis) require_length("size", shape.size[axis]);
@@ -62,4 +62,4 @@ Mesh box_mesh(const BoxShape& shape) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 void check_round(double radius, double height, int sides, int segments) {
@@ -77,4 +77,4 @@ Mesh cone_mesh(const ConeShape& shape) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

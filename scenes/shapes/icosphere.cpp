@@ -4,7 +4,7 @@
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 Vec3 on_unit_sphere(const Vec3& v) { return v / std::sqrt(squared_norm(v)); }
@@ -75,4 +75,4 @@ Mesh icosphere(int subdivisions, double radius) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

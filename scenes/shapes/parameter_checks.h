@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scb/mesh.h"
 #include "scenes/shapes/procedural.h"
-#include "scenes/text/number_text.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Checks of the parameters of procedural meshes; each throws InputError with a sentence that
 /// starts with the parameter's name, so that a caller can put the place in front of it.
@@ -24,8 +24,8 @@ inline void require_between(const char* name, std::int64_t value, std::int64_t l
 /// A length that is positive and small enough that squares of distances stay finite.
 inline void require_length(const char* name, double value) {
     if (value > 0 && value <= max_coordinate) return;
-    throw InputError(std::string(name) + " is " + number_text(value) +
-                     "; give a length above 0 and at most " + number_text(max_coordinate) + ".");
+    throw InputError(std::string(name) + " is " + exact_number(value) +
+                     "; give a length above 0 and at most " + exact_number(max_coordinate) + ".");
 }
 
 inline void require_triangles(std::int64_t count) {
@@ -35,4 +35,4 @@ inline void require_triangles(std::int64_t count) {
                      " are allowed, so make it coarser.");
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -1,7 +1,7 @@
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 
-namespace scb {
+namespace scb::scenes {
 
 Mesh plane_mesh(const PlaneShape& shape) {
     require_length("size", shape.size_x);
@@ -27,4 +27,4 @@ Mesh plane_mesh(const PlaneShape& shape) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

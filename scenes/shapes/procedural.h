@@ -4,7 +4,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Meshes made by formula. Lengths are scene units, every mesh is centered on the origin of its
 /// body frame, and triangles are counterclockwise seen from outside. The order of vertices and
@@ -70,4 +70,4 @@ struct SoupShape {
 };
 Mesh soup_mesh(const SoupShape& shape);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// Uniform in the cube of the given side about the origin; the three numbers are drawn in the order
@@ -30,4 +30,4 @@ Mesh soup_mesh(const SoupShape& shape) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -6,7 +6,7 @@
 #include "core/base/trigonometry.h"
 #include "scenes/shapes/parameter_checks.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 double length(const Vec3& v) { return std::sqrt(squared_norm(v)); }
@@ -28,8 +28,8 @@ void check_knot(const TorusKnot& knot) {
     require_between("rings", knot.rings, 3, max_procedural_triangles);
     require_between("offset_turns", knot.offset_turns, -1000, 1000);
     if (!(knot.offset >= 0 && knot.offset <= max_coordinate))
-        throw InputError("offset is " + number_text(knot.offset) + "; give a length from 0 to " +
-                         number_text(max_coordinate) + ".");
+        throw InputError("offset is " + exact_number(knot.offset) + "; give a length from 0 to " +
+                         exact_number(max_coordinate) + ".");
     require_triangles(std::int64_t{2} * knot.rings * knot.sides);
 }
 
@@ -73,7 +73,7 @@ KnotFrame knot_frame(const TorusKnot& knot, double turns) {
     const double clearance = length(across_tangent);
     if (!(speed > 1e-6 * length(velocity)) || !(clearance > 1e-3))
         throw InputError(
-            "offset is " + number_text(knot.offset) +
+            "offset is " + exact_number(knot.offset) +
             ", so large that the tube has no cross-section at some places; give a smaller one.");
     frame.normal = across_tangent / clearance;
     frame.binormal = frame.tangent.cross(frame.normal);
@@ -104,4 +104,4 @@ Mesh torus_knot_mesh(const TorusKnot& knot) {
     return mesh;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A closed tube around a torus knot, or around a companion curve that winds about the knot.
 ///
@@ -46,4 +46,4 @@ KnotFrame knot_frame(const TorusKnot& knot, double turns);
 /// Throws InputError, naming the parameter, where one is out of range.
 Mesh torus_knot_mesh(const TorusKnot& knot);
 
-}  // namespace scb
+}  // namespace scb::scenes

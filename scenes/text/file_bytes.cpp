@@ -6,7 +6,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::scenes {
 
 std::string file_bytes(const std::string& path, std::size_t most) {
     std::error_code ignored;
@@ -32,4 +32,4 @@ std::string file_bytes(const std::string& path, std::size_t most) {
     return bytes;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

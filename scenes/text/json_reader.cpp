@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
-#include "scenes/text/number_text.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 using nlohmann::json;
@@ -128,21 +130,29 @@ double read_number(const JsonPlace& place, double low, double high) {
     if (!place.value->is_number()) refuse_value(place, "a number");
     const double number = place.value->get<double>();
     if (!(number >= low && number <= high))
-        refuse_value(place, "a number from " + number_text(low) + " to " + number_text(high));
+        refuse_value(place, "a number from " + exact_number(low) + " to " + exact_number(high));
     return number;
 }
 
 std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t high) {
-    const std::string expected =
-        "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    if (!place.value->is_number()) refuse_value(place, expected);
-    const double number = place.value->get<double>();
-    if (!(number >= static_cast<double>(low) && number <= static_cast<double>(high)) ||
-        number != std::floor(number))
-        refuse_value(place, expected);
-    // A number such as 1e3 is whole too, though JSON libraries hold it as a double.
-    return place.value->is_number_float() ? static_cast<std::int64_t>(number)
-                                          : place.value->get<std::int64_t>();
+    const nlohmann::json& value = *place;
+    std::optional<std::int64_t> number;
+    if (value.is_number_unsigned()) {
+        if (std::in_range<std::int64_t>(value.get<std::uint64_t>()))
+            number = value.get<std::int64_t>();
+    } else if (value.is_number_integer()) {
+        number = value.get<std::int64_t>();
+    } else if (value.is_number_float()) {
+        // A number such as 1e3 is whole too, though JSON libraries hold it as a double. All doubles
+        // below 2^63 are in range, and 2^63 itself is the first that is not.
+        const double real = value.get<double>();
+        if (real >= -0x1p63 && real < 0x1p63 && real == std::floor(real))
+            number = static_cast<std::int64_t>(real);
+    }
+    if (!number || *number < low || *number > high)
+        refuse_value(place,
+                     "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return *number;
 }
 
 double read_positive(const JsonPlace& place) {
@@ -188,4 +198,4 @@ Vec3 read_direction(const JsonPlace& place) {
     return v;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -8,7 +8,7 @@
 
 #include "scb/mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A value inside a JSON document together with the place where it stands, so that a refusal can
 /// name both. It refers to the document and must not outlive it.
@@ -66,4 +66,4 @@ Vec3 read_vec3(const JsonPlace& place);
 /// Three numbers that are not all zero.
 Vec3 read_direction(const JsonPlace& place);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -1,17 +1,37 @@
 #include "scenes/text/number_list.h"
 
 #include <algorithm>
+#include <charconv>
 
-#include "app/query/scene_options.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::scenes {
+
+std::vector<std::string> split_list(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+int whole_number(const std::string& text, const std::string& what, const std::string& hint) {
+    int value = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (text.empty() || parsed.ec != std::errc() || parsed.ptr != end)
+        throw InputError(what + ": '" + text + "' is not a whole number" + hint);
+    return value;
+}
 
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range) {
     const std::vector<std::string> bounds = split_list(part, ':');
     if (bounds.size() > 3)
         throw InputError(range.option + ": '" + part +
-                         "' is no range; give FIRST:LAST or FIRST:LAST:STEP.");
+                         "' is not a range; give FIRST:LAST or FIRST:LAST:STEP.");
     const std::string hint = "; give " + range.example + ".";
     const int first = whole_number(bounds[0], range.option, hint);
     const int last = bounds.size() > 1 ? whole_number(bounds[1], range.option, hint) : first;
@@ -46,4 +66,4 @@ std::vector<int> parse_frames(const std::string& text, int frame_count,
     return frames;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -3,7 +3,14 @@
 #include <string>
 #include <vector>
 
-namespace scb {
+namespace scb::scenes {
+
+/// "1,2,3" cut at the separators; empty parts stay.
+std::vector<std::string> split_list(const std::string& text, char separator = ',');
+
+/// An integer that is the whole text; throws InputError that starts with `what` and ends with
+/// `hint`.
+int whole_number(const std::string& text, const std::string& what, const std::string& hint = ".");
 
 /// What a list of numbers may hold.
 struct NumberRange {
@@ -25,4 +32,4 @@ inline constexpr const char* auto_frames = "auto";
 std::vector<int> parse_frames(const std::string& text, int frame_count,
                               const std::string& scene_name);
 
-}  // namespace scb
+}  // namespace scb::scenes

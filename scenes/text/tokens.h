@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace scb {
+namespace scb::scenes {
 
 /// The words of a text, one after the other, parted by blanks and line ends.
 struct Words {
@@ -39,11 +39,11 @@ inline std::optional<double> number_in(std::string_view word) {
 }
 
 /// At most 40 characters of a text from outside, fit for a message.
-inline std::string printable(std::string_view text) {
+inline std::string excerpt(std::string_view text) {
     std::string plain(text.substr(0, 40));
     for (char& c : plain)
         if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
     return plain;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace scb {
+namespace scb::scenes {
 
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
@@ -30,4 +30,11 @@ std::string as_utf8(std::string text) {
     return text;
 }
 
-}  // namespace scb
+std::string printable(std::string text) {
+    text = as_utf8(std::move(text));
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return text;
+}
+
+}  // namespace scb::scenes

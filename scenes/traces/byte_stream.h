@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace scb {
+namespace scb::scenes {
 
 /// Numbers as bytes, the same on every machine: variable length integers of 7 bits a byte, lowest
 /// first, with the top bit set on all but the last; doubles and fixed integers lowest byte first.
@@ -99,4 +99,4 @@ struct ByteReader {
     }
 };
 
-}  // namespace scb
+}  // namespace scb::scenes

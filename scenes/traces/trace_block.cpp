@@ -10,7 +10,7 @@
 #include "scenes/scene/scene.h"
 #include "scenes/traces/byte_stream.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 // How a volume test ended, as a byte: `divided` covers pairs that are left over too.
@@ -19,10 +19,10 @@ constexpr std::uint8_t of_b = 0x80;  // on the first test after a division: of B
 static_assert(stage_count == 24 && static_cast<int>(Stage::overlapping) == 0,
               "stages are written as their numbers: another list needs another version");
 
-std::uint8_t symbol_of(const VolumeTest& test, Outcome outcome) {
+std::uint8_t symbol_of(Outcome outcome) {
+    if (is_rejection(outcome))
+        return static_cast<std::uint8_t>(rejected_first + static_cast<int>(outcome) - 1);
     switch (outcome) {
-        case Outcome::rejected:
-            return static_cast<std::uint8_t>(rejected_first + static_cast<int>(test.stage) - 1);
         case Outcome::triangles_apart:
             return leaves_apart;
         case Outcome::triangles_meet:
@@ -140,7 +140,7 @@ struct FrameBuilder {
 
 std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
                                       std::array<TraceNodes, 2>& nodes) {
-    const TestTree tree = test_tree(header, frame);
+    const TraversalTree tree = traversal_tree(header, frame);
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
     ByteWriter plain, news;
     plain.varint(static_cast<std::uint64_t>(frame.frame));
@@ -151,7 +151,7 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
     plain.varint(tests.size());
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < tests.size(); ++i) {
-        std::uint8_t symbol = symbol_of(tests[i], tree.outcomes[i]);
+        std::uint8_t symbol = symbol_of(tree.outcomes[i]);
         // Tests after the first come two by two.
         if (const std::uint32_t parent = tree.parents[i]; i % 2 == 1) {
             const IndexPair divided_pair = tests[parent].nodes;
@@ -265,4 +265,4 @@ std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> pa
     return plain;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -7,7 +7,7 @@
 
 #include "scenes/traces/trace_file.h"
 
-namespace scb {
+namespace scb::scenes {
 
 // What TraceWriter and TraceReader share: the header and one frame as plain bytes, and deflate.
 
@@ -30,4 +30,4 @@ std::vector<std::uint8_t> pack(std::span<const std::uint8_t> plain);
 std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> packed,
                                                 std::size_t size);
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cinttypes>
 
-#include "app/cli/console.h"
 #include "core/base/text_format.h"
+#include "scenes/text/utf8.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::string count_table(const TraceCounts& a, const TraceCounts& b, const TraceNames& names) {
@@ -137,4 +137,4 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
     return text;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

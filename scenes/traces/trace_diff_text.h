@@ -7,7 +7,7 @@
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_words.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// A count of two traces, by its name.
 struct CountRow {
@@ -24,4 +24,4 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names);
 /// cannot be known.
 std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names);
 
-}  // namespace scb
+}  // namespace scb::scenes

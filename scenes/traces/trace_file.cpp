@@ -11,7 +11,7 @@
 #include "scenes/traces/byte_stream.h"
 #include "scenes/traces/trace_block.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 // A byte that no text has, and a line end that a transfer as text would change.
@@ -67,7 +67,7 @@ TraceReader::TraceReader(std::span<const std::uint8_t> bytes, std::string_view n
     const std::size_t start = std::min(bytes.size(), magic.size());
     if (start == 0 || !std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(start),
                                   magic.begin()))
-        throw InputError(name_ + " is no trace of scb; give a file that `scb trace` wrote.");
+        throw InputError(name_ + " is not a trace of scb; give a file that `scb trace` wrote.");
     ByteReader in{bytes};
     in.take(magic.size());
     const std::uint32_t version = in.fixed32();
@@ -102,7 +102,7 @@ TraceReader::TraceReader(std::span<const std::uint8_t> bytes, std::string_view n
 }
 
 void TraceReader::contradict(const std::string& what) const {
-    throw InputError(name_ + " is no valid trace: " + what + "; record it again.");
+    throw InputError(name_ + " is not a valid trace: " + what + "; record it again.");
 }
 
 const TraceFrame* TraceReader::next() {
@@ -134,4 +134,4 @@ Trace decode_trace(std::span<const std::uint8_t> bytes, std::string_view name) {
     return trace;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

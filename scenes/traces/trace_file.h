@@ -10,7 +10,7 @@
 
 #include "core/analysis/trace.h"
 
-namespace scb {
+namespace scb::scenes {
 
 // Trace files (`.scbtrace`), version 1. Numbers as in byte_stream.h; a length stands before each
 // text:
@@ -94,4 +94,4 @@ class TraceReader {
 std::vector<std::uint8_t> encode_trace(const Trace& trace);
 Trace decode_trace(std::span<const std::uint8_t> bytes, std::string_view name);
 
-}  // namespace scb
+}  // namespace scb::scenes

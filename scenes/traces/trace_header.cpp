@@ -3,7 +3,7 @@
 #include "scenes/traces/byte_stream.h"
 #include "scenes/traces/trace_block.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 // How the hierarchies were built, in a byte.
@@ -73,4 +73,4 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
     return header;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -4,13 +4,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/query/scene_options.h"
 #include "scb/error.h"
 #include "scenes/scene/scene.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/number_list.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::span<const std::uint8_t> as_bytes(const std::string& text) {
@@ -21,7 +20,7 @@ std::span<const std::uint8_t> as_bytes(const std::string& text) {
 
 namespace {
 
-// A file that is no trace is refused by its first bytes, however long it is.
+// A file that is not a trace is refused by its first bytes, however long it is.
 std::string trace_bytes(const std::string& path) {
     const std::string start = file_bytes(path, 8);
     return starts_as_trace(as_bytes(start)) ? file_bytes(path) : start;
@@ -66,4 +65,4 @@ bool names_trace(const std::string& path) {
     return file && starts_as_trace(as_bytes(start));
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -9,7 +9,7 @@
 
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::app {
 
 std::string file_text(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -17,7 +17,7 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
-    write_file_whole(path, text);
+    render::write_file_whole(path, text);
 }
 
 std::size_t lines_of(const std::string& text) {
@@ -49,4 +49,4 @@ const char* const endless_scene = R"({
              {"name": "right", "model": "m", "position": [1.98, 0, 0]}]
 })";
 
-}  // namespace scb
+}  // namespace scb::app

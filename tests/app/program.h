@@ -5,7 +5,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::app {
 
 /// What a run of the program gave.
 struct ProgramRun {
@@ -41,4 +41,4 @@ std::size_t files_in(const std::filesystem::path& folder);
 /// frames: far more than a test waits for.
 extern const char* const endless_scene;
 
-}  // namespace scb
+}  // namespace scb::app

@@ -81,7 +81,7 @@ void build_model(benchmark::State& state, const char* name) {
         name;
     if (!std::filesystem::exists(path))
         return state.SkipWithError((path.string() + " is missing").c_str());
-    const Mesh mesh = load_mesh(path);
+    const Mesh mesh = scenes::load_mesh(path);
     for (auto _ : state) benchmark::DoNotOptimize(build_hierarchy<Scb>(mesh));
     per_n_log_n(state, static_cast<double>(mesh.triangles.size()));
 }

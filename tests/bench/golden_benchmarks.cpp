@@ -27,49 +27,50 @@ namespace {
 
 enum Kind : std::int64_t { equal, one_missing, all_different };
 
-Rendering draw(Kind kind) {
-    const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(icosphere(6, 1));
+render::Rendering draw(Kind kind) {
+    const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(scenes::icosphere(6, 1));
     const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
-    std::vector<AnyVolume> volumes;
-    Pane pane;
+    std::vector<render::AnyVolume> volumes;
+    render::Pane pane;
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         if (depths[i] != 9) continue;
         volumes.push_back(hierarchy.volumes[i]);
-        pane.volumes.push_back({hierarchy.volumes[i], category_color(i), i + 1});
+        pane.volumes.push_back({hierarchy.volumes[i], render::category_color(i), i + 1});
     }
-    pane.camera = fit_camera(kind == all_different ? orbit_axes(120, -35) : orbit_axes(30, 20),
-                             support_of(volumes), {});
+    pane.camera = render::fit_camera(
+        kind == all_different ? render::orbit_axes(120, -35) : render::orbit_axes(30, 20),
+        render::support_of(volumes), {});
     // The one whose center is nearest to the eye is seen whole.
     if (kind == one_missing) {
         const Vec3 eye = pane.camera.position;
-        const auto distance = [&](const VolumeInstance& one) {
+        const auto distance = [&](const render::VolumeInstance& one) {
             return (std::get<Scb>(one.volume).c - eye).norm();
         };
         pane.volumes.erase(std::min_element(
             pane.volumes.begin(), pane.volumes.end(),
             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
     }
-    Picture picture;
+    render::Picture picture;
     picture.width = picture.height = 512;
     picture.samples = 1;
     if (kind == all_different) picture.background = {250, 250, 250};
     pane.viewport = {0, 0, picture.width, picture.height};
     picture.panes.push_back(std::move(pane));
-    const Context context(GlBackend::osmesa);
-    return Renderer(context).draw(picture, nullptr, true);
+    const render::Context context(render::GlBackend::osmesa);
+    return render::Renderer(context).draw(picture, nullptr, true);
 }
 
 /// A picture and another as files, and decoded.
 struct Pair {
-    Rendering a, b;
+    render::Rendering a, b;
     TemporaryFolder folder;
 
     explicit Pair(const benchmark::State& state)
         : a(draw(equal)), b(draw(static_cast<Kind>(state.range(0)))) {
-        write_file_whole(folder / "a.png", encode_png(a.image));
-        write_file_whole(folder / "b.png", encode_png(b.image));
-        write_file_whole(folder / "a.ids.png", encode_png(*a.ids));
-        write_file_whole(folder / "b.ids.png", encode_png(*b.ids));
+        render::write_file_whole(folder / "a.png", render::encode_png(a.image));
+        render::write_file_whole(folder / "b.png", render::encode_png(b.image));
+        render::write_file_whole(folder / "a.ids.png", render::encode_png(*a.ids));
+        render::write_file_whole(folder / "b.ids.png", render::encode_png(*b.ids));
     }
 };
 
@@ -81,17 +82,17 @@ void finish(benchmark::State& state, std::size_t pixels) {
 
 void compare_colors(benchmark::State& state) {
     const Pair pair(state);
-    ImageDifference difference;
+    golden::ImageDifference difference;
     for (auto _ : state)
-        benchmark::DoNotOptimize(difference = image_difference(pair.a.image, pair.b.image));
+        benchmark::DoNotOptimize(difference = golden::image_difference(pair.a.image, pair.b.image));
     finish(state, difference.pixels);
 }
 
 void compare_ids(benchmark::State& state) {
     const Pair pair(state);
-    IdDifference difference;
+    golden::IdDifference difference;
     for (auto _ : state)
-        benchmark::DoNotOptimize(difference = id_difference(*pair.a.ids, *pair.b.ids));
+        benchmark::DoNotOptimize(difference = golden::id_difference(*pair.a.ids, *pair.b.ids));
     finish(state, difference.pixels);
     state.counters["things"] = static_cast<double>(difference.changes.size());
 }
@@ -100,7 +101,8 @@ void read_and_compare_colors(benchmark::State& state) {
     const Pair pair(state);
     const std::string a = pair.folder / "a.png", b = pair.folder / "b.png";
     std::size_t pixels = 0;
-    for (auto _ : state) pixels = image_difference(read_png(a), read_png(b)).pixels;
+    for (auto _ : state)
+        pixels = golden::image_difference(render::read_png(a), render::read_png(b)).pixels;
     finish(state, pixels);
 }
 
@@ -109,21 +111,24 @@ void read_and_compare_ids(benchmark::State& state) {
     const std::string a = pair.folder / "a.ids.png", b = pair.folder / "b.ids.png";
     std::size_t pixels = 0;
     for (auto _ : state)
-        pixels = id_difference(unpack_ids(read_png(a)), unpack_ids(read_png(b))).pixels;
+        pixels = golden::id_difference(render::unpack_ids(render::read_png(a)),
+                                       render::unpack_ids(render::read_png(b)))
+                     .pixels;
     finish(state, pixels);
 }
 
 void compare_files(benchmark::State& state) {
     const Pair pair(state);
     const std::string a = pair.folder / "a.png", b = pair.folder / "b.png";
-    for (auto _ : state) benchmark::DoNotOptimize(files_equal(a, b));
+    for (auto _ : state) benchmark::DoNotOptimize(golden::files_equal(a, b));
     finish(state, 0);
     state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(a));
 }
 
 void draw_the_difference(benchmark::State& state) {
     const Pair pair(state);
-    for (auto _ : state) benchmark::DoNotOptimize(difference_picture(pair.a.image, pair.b.image));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(golden::difference_picture(pair.a.image, pair.b.image));
     finish(state, 0);
 }
 

@@ -16,7 +16,7 @@ namespace {
 const Mesh& sphere(int subdivisions) {
     static std::map<int, Mesh> meshes;
     const auto [at, is_new] = meshes.try_emplace(subdivisions);
-    if (is_new) at->second = icosphere(subdivisions, 1);
+    if (is_new) at->second = scenes::icosphere(subdivisions, 1);
     return at->second;
 }
 
@@ -44,7 +44,8 @@ void query(benchmark::State& state) {
     constexpr int poses = 16;
     std::vector<Pose> b_to_a(poses);
     for (int i = 0; i < poses; ++i) {
-        b_to_a[static_cast<std::size_t>(i)].rotation = rotation_about({3, -1, 2}, 30 + 7.0 * i);
+        b_to_a[static_cast<std::size_t>(i)].rotation =
+            scenes::rotation_about({3, -1, 2}, 30 + 7.0 * i);
         b_to_a[static_cast<std::size_t>(i)].translation = {0.9, 0.01 * i, 0};
     }
     PackedWorkspace workspace;

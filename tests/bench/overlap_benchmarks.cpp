@@ -3,7 +3,9 @@
 #include <array>
 #include <memory>
 
+#include "core/collide/query_placement.h"
 #include "core/explain/exact_overlap.h"
+#include "core/overlap/test_functors.h"
 #include "core/volumes/placed_volume.h"
 #include "scb/collide.h"
 #include "scenes/scene/load_scene.h"
@@ -35,13 +37,13 @@ struct Recorded {
 template <Volume V>
 const Recorded<V>& recorded() {
     static const Recorded<V> result = [] {
-        const Scene scene = load_scene({"spheres-l1"});
+        const scenes::Scene scene = scenes::load_scene({"spheres-l1"});
         Recorded<V> r;
-        for (const NamedMesh& mesh : scene.meshes)
+        for (const scenes::NamedMesh& mesh : scene.meshes)
             r.hierarchies.push_back(build_hierarchy<V>(mesh.mesh));
         for (const int frame : frames) {
-            const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
-                                            pose_at(scene.bodies[1].motion, frame));
+            const Pose pose = relative_pose(scenes::pose_at(scene.bodies[0].motion, frame),
+                                            scenes::pose_at(scene.bodies[1].motion, frame));
             const Collider<V> a{r.hierarchies[0], scene.meshes[0].mesh},
                 b{r.hierarchies[1], scene.meshes[1].mesh};
             PairRecorder recorder;

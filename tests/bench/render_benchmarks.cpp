@@ -11,29 +11,29 @@ namespace scb {
 namespace {
 
 // The nodes of one level of a sphere's hierarchy, seen whole at 1280x720.
-Picture level_of_a_sphere(int level, int samples) {
-    const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(icosphere(6, 1));
+render::Picture level_of_a_sphere(int level, int samples) {
+    const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(scenes::icosphere(6, 1));
     const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
-    std::vector<AnyVolume> volumes;
-    Pane pane;
+    std::vector<render::AnyVolume> volumes;
+    render::Pane pane;
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         if (depths[i] != level) continue;
         volumes.push_back(hierarchy.volumes[i]);
-        pane.volumes.push_back({hierarchy.volumes[i], body_a_color, i + 1});
+        pane.volumes.push_back({hierarchy.volumes[i], render::body_a_color, i + 1});
     }
-    Picture picture;
+    render::Picture picture;
     picture.samples = samples;
     pane.viewport = {0, 0, picture.width, picture.height};
-    pane.camera = fit_camera(orbit_axes(30, 20), support_of(volumes), {});
+    pane.camera = render::fit_camera(render::orbit_axes(30, 20), render::support_of(volumes), {});
     picture.panes.push_back(std::move(pane));
     return picture;
 }
 
 void draw_level(benchmark::State& state) {
-    const Picture picture =
+    const render::Picture picture =
         level_of_a_sphere(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-    const Context context(GlBackend::osmesa);
-    Renderer renderer(context);
+    const render::Context context(render::GlBackend::osmesa);
+    render::Renderer renderer(context);
     for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(picture));
     state.counters["volumes"] = static_cast<double>(picture.panes[0].volumes.size());
 }
@@ -44,17 +44,18 @@ BENCHMARK(draw_level)
     ->UseRealTime();
 
 void encode_level(benchmark::State& state) {
-    const Context context(GlBackend::osmesa);
-    Renderer renderer(context);
-    const Image image = renderer.draw(level_of_a_sphere(static_cast<int>(state.range(0)), 4)).image;
+    const render::Context context(render::GlBackend::osmesa);
+    render::Renderer renderer(context);
+    const render::Image image =
+        renderer.draw(level_of_a_sphere(static_cast<int>(state.range(0)), 4)).image;
     std::size_t bytes = 0;
-    for (auto _ : state) bytes = encode_png(image).size();
+    for (auto _ : state) bytes = render::encode_png(image).size();
     state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(encode_level)->ArgName("level")->Arg(5)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond);
 
 void make_context(benchmark::State& state) {
-    for (auto _ : state) Context context(GlBackend::osmesa);
+    for (auto _ : state) render::Context context(render::GlBackend::osmesa);
 }
 BENCHMARK(make_context)->Unit(benchmark::kMillisecond);
 

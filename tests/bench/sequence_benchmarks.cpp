@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "core/analysis/trace.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
 #include "render/draw/renderer.h"
 #include "render/figures/pairs_figure.h"
 #include "render/figures/rejections_figure.h"
@@ -39,12 +41,12 @@ constexpr int width = 1280, height = 720;
 
 /// Two bodies of one scene with hierarchies of slab cut balls.
 struct Spheres {
-    Scene scene = load_builtin(*find_builtin("spheres-l1"));
+    scenes::Scene scene = scenes::load_builtin(*scenes::find_builtin("spheres-l1"));
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
     TraceHeader header;
 
     Spheres() {
-        for (const NamedMesh& named : scene.meshes) {
+        for (const scenes::NamedMesh& named : scene.meshes) {
             const auto topology = std::make_shared<const Topology>(build_topology(named.mesh));
             hierarchies.push_back(
                 fit_any(VolumeKind::scb, topology, leaf_order(named.mesh, *topology)));
@@ -54,17 +56,17 @@ struct Spheres {
             header.bodies[side].name = scene.bodies[side].name;
     }
 
-    QueryBodies bodies(int frame, const std::vector<MeshHandle>& handles) const {
-        QueryBodies bodies;
+    render::QueryBodies bodies(int frame, const std::vector<render::MeshHandle>& handles) const {
+        render::QueryBodies bodies;
         std::uint32_t id = 1;
         for (std::size_t side = 0; side < 2; ++side) {
-            const Body& body = scene.bodies[side];
+            const scenes::Body& body = scene.bodies[side];
             bodies[side] = {
-                body.name,          &scene.meshes[body.mesh].mesh, &hierarchies[body.mesh],
-                handles[body.mesh], pose_at(body.motion, frame),   id};
+                body.name,          &scene.meshes[body.mesh].mesh,       &hierarchies[body.mesh],
+                handles[body.mesh], scenes::pose_at(body.motion, frame), id};
             id += static_cast<std::uint32_t>(topology_of(*bodies[side].hierarchy).nodes.size());
         }
-        for (QueryBody& body : bodies) {
+        for (render::QueryBody& body : bodies) {
             body.first_triangle_id = id;
             id += static_cast<std::uint32_t>(body.mesh->triangles.size());
         }
@@ -72,7 +74,8 @@ struct Spheres {
     }
 };
 
-void ask(const QueryBodies& bodies, const TraceHeader& header, int frame, TraceFrame& result) {
+void ask(const render::QueryBodies& bodies, const TraceHeader& header, int frame,
+         TraceFrame& result) {
     EventRecorder recorder{std::move(result.events)};
     recorder.events.volume_tests.clear();
     recorder.events.triangle_tests.clear();
@@ -85,31 +88,32 @@ void ask(const QueryBodies& bodies, const TraceHeader& header, int frame, TraceF
 
 enum class What { rejections, pairs };
 
-void describe(SceneFigure& figure, What what, const QueryBodies& bodies, const TraceHeader& header,
-              const TraceFrame& frame) {
+void describe(render::SceneFigure& figure, What what, const render::QueryBodies& bodies,
+              const TraceHeader& header, const TraceFrame& frame) {
     if (what == What::pairs) {
-        const PairsStyle style;
-        figure.pane = pairs_pane(bodies, header, frame, style, 1u << 30);
-        figure.panel = pairs_panel(bodies, header, frame, style);
+        const render::PairsStyle style;
+        figure.pane = render::pairs_pane(bodies, header, frame, style, 1u << 30);
+        figure.panel = render::pairs_panel(bodies, header, frame, style);
         return;
     }
-    const RejectionsStyle style;
-    const TestTree tree = test_tree(header, frame);
-    const Fronts fronts = fronts_of(bodies, frame, tree, style);
-    figure.pane = rejections_pane(bodies, fronts, style);
-    figure.panel = rejections_panel(bodies, header, frame, tree, fronts, style);
-    figure.chart = endings_chart(header, frame, tree, *style.theme);
+    const render::RejectionsStyle style;
+    const TraversalTree tree = traversal_tree(header, frame);
+    const render::Fronts fronts = render::fronts_of(bodies, frame, tree, style);
+    figure.pane = render::rejections_pane(bodies, fronts, style);
+    figure.panel = render::rejections_panel(bodies, header, frame, tree, fronts, style);
+    figure.chart = render::endings_chart(header, frame, tree, *style.theme);
 }
 
 /// The upper levels of both bodies at all of these frames, which the camera has to hold.
-std::vector<AnyVolume> held_volumes(const Spheres& spheres, const std::vector<int>& frames) {
-    const std::vector<MeshHandle> none(spheres.scene.meshes.size());
-    std::vector<AnyVolume> volumes;
+std::vector<render::AnyVolume> held_volumes(const Spheres& spheres,
+                                            const std::vector<int>& frames) {
+    const std::vector<render::MeshHandle> none(spheres.scene.meshes.size());
+    std::vector<render::AnyVolume> volumes;
     for (const int frame : frames)
-        for (const QueryBody& body : spheres.bodies(frame, none)) {
+        for (const render::QueryBody& body : spheres.bodies(frame, none)) {
             const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
             for (std::uint32_t node = 0; node < depths.size(); ++node)
-                if (depths[node] <= 6) volumes.push_back(volume_of(body, node));
+                if (depths[node] <= 6) volumes.push_back(render::volume_of(body, node));
         }
     return volumes;
 }
@@ -190,43 +194,44 @@ void sequence(benchmark::State& state, What what) {
     fs::create_directories(folder);
     forget_peak_memory();
 
-    const Context context(GlBackend::osmesa);
-    Renderer renderer(context);
-    std::vector<MeshHandle> handles;
-    for (const NamedMesh& named : spheres.scene.meshes)
+    const render::Context context(render::GlBackend::osmesa);
+    render::Renderer renderer(context);
+    std::vector<render::MeshHandle> handles;
+    for (const scenes::NamedMesh& named : spheres.scene.meshes)
         handles.push_back(renderer.upload(named.mesh));
-    const std::vector<AnyVolume> held = held_volumes(spheres, frames);
-    const Support support = support_of(held);
-    const CameraSpec spec = spheres.scene.camera.value_or(CameraSpec{});
-    CameraFit fit;
-    fit.aspect = aspect_of(figure_layout(width, height).view);
+    const std::vector<render::AnyVolume> held = held_volumes(spheres, frames);
+    const render::Support support = render::support_of(held);
+    const scenes::CameraView spec = spheres.scene.camera.value_or(scenes::CameraView{});
+    render::CameraFit fit;
+    fit.aspect = render::aspect_of(render::figure_layout(width, height).view);
     fit.vertical_fov = spec.field_of_view;
-    const Camera camera = fit_camera(orbit_axes(spec.azimuth, spec.elevation), support, fit);
-    const Vec3 center = center_of(support);
+    const render::Camera camera =
+        render::fit_camera(render::orbit_axes(spec.azimuth, spec.elevation), support, fit);
+    const Vec3 center = render::center_of(support);
 
     for (auto _ : state) {
         // As many as `scb render` has of both.
-        EncodeQueue queue(8, std::max(1u, std::thread::hardware_concurrency()));
-        Overlay overlay;
+        render::EncodeQueue queue(8, std::max(1u, std::thread::hardware_concurrency()));
+        render::Overlay overlay;
         TraceFrame frame;
         double peak_after_20 = 0;
         int drawn = 0;
         const ProcessorTime before = ProcessorTime::now();
         PartClock clock;
         for (const int number : frames) {
-            const QueryBodies bodies = spheres.bodies(number, handles);
+            const render::QueryBodies bodies = spheres.bodies(number, handles);
             ask(bodies, spheres.header, number, frame);
             clock.add(query);
-            SceneFigure figure;
+            render::SceneFigure figure;
             figure.title = "spheres-l1 · SCB";
             figure.subtitle = "frame " + std::to_string(number);
             describe(figure, what, bodies, spheres.header, frame);
             figure.pane.camera = camera;
             figure.center = center;
-            const Picture picture = compose(std::move(figure), width, height,
-                                            static_cast<int>(state.range(1)), overlay);
+            const render::Picture picture = render::compose(
+                std::move(figure), width, height, static_cast<int>(state.range(1)), overlay);
             clock.add(prepare);
-            Rendering rendering = renderer.draw(picture, &overlay);
+            render::Rendering rendering = renderer.draw(picture, &overlay);
             clock.add(draw);
             queue.push(folder / (std::to_string(number) + ".png"), std::move(rendering.image));
             clock.add(wait);

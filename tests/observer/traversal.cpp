@@ -1,4 +1,4 @@
-#include "scb/collide.h"
+#include "core/collide/dual_traversal.h"
 
 #if defined(SCB_OBSERVER_NEVER_CALLED) != defined(SCB_NO_CALLS)
 #error "not the header that was asked for"
@@ -14,10 +14,8 @@ struct CountingObserver {
     void triangle_test(IndexPair, bool intersect) { intersections += intersect; }
 };
 
-template void detail::traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,
-                                                    const Placement&,
-                                                    const ScbTest<OverlapOptions{}.test>&,
-                                                    const CollideOptions&, SCB_OBSERVER&,
-                                                    Collision&);
+template void traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,
+                                            const Placement&, const ScbTest<OverlapOptions{}.test>&,
+                                            const CollideOptions&, SCB_OBSERVER&, Collision&);
 
 }  // namespace scb

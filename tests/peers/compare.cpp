@@ -8,7 +8,7 @@
 #include <iostream>
 #include <new>
 
-#include "app/cli/exit_status.h"
+#include "core/base/exit_status.h"
 #include "render/files/child_process.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
@@ -37,7 +37,7 @@ constexpr const char* all_scenes[] = {"spheres-l1", "spheres-l2", "knots-l1", "k
 void note(const std::string& line) { std::cerr << "scb_peers: " << line << std::endl; }
 
 /// "all", or FIRST:LAST[:STEP].
-std::vector<int> frames_of(const std::string& text, const Scene& scene) {
+std::vector<int> render::frames_of(const std::string& text, const scenes::Scene& scene) {
     const auto refuse = [&]() -> InputError {
         return InputError("--frames " + text +
                           ": give all, or FIRST:LAST[:STEP] with frames from " + "0 to " +
@@ -50,14 +50,14 @@ std::vector<int> frames_of(const std::string& text, const Scene& scene) {
         const char* const end = at + text.size();
         for (int i = 0; i < 3; ++i) {
             const auto [next, error] = std::from_chars(at, end, numbers[i]);
-            if (error != std::errc{}) throw refuse();
+            if (error != std::errc{}) throw scenes::refuse();
             at = next;
             if (at == end && i > 0) break;
-            if (at == end || *at++ != ':' || i == 2) throw refuse();
+            if (at == end || *at++ != ':' || i == 2) throw scenes::refuse();
         }
     }
     const auto [first, last, step] = numbers;
-    if (first < 0 || last < first || last >= scene.frames || step < 1) throw refuse();
+    if (first < 0 || last < first || last >= scene.frames || step < 1) throw scenes::refuse();
     std::vector<int> frames;
     for (int frame = first; frame <= last; frame += step) frames.push_back(frame);
     return frames;
@@ -68,7 +68,8 @@ std::vector<std::string> scene_names(const Options& options) {
     if (!options.scenes.empty()) return options.scenes;
     std::vector<std::string> names;
     for (const char* name : all_scenes) {
-        const std::string file = missing_mesh_file(*find_builtin(name), options.models_dir);
+        const std::string file =
+            scenes::missing_mesh_file(*scenes::find_builtin(name), options.models_dir);
         if (file.empty())
             names.push_back(name);
         else
@@ -80,16 +81,16 @@ std::vector<std::string> scene_names(const Options& options) {
 
 void write_files(const Options& options, std::span<const PeerKind> kinds,
                  std::span<const SceneComparison> scenes, const std::string& tables) {
-    if (!options.json.empty()) write_file_whole(options.json, peer_json(kinds, scenes));
+    if (!options.json.empty()) render::write_file_whole(options.json, peer_json(kinds, scenes));
     if (options.output.empty()) return;
     const std::filesystem::path folder = options.output;
-    write_file_whole(folder / "peers.md", tables);
-    write_file_whole(folder / "peers.json", peer_json(kinds, scenes));
+    render::write_file_whole(folder / "peers.md", tables);
+    render::write_file_whole(folder / "peers.json", peer_json(kinds, scenes));
     if (!find_peer(kinds, baseline_name))
         return note(std::string("there is no plot: it compares with ") + baseline_name +
                     ", which does not take part.");
-    write_file_whole(folder / "peers.gnuplot", plot_script(kinds, scenes));
-    if (is_on_path("gnuplot"))
+    render::write_file_whole(folder / "peers.gnuplot", plot_script(kinds, scenes));
+    if (render::is_on_path("gnuplot"))
         run_gnuplot(folder, "peers.gnuplot");
     else
         note("there is no plot: gnuplot is missing; install gnuplot-nox, and run it on " +
@@ -100,8 +101,8 @@ void make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        throw OutputError("Cannot make the folder \"" + folder + "\": " + error.message() +
-                          "; choose another with -o.");
+        throw render::OutputError("Cannot make the folder \"" + folder + "\": " + error.message() +
+                                  "; choose another with -o.");
 }
 
 /// What the program ends with: whether the peers that must find the reference's pairs did.
@@ -114,21 +115,22 @@ int compare(const Options& options) {
     if (!options.output.empty()) make_folder(options.output);
 
     // All at once, so that what is wrong with the last is said before the first is measured.
-    std::vector<Scene> loaded;
+    std::vector<scenes::Scene> loaded;
     std::vector<std::vector<int>> frames;
     for (const std::string& name : scene_names(options)) {
-        loaded.push_back(load_scene({name}, {.models_dir = options.models_dir, .pose = {}}));
-        const Scene& scene = loaded.back();
+        loaded.push_back(
+            scenes::load_scene({name}, {.models_dir = options.models_dir, .pose = {}}));
+        const scenes::Scene& scene = loaded.back();
         if (scene.bodies.size() != 2)
             throw InputError("the scene '" + scene.name + "' has " +
                              std::to_string(scene.bodies.size()) + " bodies; give one with two.");
-        frames.push_back(frames_of(options.frames, scene));
+        frames.push_back(render::frames_of(options.frames, scene));
     }
 
     std::vector<SceneComparison> scenes;
     bool same = true;
     for (std::size_t i = 0; i < loaded.size(); ++i) {
-        const Scene& scene = loaded[i];
+        const scenes::Scene& scene = loaded[i];
         PeerTiming timing;
         timing.rounds = options.rounds;
         timing.budget = options.budget;
@@ -198,7 +200,7 @@ int run(int argc, char** argv) {
     } catch (const InputError& error) {
         note(std::string("error: ") + error.what());
         return exit_bad_input;
-    } catch (const OutputError& error) {
+    } catch (const render::OutputError& error) {
         note(std::string("error: ") + error.what());
         return exit_environment;
     } catch (const std::bad_alloc&) {

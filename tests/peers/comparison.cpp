@@ -7,13 +7,13 @@
 
 namespace scb {
 
-SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames,
+SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>& frames,
                               std::span<const PeerKind> kinds, std::size_t compared_frames,
                               const PeerTiming& timing) {
     const auto say = [&](const std::string& what) {
         if (timing.progress) timing.progress(what);
     };
-    const Body &body_a = scene.bodies[0], &body_b = scene.bodies[1];
+    const scenes::Body &body_a = scene.bodies[0], &body_b = scene.bodies[1];
     const Mesh &mesh_a = scene.meshes[body_a.mesh].mesh, &mesh_b = scene.meshes[body_b.mesh].mesh;
     const PeerMesh a = peer_mesh(mesh_a), b = peer_mesh(mesh_b);
 
@@ -36,8 +36,8 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
     std::vector<PeerPoses> poses;
     poses.reserve(frames.size());
     for (const int frame : frames)
-        poses.push_back(
-            {peer_pose(pose_at(body_a.motion, frame)), peer_pose(pose_at(body_b.motion, frame))});
+        poses.push_back({peer_pose(scenes::pose_at(body_a.motion, frame)),
+                         peer_pose(scenes::pose_at(body_b.motion, frame))});
 
     say("compares pairs");
     const Box box = bounding_box(mesh_a);
@@ -45,10 +45,10 @@ SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames
     std::vector<double> estimates(kinds.size());
     const std::size_t step = (frames.size() + compared_frames - 1) / compared_frames;
     for (std::size_t i = 0; i < frames.size(); i += step) {
-        const PairScene at{
-            mesh_a, mesh_b,
-            relative_pose(pose_at(body_a.motion, frames[i]), pose_at(body_b.motion, frames[i])),
-            closeness};
+        const PairScene at{mesh_a, mesh_b,
+                           relative_pose(scenes::pose_at(body_a.motion, frames[i]),
+                                         scenes::pose_at(body_b.motion, frames[i])),
+                           closeness};
         peers[reference]->query(poses[i].a, poses[i].b);
         const std::vector<IndexPair> expected = peers[reference]->pairs();
         for (std::size_t p = 0; p < peers.size(); ++p) {

@@ -28,7 +28,7 @@ inline constexpr double closeness_share = 1e-6;
 /// Builds all trees, compares the pairs of every peer with those of the reference in at most
 /// `compared_frames` of the frames, then times the peers. The scene has two bodies, and the
 /// reference is among the peers.
-SceneComparison compare_peers(const Scene& scene, const std::vector<int>& frames,
+SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>& frames,
                               std::span<const PeerKind> kinds, std::size_t compared_frames,
                               const PeerTiming& timing);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scb/collide.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 namespace {

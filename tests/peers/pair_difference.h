@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/collide/collision.h"
+#include "scb/collide.h"
 #include "scb/mesh.h"
 #include "scb/pose.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/collide/collision.h"
+#include "scb/collide.h"
 
 namespace scb {
 

@@ -27,11 +27,12 @@ std::string color_of(std::span<const PeerKind> kinds, std::size_t p) {
             ++library;
         }
     }
-    Rgba8 color = category_color(library_colors[library % std::size(library_colors)]);
+    render::Rgba8 color =
+        render::category_color(library_colors[library % std::size(library_colors)]);
     if (kinds[p].own)
-        color =
-            shade_of(hierarchy_color(VolumeKind::scb), own_count - 1 - own, own_count, light_theme);
-    if (kinds[p].name == baseline_name) color = hierarchy_color(VolumeKind::obb);
+        color = render::shade_of(render::hierarchy_color(VolumeKind::scb), own_count - 1 - own,
+                                 own_count, light_theme);
+    if (kinds[p].name == baseline_name) color = render::hierarchy_color(VolumeKind::obb);
     char text[8];
     std::snprintf(text, sizeof text, "#%02X%02X%02X", color.r, color.g, color.b);
     return text;
@@ -170,12 +171,13 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneCo
 }
 
 void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
-    const UnnamedFile output;
-    ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10), folder.string());
-    const std::optional<ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
-    if (!end || *end != ProcessEnd{})
-        throw OutputError("gnuplot failed on " + (folder / name).string() + ": " +
-                          gnuplot.last_line() + "; run it there to see more.");
+    const render::UnnamedFile output;
+    render::ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10),
+                                 folder.string());
+    const std::optional<render::ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
+    if (!end || *end != render::ProcessEnd{})
+        throw render::OutputError("gnuplot failed on " + (folder / name).string() + ": " +
+                                  gnuplot.last_line() + "; run it there to see more.");
 }
 
 }  // namespace scb

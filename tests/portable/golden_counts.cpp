@@ -174,16 +174,17 @@ std::string packed_lines(const std::string& start, const BuiltMesh& a, const Bui
 }
 
 std::string scene_lines(const Frames& chosen) {
-    const Scene scene = load_builtin(*find_builtin(chosen.scene));
+    const scenes::Scene scene = scenes::load_builtin(*scenes::find_builtin(chosen.scene));
     std::vector<BuiltMesh> models;
     std::string lines;
-    for (const NamedMesh& named : scene.meshes) {
+    for (const scenes::NamedMesh& named : scene.meshes) {
         models.emplace_back(named.mesh);
         lines += model_lines(scene.name, named.name, models.back());
     }
-    const Body &a = scene.bodies[0], &b = scene.bodies[1];
+    const scenes::Body &a = scene.bodies[0], &b = scene.bodies[1];
     for (const int frame : chosen.frames) {
-        const Pose b_to_a = relative_pose(pose_at(a.motion, frame), pose_at(b.motion, frame));
+        const Pose b_to_a =
+            relative_pose(scenes::pose_at(a.motion, frame), scenes::pose_at(b.motion, frame));
         for (const VolumeKind kind : all_volume_kinds())
             lines += query_lines(scene.name + " " + std::to_string(frame), kind, models[a.mesh],
                                  models[b.mesh], b_to_a);

@@ -30,8 +30,8 @@ struct Discs {
 
 constexpr int columns = 8, rows = 6;
 
-IdImage ids_of(const Discs& discs) {
-    IdImage image{discs.width, discs.height, {}};
+render::IdImage ids_of(const Discs& discs) {
+    render::IdImage image{discs.width, discs.height, {}};
     for (int y = 0; y < discs.height; ++y)
         for (int x = 0; x < discs.width; ++x) {
             const int column = x * columns / discs.width, row = y * rows / discs.height;
@@ -45,29 +45,29 @@ IdImage ids_of(const Discs& discs) {
     return image;
 }
 
-Image picture_of(const Discs& discs) {
-    const IdImage ids = ids_of(discs);
-    Image image{ids.width, ids.height, std::vector<std::uint8_t>(4 * ids.ids.size())};
+render::Image picture_of(const Discs& discs) {
+    const render::IdImage ids = ids_of(discs);
+    render::Image image{ids.width, ids.height, std::vector<std::uint8_t>(4 * ids.ids.size())};
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) {
-            const std::uint32_t id = pixel(ids, x, y);
-            Rgba8 color{255, 255, 255, 255};
+            const std::uint32_t id = render::pixel(ids, x, y);
+            render::Rgba8 color{255, 255, 255, 255};
             if (id != 0) {
                 const int red = static_cast<int>(id % 8) * 30 + (id == 5 ? discs.tint : 0);
                 color = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(90 + id * 2),
                          static_cast<std::uint8_t>(id % 2 == 0 ? 178 : 60), 255};
             }
-            set_pixel(image, x, y, color);
+            render::set_pixel(image, x, y, color);
         }
     return image;
 }
 
 /// What the comparison would find, kept apart from it so that this page needs nothing else.
-ImageDifference colors_between(const Image& a, const Image& b) {
-    ImageDifference difference;
+golden::ImageDifference colors_between(const render::Image& a, const render::Image& b) {
+    golden::ImageDifference difference;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            const Rgba8 p = pixel(a, x, y), q = pixel(b, x, y);
+            const render::Rgba8 p = render::pixel(a, x, y), q = render::pixel(b, x, y);
             const int most = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g),
                                        std::abs(p.b - q.b), std::abs(p.a - q.a)});
             if (most == 0) continue;
@@ -79,25 +79,27 @@ ImageDifference colors_between(const Image& a, const Image& b) {
     return difference;
 }
 
-Image marked(const Image& a, const Image& b) {
-    Image image = b;
+render::Image marked(const render::Image& a, const render::Image& b) {
+    render::Image image = b;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            const Rgba8 q = pixel(b, x, y);
+            const render::Rgba8 q = render::pixel(b, x, y);
             const auto pale = static_cast<std::uint8_t>(215 + (q.r + q.g + q.b) / 20);
-            set_pixel(image, x, y,
-                      q == pixel(a, x, y) ? Rgba8{pale, pale, pale, 255} : Rgba8{213, 0, 70, 255});
+            render::set_pixel(image, x, y,
+                              q == render::pixel(a, x, y) ? render::Rgba8{pale, pale, pale, 255}
+                                                          : render::Rgba8{213, 0, 70, 255});
         }
     return image;
 }
 
-IdDifference owners_between(const IdImage& a, const IdImage& b) {
-    IdDifference difference;
+golden::IdDifference owners_between(const render::IdImage& a, const render::IdImage& b) {
+    golden::IdDifference difference;
     for (std::uint32_t id = 1; id <= columns * rows; ++id) {
-        IdChange change{id, 0, 0, 0, {}};
+        golden::IdChange change{id, 0, 0, 0, {}};
         for (int y = 0; y < a.height; ++y)
             for (int x = 0; x < a.width; ++x) {
-                const bool before = pixel(a, x, y) == id, after = pixel(b, x, y) == id;
+                const bool before = render::pixel(a, x, y) == id,
+                           after = render::pixel(b, x, y) == id;
                 change.before += before;
                 change.after += after;
                 if (before == after) continue;
@@ -123,14 +125,15 @@ class Sample {
                               {"<b>quoted</b>", "\"&'"}};
     }
 
-    CaseResult& add(const std::string& name, Verdict verdict, const std::string& message) {
-        CaseResult c;
+    golden::CaseResult& add(const std::string& name, golden::Verdict verdict,
+                            const std::string& message) {
+        golden::CaseResult c;
         c.name = name;
         c.verdict = verdict;
         c.message = message;
         c.seconds = 0.41;
         c.variant = 1;
-        if (is_failure(verdict)) {
+        if (golden::is_failure(verdict)) {
             c.reproduce = "scb golden check " + name + " --trace --report out/golden";
             c.update = "scb golden update " + name;
         }
@@ -138,30 +141,30 @@ class Sample {
         return result.cases.back();
     }
 
-    std::string write(const std::string& name, const Image& image) {
-        return write(name, encode_png(image));
+    std::string write(const std::string& name, const render::Image& image) {
+        return write(name, render::encode_png(image));
     }
-    std::string write(const std::string& name, const IdImage& image) {
-        return write(name, encode_png(image));
+    std::string write(const std::string& name, const render::IdImage& image) {
+        return write(name, render::encode_png(image));
     }
 
-    void compare(CaseResult& c, const Discs& before, const Discs& after) {
-        const Image a = picture_of(before), b = picture_of(after);
+    void compare(golden::CaseResult& c, const Discs& before, const Discs& after) {
+        const render::Image a = picture_of(before), b = picture_of(after);
         c.picture = {write(c.name + ".baseline.png", a), write(c.name + ".png", b), ""};
         if (a.width != b.width || a.height != b.height) return;
         c.picture.difference = write(c.name + ".difference.png", marked(a, b));
         c.colors = colors_between(a, b);
-        const IdImage i = ids_of(before), j = ids_of(after);
+        const render::IdImage i = ids_of(before), j = ids_of(after);
         c.id_picture = {write(c.name + ".ids.baseline.png", i), write(c.name + ".ids.png", j), ""};
-        if (IdDifference ids = owners_between(i, j); ids.pixels > 0) c.ids = ids;
+        if (golden::IdDifference ids = owners_between(i, j); ids.pixels > 0) c.ids = ids;
     }
 
-    SuiteResult result;
+    golden::SuiteResult result;
 
   private:
     std::string write(const std::string& name, const std::vector<std::uint8_t>& bytes) {
         fs::create_directories(folder_ / "pictures");
-        write_file_whole(folder_ / "pictures" / name, bytes);
+        render::write_file_whole(folder_ / "pictures" / name, bytes);
         return "pictures/" + name;
     }
 
@@ -169,32 +172,34 @@ class Sample {
 };
 
 // In another order than the page's.
-SuiteResult sample(const fs::path& folder) {
+golden::SuiteResult sample(const fs::path& folder) {
     Sample s(folder);
     for (int i = 0; i < 12; ++i)
-        s.add("collide-scene-" + std::to_string(i + 1), Verdict::same, "").variant = i == 3 ? 2 : 1;
+        s.add("collide-scene-" + std::to_string(i + 1), golden::Verdict::same, "").variant =
+            i == 3 ? 2 : 1;
     {
-        CaseResult& c = s.result.cases[5];
+        golden::CaseResult& c = s.result.cases[5];
         c.colors.emplace();
         c.colors->pixels = 12;
         c.colors->largest = 2;
     }
-    s.add("casting-levels", Verdict::skipped,
+    s.add("casting-levels", golden::Verdict::skipped,
           "The mesh TR12J_OCC.stl is not here; install the package occt-misc.");
-    s.add("broken-scene", Verdict::could_not_run,
+    s.add("broken-scene", golden::Verdict::could_not_run,
           "The baseline golden/baselines/broken-scene.png cannot be read: it ends after 412 bytes.")
         .update = "";
     {
-        CaseResult& c = s.add("spheres-fresh", Verdict::missing_baseline,
-                              "There is no baseline. Look at the picture, and accept it if it is "
-                              "right.");
+        golden::CaseResult& c =
+            s.add("spheres-fresh", golden::Verdict::missing_baseline,
+                  "There is no baseline. Look at the picture, and accept it if it is "
+                  "right.");
         c.picture.candidate = s.write("fresh.png", picture_of({}));
         c.id_picture.candidate = s.write("fresh.ids.png", ids_of({}));
         c.variant = 0;
     }
     {
-        CaseResult& c = s.add("spheres-scb-pairs", Verdict::different,
-                              "These differ: 49 counts; the owners of 1,080 pixels.");
+        golden::CaseResult& c = s.add("spheres-scb-pairs", golden::Verdict::different,
+                                      "These differ: 49 counts; the owners of 1,080 pixels.");
         c.lines = {"11 pairs only in the baseline, 0 pairs only in the new run.",
                    "They part first at frame 100, test 3, where the baseline tested the nodes (21, "
                    "97) at depths (3, 4): rejected at cylinder-slab, the new run tested the nodes "
@@ -233,7 +238,7 @@ SuiteResult sample(const fs::path& folder) {
         after.missing = 13;
         after.nudge = -3;
         s.compare(c, {}, after);
-        for (const IdChange& change : c.ids->changes)
+        for (const golden::IdChange& change : c.ids->changes)
             c.owners.push_back("node " + std::to_string(change.id - 1) + " of A, level 7");
         for (int depth = 20; depth < 24; ++depth)
             count(("frames/100/n_v at depth/" + std::to_string(depth)).c_str(), 100, 100 + depth);
@@ -243,18 +248,20 @@ SuiteResult sample(const fs::path& folder) {
             "out/golden/spheres-scb-pairs.new.scbtrace";
     }
     {
-        CaseResult& c = s.add("one-pixel", Verdict::different, "1 pixel differs, by 1.");
-        const Image before = picture_of({});
-        Image after = before;
-        Rgba8 color = pixel(after, 143, 77);
+        golden::CaseResult& c =
+            s.add("one-pixel", golden::Verdict::different, "1 pixel differs, by 1.");
+        const render::Image before = picture_of({});
+        render::Image after = before;
+        render::Rgba8 color = render::pixel(after, 143, 77);
         ++color.g;
-        set_pixel(after, 143, 77, color);
+        render::set_pixel(after, 143, 77, color);
         c.picture = {s.write("one.baseline.png", before), s.write("one.png", after),
                      s.write("one.difference.png", marked(before, after))};
         c.colors = colors_between(before, after);
     }
     {
-        CaseResult& c = s.add("tinted", Verdict::different, "Colors differ by more than allowed.");
+        golden::CaseResult& c =
+            s.add("tinted", golden::Verdict::different, "Colors differ by more than allowed.");
         Discs after;
         after.tint = 40;
         s.compare(c, {}, after);
@@ -263,26 +270,28 @@ SuiteResult sample(const fs::path& folder) {
         c.variant = 2;
     }
     {
-        CaseResult& c =
-            s.add("thin-cylinder-counts", Verdict::different, "2 counts differ; no pictures.");
+        golden::CaseResult& c = s.add("thin-cylinder-counts", golden::Verdict::different,
+                                      "2 counts differ; no pictures.");
         c.counts = {{"frames/0/pairs", 17, 18}, {"frames/0/n_v", 1203, 1100}};
     }
     {
-        CaseResult& c = s.add("cone-wide", Verdict::size_differs,
-                              "The new picture is 360 x 240; the baseline is 320 x 240.");
+        golden::CaseResult& c = s.add("cone-wide", golden::Verdict::size_differs,
+                                      "The new picture is 360 x 240; the baseline is 320 x 240.");
         Discs after;
         after.width = 360;
         s.compare(c, {}, after);
     }
     {
-        CaseResult& c = s.add("knots-extra", Verdict::new_output,
-                              "It makes knots-extra.ids.png, which the baseline does not have.");
+        golden::CaseResult& c =
+            s.add("knots-extra", golden::Verdict::new_output,
+                  "It makes knots-extra.ids.png, which the baseline does not have.");
         c.id_picture.candidate = s.write("extra.ids.png", ids_of({}));
         c.picture.candidate = "pictures/not-there.png";
     }
     {
-        CaseResult& c = s.add("<script>alert('x')</script> & \"more\"", Verdict::different,
-                              "The name <i>is</i> {{hostile}}, and its command is quoted.");
+        golden::CaseResult& c =
+            s.add("<script>alert('x')</script> & \"more\"", golden::Verdict::different,
+                  "The name <i>is</i> {{hostile}}, and its command is quoted.");
         c.lines = {"</script><img src=x onerror=alert(1)>"};
         c.counts = {{"<b>place</b>/\"n\"", 1, 2}};
         c.reproduce =
@@ -305,12 +314,17 @@ int main(int count, char** arguments) {
     }
     const std::filesystem::path folder = arguments[1];
     std::filesystem::create_directories(folder);
-    const scb::SuiteResult failing = scb::sample(folder);
-    scb::write_file_whole(folder / "report.html", scb::report_html(failing, folder));
-    scb::SuiteResult passing = failing;
-    std::erase_if(passing.cases, [](const scb::CaseResult& c) { return is_failure(c.verdict); });
-    scb::write_file_whole(folder / "passing.html", scb::report_html(passing, folder));
+    const scb::golden::SuiteResult failing = scb::sample(folder);
+    scb::render::write_file_whole(folder / "report.html",
+                                  scb::golden::report_html(failing, folder));
+    scb::golden::SuiteResult passing = failing;
+    std::erase_if(passing.cases, [](const scb::golden::CaseResult& c) {
+        return scb::golden::is_failure(c.verdict);
+    });
+    scb::render::write_file_whole(folder / "passing.html",
+                                  scb::golden::report_html(passing, folder));
     passing.incomplete = "These shards are missing: 2/2.";
-    scb::write_file_whole(folder / "incomplete.html", scb::report_html(passing, folder));
-    scb::write_file_whole(folder / "empty.html", scb::report_html({}, folder));
+    scb::render::write_file_whole(folder / "incomplete.html",
+                                  scb::golden::report_html(passing, folder));
+    scb::render::write_file_whole(folder / "empty.html", scb::golden::report_html({}, folder));
 }

@@ -10,7 +10,7 @@
 #include "scb/mesh.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// The sentence of the InputError that `action` throws; empty, and a failure, where it throws none.
 template <class Action>
@@ -61,4 +61,4 @@ inline double signed_volume6(const Mesh& mesh) {
     return sum;
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

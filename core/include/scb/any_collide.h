@@ -6,8 +6,8 @@
 
 namespace scb {
 
-/// `collide` for hierarchies whose volume type was chosen at run time. Both must have the same,
-/// else throws std::bad_variant_access.
+/// `collide` for hierarchies whose volume type was chosen at run time. Throws
+/// InputError where theirs are two.
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options = {});
 

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <variant>
 
-#include "core/hierarchy/level_statistics.h"
 #include "scb/hierarchy.h"
 
 namespace scb {
@@ -22,13 +21,14 @@ std::span<const VolumeKind> all_volume_kinds();
 /// template.
 using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>>;
 
-/// Fits volumes of the kind to a topology; `ritter` sets FitOptions::ball_method.
-AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
-                     const LeafOrder& points, FitOptions options = {}, int threads = 1);
+/// A hierarchy of each kind, all on one topology, so that a difference between two of them comes
+/// from their volumes alone. Throws as build_hierarchy does.
+std::vector<AnyHierarchy> build_hierarchies(const Mesh& mesh, std::span<const VolumeKind> kinds,
+                                            const BuildOptions& options = {},
+                                            std::string_view name = "mesh");
 
 const Topology& topology_of(const AnyHierarchy& hierarchy);
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);
-std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
 
 /// sizeof the volume of one node.
 std::size_t bytes_per_volume(const AnyHierarchy& hierarchy);

@@ -8,11 +8,12 @@ namespace scb {
 /// A packed hierarchy whose layout is chosen at run time, as AnyHierarchy's volumes are.
 using AnyPacked = AnyCodec<PackedHierarchy>;
 
-/// `pack` to a layout. Throws InputError as that does.
+/// `pack` to a layout. Throws InputError as that does, and where the layout has another width than
+/// 2, 4 or 8.
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
-/// `collide_packed` for hierarchies of one layout, else throws std::bad_variant_access.
+/// `collide_packed` for hierarchies of one layout. Throws InputError where theirs are two.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a,
                                const PackedOptions& options = {},

@@ -23,7 +23,7 @@ bool contains(const Ball& ball, const Vec3& point);
 bool is_well_formed(const Ball& ball);
 
 /// How far the ball reaches from its center in the unit direction `direction`.
-double extent(const Ball& ball, const Vec3& direction);
+double support(const Ball& ball, const Vec3& direction);
 
 /// The smallest radius r for which r * r, as `contains` computes it, reaches the squared distance.
 double radius_reaching(double squared_distance);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collide/collision.h"
+#include "scb/observer.h"
 
 namespace scb {
 
@@ -33,18 +33,13 @@ struct Events {
     friend bool operator==(const Events&, const Events&) = default;
 };
 
-/// An observer for `collide` that keeps all events. At most 2^32 volume tests.
+/// An observer for `collide` that keeps all events. Throws std::length_error where a query has more
+/// than 2^32 - 1 volume tests, or a node is deeper than 65,535.
 struct EventRecorder {
     Events events;
 
-    void volume_test(IndexPair nodes, int depth_a, int depth_b, Stage stage) {
-        events.volume_tests.push_back({nodes, static_cast<std::uint16_t>(depth_a),
-                                       static_cast<std::uint16_t>(depth_b), stage});
-    }
-    void triangle_test(IndexPair triangles, bool intersect) {
-        events.triangle_tests.push_back(
-            {triangles, static_cast<std::uint32_t>(events.volume_tests.size() - 1), intersect});
-    }
+    void volume_test(IndexPair nodes, int depth_a, int depth_b, Stage stage);
+    void triangle_test(IndexPair triangles, bool intersect);
 };
 
 }  // namespace scb

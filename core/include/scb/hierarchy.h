@@ -4,12 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "core/hierarchy/build_options.h"
-#include "core/hierarchy/leaf_order.h"
+#include "scb/fit.h"
 #include "scb/topology.h"
 #include "scb/volume.h"
 
 namespace scb {
+
+/// How a hierarchy is built.
+struct BuildOptions {
+    /// How its volumes are fitted.
+    FitOptions fit{};
+    /// How its nodes are divided.
+    SplitMethod split = SplitMethod::section_3;
+    /// How many threads build it; it is the same for any number.
+    int threads = 1;
+
+    TopologyOptions topology() const { return {split, threads}; }
+};
 
 /// A bounding volume hierarchy: a topology, which several hierarchies may share, and a volume for
 /// each of its nodes, in the body frame of the mesh.
@@ -18,13 +29,6 @@ struct Hierarchy {
     std::shared_ptr<const Topology> topology;
     std::vector<V> volumes;
 };
-
-/// Fits a volume to the points of every node, bottom up: the 26-DOP and the surface moments of a
-/// node come from its children, the rest of the fit from its points. The same volumes as fitting
-/// each node by itself, on any number of threads. O(n log n).
-template <Volume V>
-std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const FitOptions& options = {}, int threads = 1);
 
 /// Topology and volumes at once. Throws InputError where check_mesh does and where the margin is
 /// below 0 or not a number; `name` says which mesh it is.

@@ -21,7 +21,7 @@ bool contains(const Obb& box, const Vec3& point);
 bool is_well_formed(const Obb& box);
 
 /// How far the box reaches from its center in the unit direction `direction`.
-double extent(const Obb& box, const Vec3& direction);
+double support(const Obb& box, const Vec3& direction);
 
 /// The size that decides which of two volumes a traversal descends into: the longest half length,
 /// as in RAPID (Gottschalk).

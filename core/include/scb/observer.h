@@ -1,30 +1,43 @@
 #pragma once
 
-#include <concepts>
-#include <type_traits>
+#include <compare>
+#include <cstdint>
 
-#include "core/collide/collision.h"
+#include "scb/stage.h"
 
 namespace scb {
 
-/// An observer is told of every test of a query, in order. It is called with the nodes, their
-/// depths and the stage of each volume test, and after it, where both nodes are leaves that
-/// overlap, with the triangles and whether they intersect.
-struct NoObserver {
-    void volume_test(IndexPair, int, int, Stage) {}
-    void triangle_test(IndexPair, bool) {}
+/// Two triangles, or two nodes, by their indices in A and in B.
+struct IndexPair {
+    std::uint32_t a = 0, b = 0;
+    friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
 };
 
-namespace detail {
+/// An observer is told of every test of a query, in order. `volume_test` gets the nodes, their
+/// depths and the stage of a volume test. `triangle_test` follows the test of two leaves that
+/// overlap; it gets the triangles and whether they intersect.
+template <class O>
+concept Observer = requires(O& observer, IndexPair pair, int depth, Stage stage, bool intersect) {
+    observer.volume_test(pair, depth, depth, stage);
+    observer.triangle_test(pair, intersect);
+};
 
-/// Whether there is anybody to tell: calls that do nothing still change how a compiler orders its
-/// instructions.
-template <class Observer>
-inline constexpr bool observed = !std::same_as<Observer, NoObserver>;
+/// An observer of any type as three pointers, for a traversal that was compiled without it.
+struct ObserverCalls {
+    void* observer = nullptr;
+    void (*volume_test)(void* observer, IndexPair nodes, int depth_a, int depth_b, Stage stage);
+    void (*triangle_test)(void* observer, IndexPair triangles, bool intersect);
+};
 
-/// How an observer is handed on. NoObserver goes by value, which takes no instruction.
-template <class Observer>
-using Told = std::conditional_t<observed<Observer>, Observer&, NoObserver>;
+template <Observer O>
+ObserverCalls calls_of(O& observer) {
+    return {&observer,
+            [](void* self, IndexPair nodes, int depth_a, int depth_b, Stage stage) {
+                static_cast<O*>(self)->volume_test(nodes, depth_a, depth_b, stage);
+            },
+            [](void* self, IndexPair triangles, bool intersect) {
+                static_cast<O*>(self)->triangle_test(triangles, intersect);
+            }};
+}
 
-}  // namespace detail
 }  // namespace scb

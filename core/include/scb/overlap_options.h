@@ -30,18 +30,10 @@ bool has_threshold(OverlapTest test);
 /// Whether the test never rejects volumes that overlap or touch: all but `printed`.
 bool is_sound(OverlapTest test);
 
-/// The test `symmetric` with an error on purpose, by which tests are shown to be able to fail.
-enum class TestMutant {
-    none,
-    flipped_comparison,  ///< of B's ball with A's lower plane
-    swapped_stages,      ///< B's slab comes before A's
-};
-
 struct OverlapOptions {
     OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
     /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
     double threshold = 0.7;
-    TestMutant mutant = TestMutant::none;
 };
 
 /// "symmetric", "corrected a=0.7": with the threshold, where the test has one.

@@ -21,8 +21,10 @@ struct PackedOptions {
     SimdLevel level = SimdLevel::best;
     /// How many threads share a query, this one included; of a small query this one does all.
     int threads = 1;
-    /// The query ends once it has found more than this many pairs.
-    std::size_t max_pairs = std::numeric_limits<std::size_t>::max();
+    /// The query gives up once it has found more pairs than this. Which pairs it has by then
+    /// depends on the layout and the threads, so it returns none; CollideOptions::max_pairs returns
+    /// some.
+    std::size_t give_up_after = std::numeric_limits<std::size_t>::max();
 };
 
 /// Memory that queries need while they run, kept from one to the next. For one query at a time.
@@ -46,8 +48,8 @@ struct PackedCollision {
     std::uint64_t n_v = 0;         ///< pairs of volumes that were tested
     std::uint64_t n_p = 0;         ///< pairs of triangles that were tested, in floats
     std::uint64_t n_exact = 0;     ///< of these, pairs that floats could not decide on
-    bool complete = true;  ///< false where there are more than max_pairs: then none is here, and
-                           ///< counts are of what was done
+    bool complete = true;          ///< false where the query gave up: then no pair is here, and the
+                                   ///< counts are of what was done
 };
 
 /// Finds the triangles of A and B that intersect, B moved by `b_to_a` into A's frame: the same

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/packed/leaf_corners.h"
 #include "scb/hierarchy.h"
 #include "scb/node_codec.h"
+#include "scb/packed_layout.h"
 
 namespace scb {
 

@@ -4,9 +4,13 @@
 #include <span>
 #include <string>
 
-#include "core/packed/leaf_corners.h"
-
 namespace scb {
+
+/// Where the corners of a packed leaf's triangles are.
+enum class LeafCorners {
+    stored,   ///< in the leaf: 36 bytes for each triangle
+    in_mesh,  ///< in the mesh alone
+};
 
 /// How a packed hierarchy is stored: as what numbers, how many children a node has, how many
 /// triangles a leaf, and with or without their corners.

@@ -34,7 +34,7 @@ bool is_well_formed(const Scb& scb);
 
 /// How far the SCB reaches from c in the unit direction `direction`: max of direction.(x - c) over
 /// the SCB. Exact; may be negative for a slab that leaves the center out.
-double extent(const Scb& scb, const Vec3& direction);
+double support(const Scb& scb, const Vec3& direction);
 
 /// The size that decides which of two volumes a traversal descends into: the radius (Section 5).
 inline double descent_size(const Scb& scb) { return scb.r; }

@@ -50,7 +50,7 @@ struct Topology {
 /// How nodes are divided.
 enum class SplitMethod {
     section_3,  ///< by the rules of Section 3
-    cost,       ///< where the halves, weighed by their volumes, cost least; see split_at_least_cost
+    cost,       ///< where the halves, weighed by their volumes, cost least; see sah_split
 };
 
 /// "paper", "cost": the names of the command line.

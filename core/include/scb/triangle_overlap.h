@@ -2,13 +2,25 @@
 
 #include <array>
 
-#include "scb/vec.h"
+#include "scb/mesh.h"
+#include "scb/pose.h"
 
 namespace scb {
 
 /// The corners of a triangle, in any order. Where they are collinear or equal, the triangle is the
 /// segment or the point that they span.
 using TriangleCorners = std::array<Vec3, 3>;
+
+/// The triangle's corners, in the body frame.
+inline TriangleCorners corners(const Mesh& mesh, std::uint32_t triangle) {
+    const Triangle& t = mesh.triangles[triangle];
+    return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+/// The same seen from another frame.
+inline TriangleCorners transform_corners(const Pose& pose, const TriangleCorners& t) {
+    return {transform_point(pose, t[0]), transform_point(pose, t[1]), transform_point(pose, t[2])};
+}
 
 /// Whether two triangles, closed sets in one frame, have a point in common: touching is
 /// overlapping, and degenerate triangles are the segments and points that they are. The answer is

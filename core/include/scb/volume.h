@@ -16,7 +16,7 @@ template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
     requires(const V& c, const Vec3& p) {
     { contains(c, p) } -> std::same_as<bool>;
-    { extent(c, p) } -> std::same_as<double>;
+    { support(c, p) } -> std::same_as<double>;
     { surface_area(c) } -> std::same_as<double>;
     { volume(c) } -> std::same_as<double>;
     { descent_size(c) } -> std::same_as<double>;

@@ -9,7 +9,7 @@
 #include "scenes/meshes/mesh_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,7 +59,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
                "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 nan "
                "0\n0 1 0\n3 0 1 2\n");
     write_text(folder / "index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-    write_text(folder / "noise.stl", "this is no mesh at all");
+    write_text(folder / "noise.stl", "this is not a mesh at all");
     write_text(folder / "broken.json", "{\"scb_scene\": 1,\n \"name\": }");
     write_text(folder / "field.json",
                R"({"scb_scene": 1, "name": "x", "sphere": 3, "models": [], "bodies": []})");
@@ -75,7 +75,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats " + folder.path.string(), 2, "directory"},
         {"stats " + (folder / "broken.json"), 2, "line 2"},
         {"stats " + (folder / "field.json"), 2, "sphere"},
-        {"stats spheres-l1 --volume scb,cube", 2, "'cube' is no volume"},
+        {"stats spheres-l1 --volume scb,cube", 2, "'cube' is not a volume"},
         {"stats spheres-l1 --growth fast", 2, "--growth fast"},
         {"stats spheres-l1 --split sah", 2, "--split sah"},
         {"stats spheres-l1 --threads 0", 2, "--threads 0"},
@@ -87,14 +87,14 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"collide spheres-l1 --descent ''", 2, "--descent: the name is empty"},
         {"bench spheres-l1 --layout ''", 2, "--layout: the name is empty"},
         {"bench spheres-l1 --simd ''", 2, "--simd: the name is empty"},
-        {"stats spheres-l1 --layout float3", 2, "'float3' is no layout"},
+        {"stats spheres-l1 --layout float3", 2, "'float3' is not a layout"},
         {"stats spheres-l1 --layout reference", 2, "packed layouts alone"},
         {"bench spheres-l1 --layout float8,float8", 2, "is there twice"},
         {"stats spheres-l1 --margin -1", 2, "--margin"},
         {"stats " + (folder / "index.off") + " " + (folder / "index.off"), 2, "index.off"},
         {"render levels spheres-l1 --levels 99" + small, 2, "levels 0 to 1"},
         {"render levels spheres-l1 --levels 3:1" + small, 2, "names nothing"},
-        {"render levels spheres-l1 --levels five" + small, 2, "'five' is no whole number"},
+        {"render levels spheres-l1 --levels five" + small, 2, "'five' is not a whole number"},
         {"render levels spheres-l1 --levels 0:2000000000" + small, 2, "there is no level"},
         {"render levels spheres-l1 --levels ''" + small, 2, "no whole number"},
         {"render levels spheres-l1 --levels 2 --frame 500" + small, 2, "frames 0 to 499"},
@@ -118,7 +118,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
          "--segments 1"},
         {"stats horses --models " + folder.path.string(), 2,
          "(48485 vertices and 96966 triangles; "},
-        {"scenes nonsense", 2, "'nonsense' is no built-in scene"},
+        {"scenes nonsense", 2, "'nonsense' is not a built-in scene"},
     };
     for (const Refusal& refusal : refusals) {
         const ProgramRun run = run_scb(refusal.arguments);
@@ -205,7 +205,8 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
     ASSERT_EQ(index["files"].size(), 7u);  // six pictures and a sheet
     EXPECT_EQ(lines_of(run.out), 14u);     // also six id pictures and the index
     for (const json& file : index["files"]) {
-        const Image image = read_png(folder / "out/" + file["file"].get<std::string>());
+        const render::Image image =
+            render::read_png(folder / "out/" + file["file"].get<std::string>());
         if (file.contains("sheet")) continue;
         EXPECT_EQ(image.width, 320);
         EXPECT_EQ(image.height, 240);
@@ -216,7 +217,8 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
             EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
         }
         // Every id in the picture is that of a node of a body.
-        const IdImage ids = unpack_ids(read_png(folder / "out/" + file["ids"].get<std::string>()));
+        const render::IdImage ids =
+            render::unpack_ids(render::read_png(folder / "out/" + file["ids"].get<std::string>()));
         const std::set<std::uint32_t> met(ids.ids.begin(), ids.ids.end());
         EXPECT_EQ(*met.begin(), 0u);
         EXPECT_GT(met.size(), 8u);
@@ -312,7 +314,7 @@ TEST(CommandLine, ExportedLevelsCanBeReadBack) {
             const ProgramRun run = run_scb("export spheres-l1 --level 4 --segments 16 --volume " +
                                            std::string(volume) + " -o " + file);
             ASSERT_EQ(run.status, 0) << run.err;
-            const Mesh mesh = load_mesh(file);
+            const Mesh mesh = scenes::load_mesh(file);
             EXPECT_GE(mesh.triangles.size(), 32u * 12) << file;
             const Box box = bounding_box(mesh);
             EXPECT_GT(box.upper[0] - box.lower[0], 3.5);
@@ -335,4 +337,4 @@ TEST(CommandLine, TwoMeshesAndAPose) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -6,7 +6,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -235,7 +235,7 @@ TEST_F(ExplainCommand, RefusesVolumesByFieldAndPair) {
     };
     refused(changed("normal", {0, 0, 0}), "[1].b.normal: expected three numbers that are not all");
     refused(changed("normal", {0, 0, 1.1}),
-            "[1].b.normal: this is no unit vector: its length is 1.1");
+            "[1].b.normal: this is not a unit vector: its length is 1.1");
     refused(changed("normal", {0, nullptr, 1}), "[1].b.normal: expected three numbers, found");
     refused(changed("e", -0.5), "[1].b.e: e = -0.5 is below f = -0.25");
     refused(changed("radius", -1), "[1].b.radius: expected a number from 0");
@@ -268,7 +268,7 @@ TEST_F(ExplainCommand, RefusesVolumesByFieldAndPair) {
     refused(pair, "a.half[2]: expected a number from 0");
     pair["a"]["half"][2] = 1;
     pair["b"]["axes"][0] = {1, 1, 0};
-    refused(pair, "b.axes: the axes are no rotation");
+    refused(pair, "b.axes: the axes are not a rotation");
     refused("pairs", "expected a pair of volumes");
     folder.write("pairs.json", "[{\"a\":\n }]");
     const ProgramRun run = run_scb("explain --pairs " + (folder / "pairs.json"));
@@ -294,11 +294,11 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
          "there is no node 40959 of B; its hierarchy has the nodes 0 to 40958"},
         {"spheres-l1 --pair 1,2 --frame 500",
          "--frame 500: the scene 'spheres-l1' has the frames 0 to 499"},
-        {"spheres-l1 --pair 1,2 --test fast", "'fast' is no overlap test"},
+        {"spheres-l1 --pair 1,2 --test fast", "'fast' is not an overlap test"},
         {"spheres-l1 --pair 1,2 --test printed,corrected", "one overlap test at a time"},
         {"spheres-l1 --pair 1,2 --volume scb,ball", "takes one of"},
         {"spheres-l1 --pair 1,2 --threshold 2", "--threshold 2"},
-        {"spheres-l1 --pair 1,2 --bodies A,C", "'C' is no body"},
+        {"spheres-l1 --pair 1,2 --bodies A,C", "'C' is not a body"},
         {"spheres-l1 --pair 1,2 --size 100x100", "--size"},
         {"spheres-l1 --pair 1,2 --background dark", "say where with -o DIR"},
         {"spheres-l1 --pairs " + file, "leave out one of them"},
@@ -321,4 +321,4 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

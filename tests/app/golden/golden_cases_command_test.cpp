@@ -2,7 +2,7 @@
 
 #include "tests/app/golden/golden_command.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,7 +253,7 @@ TEST_F(GoldenCommandCases, SayHowTheirRunnerEnded) {
 TEST_F(GoldenCommandCases, NeedASuiteAndRoom) {
     const ProgramRun none = run_scb("golden check", "cd / && env -u CI");
     EXPECT_EQ(none.status, 2);
-    EXPECT_NE(none.err.find("there is no such file; name your suite with --suite."),
+    EXPECT_NE(none.err.find("there is no such file; name your suite with --suite"),
               std::string::npos)
         << none.err;
     write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}}});
@@ -284,4 +284,4 @@ TEST_F(GoldenCommandCases, ThatCatchNothingAreToldWhatWould) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -7,7 +7,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 
 inline constexpr const char* golden_suite_text = R"({
   "scb_golden": 1,
@@ -62,4 +62,4 @@ class GoldenCommand : public testing::Test {
     nlohmann::json results;
 };
 
-}  // namespace scb
+}  // namespace scb::app

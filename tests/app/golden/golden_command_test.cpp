@@ -2,7 +2,7 @@
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,11 +26,11 @@ TEST_F(GoldenCommand, FindsNothingWhereNothingChanged) {
 }
 
 TEST_F(GoldenCommand, FindsOnePixelThatIsOffByOne) {
-    Image image = read_png(baseline("rejections.png"));
-    Rgba8 color = pixel(image, 123, 45);
+    render::Image image = render::read_png(baseline("rejections.png"));
+    render::Rgba8 color = render::pixel(image, 123, 45);
     color.g = static_cast<std::uint8_t>(color.g ^ 1);
-    set_pixel(image, 123, 45, color);
-    write_file_whole(baseline("rejections.png"), encode_png(image));
+    render::set_pixel(image, 123, 45, color);
+    render::write_file_whole(baseline("rejections.png"), render::encode_png(image));
     EXPECT_EQ(check().status, 1);
     const json found = result("rejections");
     EXPECT_EQ(found["verdict"], "different");
@@ -100,11 +100,11 @@ TEST_F(GoldenCommand, ToldApartAreMissingNewBrokenAndOfAnotherSize) {
     const std::string png = file_text(baseline("traversal.png"));
     write_text(baseline("traversal.png"), png.substr(0, png.size() / 2));
     write_text(baseline("collide.counts.json"), "{\"frames\": {");
-    Image small;
+    render::Image small;
     small.width = 160;
     small.height = 120;
     small.rgba.assign(4 * 160 * 120, 255);
-    write_file_whole(baseline("inspect.png"), encode_png(small));
+    render::write_file_whole(baseline("inspect.png"), render::encode_png(small));
     const auto before = baselines();
     const ProgramRun run = check("--junit " + (folder / "junit.xml"));
     EXPECT_EQ(run.status, 1);
@@ -217,4 +217,4 @@ TEST_F(GoldenCommand, RefusesWhatASuiteMustNotSay) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -5,7 +5,7 @@
 
 #include "tests/app/golden/golden_command.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ TEST_F(GoldenCommandFiles, APipeIsNoFileOfABaseline) {
         const ProgramRun run = limited("check levels");
         EXPECT_EQ(run.status, 1) << file << run.err;
         EXPECT_NE(run.out.find("new output. These differ: " + std::string(file) +
-                               " of the baseline is no regular file"),
+                               " of the baseline is not a regular file"),
                   std::string::npos)
             << run.out;
         EXPECT_EQ(limited("update levels").status, 0) << file;
@@ -151,4 +151,4 @@ TEST_F(GoldenCommandFiles, NamesInThemForgeNoOutput) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -2,7 +2,7 @@
 
 #include "tests/app/golden/golden_command.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST_F(GoldenCommandInterrupt, LeavesNoTemporaryFolderHoweverItEnds) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -8,7 +8,7 @@
 #include "render/files/output_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -344,11 +344,11 @@ TEST_F(GoldenReport, SaysWhatToDoAboutABaselineThatCannotBeRead) {
 }
 
 TEST_F(GoldenReport, SaysWhatPassesOnlyWithinATolerance) {
-    Image image = read_png(baseline("levels.png"));
-    Rgba8 color = pixel(image, 12, 34);
+    render::Image image = render::read_png(baseline("levels.png"));
+    render::Rgba8 color = render::pixel(image, 12, 34);
     color.g = static_cast<std::uint8_t>(color.g ^ 1);
-    set_pixel(image, 12, 34, color);
-    write_file_whole(baseline("levels.png"), encode_png(image));
+    render::set_pixel(image, 12, 34, color);
+    render::write_file_whole(baseline("levels.png"), render::encode_png(image));
     change_suite("/presets/small/tolerance", {{"max_channel_delta", 1}, {"max_pixels", 0}}, {});
     const ProgramRun ended = check();
     EXPECT_EQ(ended.status, 0);
@@ -360,4 +360,4 @@ TEST_F(GoldenReport, SaysWhatPassesOnlyWithinATolerance) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include "tests/app/golden/golden_command.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -127,4 +127,4 @@ TEST_F(GoldenCommandUpdate, KeepsATraceThatCannotBeRecordedAnew) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -9,7 +9,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -288,7 +288,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
                 EXPECT_EQ(run.status, 2) << link << " " << source;
             }
         }
-    // What is no file is not written to either.
+    // What is not a file is not written to either.
     const fs::path out = folder.path / "out";
     fs::remove_all(out);
     fs::create_directory(out);
@@ -322,4 +322,4 @@ TEST(InspectCommand, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -6,7 +6,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -77,11 +77,12 @@ TEST_F(CompareQueries, NamesTheIdsOfThePairsOfBoth) {
     EXPECT_EQ(file["pair_ids"][1]["count"], file["queries"][1]["pairs"]);
     EXPECT_EQ(middle, first + file["pair_ids"][0]["count"].get<std::uint32_t>());
     const std::uint32_t end = middle + file["pair_ids"][1]["count"].get<std::uint32_t>();
-    const IdImage ids = unpack_ids(read_png(out + "/" + file["ids"].get<std::string>()));
+    const render::IdImage ids =
+        render::unpack_ids(render::read_png(out + "/" + file["ids"].get<std::string>()));
     std::array<int, 2> seen{};
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) {
-            const std::uint32_t id = pixel(ids, x, y);
+            const std::uint32_t id = render::pixel(ids, x, y);
             EXPECT_LT(id, end);
             if (id < first) continue;
             const std::size_t query = id < middle ? 0 : 1;
@@ -197,4 +198,4 @@ TEST_F(CompareQueries, PicksFromTheViewThatThePixelIsIn) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

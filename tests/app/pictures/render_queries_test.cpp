@@ -7,7 +7,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -82,7 +82,8 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
     const auto seen = [&](const json& index) {
         std::set<std::string> kinds;
         const std::string file = out + "/" + index["files"][0]["ids"].get<std::string>();
-        for (const std::uint32_t id : unpack_ids(read_png(file)).ids) kinds.insert(range_of(id));
+        for (const std::uint32_t id : render::unpack_ids(render::read_png(file)).ids)
+            kinds.insert(range_of(id));
         return kinds;
     };
     // "other": the segments in which triangles meet.
@@ -101,8 +102,8 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
 
 TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
     const json index = index_of("rejections spheres-l1 --frames 100 --ids"), ranges = index["ids"];
-    const IdImage ids =
-        unpack_ids(read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
+    const render::IdImage ids = render::unpack_ids(
+        render::read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
     const std::string start =
         "render rejections spheres-l1 --frames 100 --size 320x240 --samples 1 -o " + out +
         " --pick ";
@@ -171,8 +172,8 @@ TEST_F(RenderQueries, RefuseDepthsAndOptionsThatAreNone) {
              {"--depth 99", "the levels 0 to"},
              {"--depth ''", "--depth"},
              {"--body ''", "--body"},
-             {"--heat volumes", "'--heat' is no option of `scb render rejections`"},
-             {"--no-such thing", "'--no-such' is no option"},
+             {"--heat volumes", "unknown option '--heat' of `scb render rejections`"},
+             {"--no-such thing", "unknown option '--no-such'"},
          }) {
         const ProgramRun run =
             run_scb("render rejections spheres-l1 --frames 100 " + arguments + " -o " + out);
@@ -224,8 +225,8 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("levels spheres-l1 --camera contact", "levels have no contact");
     refused("rejections spheres-l1 --steps 0", "--steps 0: give at least 1");
     refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
-    refused("pairs spheres-l1 --pick 12", "this is no pixel");
-    refused("pairs spheres-l1 --pick 1,x", "is no whole number");
+    refused("pairs spheres-l1 --pick 12", "this is not a pixel");
+    refused("pairs spheres-l1 --pick 1,x", "is not a whole number");
     refused("pairs spheres-l1 --heat tests", "--heat tests: give volumes or triangles");
     refused("pairs spheres-l1 --heat-end 100", "and --heat");
     refused("pairs spheres-l1 --heat volumes --heat-end 1", "give at least 2");
@@ -249,4 +250,4 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

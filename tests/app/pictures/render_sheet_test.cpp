@@ -9,7 +9,7 @@
 #include "render/overlay/figure_layout.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -25,17 +25,17 @@ struct RenderSheet : testing::Test {
         EXPECT_NE(run.out.find("_sheet.png\n"), std::string::npos) << run.out;
         return json::parse(file_text(out + "/index.json"))["files"];
     }
-    Image picture(const json& file) const {
-        return read_png(out + "/" + file["file"].get<std::string>());
+    render::Image picture(const json& file) const {
+        return render::read_png(out + "/" + file["file"].get<std::string>());
     }
 
     /// Every one of the first `count` pictures has its cell, in their order, and no two look alike.
     void check(const json& files, std::size_t count) const {
         EXPECT_EQ(files.back()["sheet"], true);
         EXPECT_EQ(files.back().size(), 2u);
-        const Image sheet = picture(files.back());
-        const PixelRect view = figure_layout(640, 480).view;
-        const FrameSheetLayout layout = *frame_sheet_layout(count, view);
+        const render::Image sheet = picture(files.back());
+        const render::PixelRect view = render::figure_layout(640, 480).view;
+        const render::FrameSheetLayout layout = *render::frame_sheet_layout(count, view);
         EXPECT_EQ(sheet.width, layout.width);
         EXPECT_LE(sheet.height, layout.height);
         const int first_y = sheet.height - layout.bands * layout.cell_height();
@@ -44,11 +44,11 @@ struct RenderSheet : testing::Test {
         for (std::size_t i = 0; i < count; ++i) {
             const int column = static_cast<int>(i) % layout.columns,
                       band = static_cast<int>(i) / layout.columns;
-            const PixelRect cell = {layout.x(column),
-                                    first_y + band * layout.cell_height() + layout.view_y(),
-                                    layout.view_width, layout.view_height};
-            const Image shown = shrunk(sheet, cell, cell.width, cell.height);
-            EXPECT_EQ(shown, shrunk(picture(files[i]), view, cell.width, cell.height)) << i;
+            const render::PixelRect cell = {layout.x(column),
+                                            first_y + band * layout.cell_height() + layout.view_y(),
+                                            layout.view_width, layout.view_height};
+            const render::Image shown = render::shrunk(sheet, cell, cell.width, cell.height);
+            EXPECT_EQ(shown, render::shrunk(picture(files[i]), view, cell.width, cell.height)) << i;
             EXPECT_TRUE(looks.emplace(shown.rgba.begin(), shown.rgba.end()).second) << i;
         }
     }
@@ -61,7 +61,7 @@ TEST_F(RenderSheet, HasACellForEveryPicture) {
     files = files_of("pairs spheres-l1 --frames 100 --heat volumes --background dark");
     ASSERT_EQ(files.size(), 2u);
     check(files, 1);
-    EXPECT_EQ(pixel(picture(files[1]), 0, 0), dark_theme.background);
+    EXPECT_EQ(render::pixel(picture(files[1]), 0, 0), render::dark_theme.background);
     // The plot of all frames is no cell.
     files = files_of("rejections spheres-l1 --frames 50,100,150 --by share");
     ASSERT_EQ(files.size(), 5u);
@@ -102,8 +102,9 @@ TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
     const json files = json::parse(file_text(out + "/index.json"))["files"];
     ASSERT_FALSE(files.empty());
     EXPECT_EQ(files.back()["sheet"], true);
-    const Image sheet = picture(files.back());
-    const FrameSheetLayout layout = *frame_sheet_layout(2800, figure_layout(320, 240).view);
+    const render::Image sheet = picture(files.back());
+    const render::FrameSheetLayout layout =
+        *render::frame_sheet_layout(2800, render::figure_layout(320, 240).view);
     EXPECT_EQ(sheet.width, layout.width);
     EXPECT_LT(sheet.height, layout.height);
 }
@@ -127,4 +128,4 @@ TEST_F(RenderSheet, IsRefusedBeforeDrawingWhereThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -81,4 +81,4 @@ TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

@@ -9,7 +9,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -27,7 +27,7 @@ struct RenderVideo : testing::Test {
     std::string out = folder / "out", file = out + "/v.mp4";
 
     void SetUp() override {
-        if (!is_on_path("ffmpeg") || !is_on_path("ffprobe"))
+        if (!render::is_on_path("ffmpeg") || !render::is_on_path("ffprobe"))
             GTEST_SKIP() << "the package ffmpeg is not installed";
     }
     json index_of(const std::string& arguments) {
@@ -77,19 +77,21 @@ TEST_F(RenderVideo, ShowsThePicturesInTheirColors) {
         "-vsync 0 " +
         (folder / "%d.png"));
     for (std::size_t i = 0; i < 2; ++i) {
-        const Image drawn = read_png(out + "/" + index["files"][i]["file"].get<std::string>());
-        const Image shown = read_png(folder / (std::to_string(i + 1) + ".png"));
+        const render::Image drawn =
+            render::read_png(out + "/" + index["files"][i]["file"].get<std::string>());
+        const render::Image shown = render::read_png(folder / (std::to_string(i + 1) + ".png"));
         ASSERT_EQ(shown.rgba.size(), drawn.rgba.size());
         // Where the picture is flat; edges are coded with fewer colors. The mean of each color.
         constexpr int reach = 4;
         std::map<std::array<int, 3>, std::array<double, 4>> sums;
         for (int y = reach; y < drawn.height - reach; ++y)
             for (int x = reach; x < drawn.width - reach; ++x) {
-                const Rgba8 color = pixel(drawn, x, y), seen = pixel(shown, x, y);
+                const render::Rgba8 color = render::pixel(drawn, x, y),
+                                    seen = render::pixel(shown, x, y);
                 bool flat = true;
                 for (int j = -reach; j <= reach && flat; ++j)
                     for (int k = -reach; k <= reach && flat; ++k)
-                        flat = pixel(drawn, x + k, y + j) == color;
+                        flat = render::pixel(drawn, x + k, y + j) == color;
                 if (!flat) continue;
                 std::array<double, 4>& sum = sums[{color.r, color.g, color.b}];
                 for (const auto& [channel, value] :
@@ -205,4 +207,4 @@ TEST_F(RenderVideoWithout, AWorkingProgramCanBeInterrupted) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

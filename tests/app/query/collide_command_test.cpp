@@ -4,11 +4,13 @@
 #include <sstream>
 
 #include "core/collide/pairs_hash.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
 #include "scb/any_collide.h"
 #include "scenes/scene/load_scene.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -21,15 +23,16 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 Collision query(const std::string& name, int frame, VolumeKind kind) {
-    const Scene scene = load_scene({name});
+    const scenes::Scene scene = scenes::load_scene({name});
     std::vector<AnyHierarchy> h;
-    for (const NamedMesh& m : scene.meshes) {
+    for (const scenes::NamedMesh& m : scene.meshes) {
         const auto topology = std::make_shared<const Topology>(build_topology(m.mesh));
         h.push_back(fit_any(kind, topology, leaf_order(m.mesh, *topology)));
     }
-    const Body &a = scene.bodies[0], &b = scene.bodies[1];
-    return collide(h[a.mesh], scene.meshes[a.mesh].mesh, h[b.mesh], scene.meshes[b.mesh].mesh,
-                   relative_pose(pose_at(a.motion, frame), pose_at(b.motion, frame)));
+    const scenes::Body &a = scene.bodies[0], &b = scene.bodies[1];
+    return collide(
+        h[a.mesh], scene.meshes[a.mesh].mesh, h[b.mesh], scene.meshes[b.mesh].mesh,
+        relative_pose(scenes::pose_at(a.motion, frame), scenes::pose_at(b.motion, frame)));
 }
 
 TEST(CollideCommand, SpeaksOfTheLibrarysCounts) {
@@ -114,8 +117,8 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
     for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
              {"spheres-l1 --frames 500", "there is no frame 500"},
              {"spheres-l1 --frames 5:1", "names nothing"},
-             {"spheres-l1 --frames x", "is no whole number"},
-             {"spheres-l1 --test gjk", "is no overlap test"},
+             {"spheres-l1 --frames x", "is not a whole number"},
+             {"spheres-l1 --test gjk", "is not an overlap test"},
              {"spheres-l1 --test symmetric,extents", "one overlap test at a time"},
              {"spheres-l1 --volume scb,ball", "one of scb,ball,ritter,obb at a time"},
              {"spheres-l1 --threshold 2", "give a cosine from 0 to 1"},
@@ -123,15 +126,15 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --descent up", "unknown rule"},
              {"spheres-l1 --bodies A", "give two bodies"},
              {"spheres-l1 --bodies A,A", "give two bodies"},
-             {"spheres-l1 --bodies A,C", "is no body"},
+             {"spheres-l1 --bodies A,C", "is not a body"},
              {"spheres-l1 --level 99", "have the levels 0 to"},
              {"spheres-l1 --max-pairs 0", "give at least 1"},
              {"spheres-l1 --max-pairs -1", "give at least 1"},
              {"spheres-l1 --level -1", "have the levels 0 to"},
              {"spheres-l1 --json --csv", "exclude each other"},
-             {"spheres-l1 --max-pairs 010", "'010' is no whole number"},
-             {"spheres-l1 --level ''", "'' is no whole number"},
-             {"spheres-l1 --margin ''", "'' is no number"},
+             {"spheres-l1 --max-pairs 010", "'010' is not a whole number"},
+             {"spheres-l1 --level ''", "'' is not a whole number"},
+             {"spheres-l1 --margin ''", "'' is not a number"},
              {"spheres-l1 --pairs-out -", "standard output"},
              {"spheres-l1 --pairs-out ''", "--pairs-out: the name is empty"},
              {"horses --models " + (folder / "nowhere"), "48485 vertices"}}) {
@@ -148,11 +151,11 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
 }
 
 TEST(CollideCommand, TellsThePosesInJson) {
-    const Scene scene = load_scene({"spheres-l1"});
+    const scenes::Scene scene = scenes::load_scene({"spheres-l1"});
     const json frame =
         json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0];
-    const Pose pose =
-        relative_pose(pose_at(scene.bodies[0].motion, 100), pose_at(scene.bodies[1].motion, 100));
+    const Pose pose = relative_pose(scenes::pose_at(scene.bodies[0].motion, 100),
+                                    scenes::pose_at(scene.bodies[1].motion, 100));
     ASSERT_EQ(frame["pose"].size(), 12u);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
@@ -217,4 +220,4 @@ TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

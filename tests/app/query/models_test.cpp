@@ -4,12 +4,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
 #include "scb/any_hierarchy.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/app/program.h"
 #include "tests/real_models.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +27,7 @@ std::vector<fs::path> models() {
 TEST(Models, EveryOneBuildsAndIsValid) {
     if (!has_model_file("horse.ply", "building real meshes")) GTEST_SKIP();
     for (const fs::path& path : models()) {
-        const Mesh mesh = load_mesh(path);
+        const Mesh mesh = scenes::load_mesh(path);
         const auto topology = std::make_shared<const Topology>(build_topology(mesh));
         const LeafOrder points = leaf_order(mesh, *topology);
         for (const VolumeKind kind : all_volume_kinds())
@@ -43,7 +45,8 @@ TEST(Models, EveryOneRenders) {
                     " --levels 4,leaves --size 320x240 --samples 1 -o " + folder.path.string());
         EXPECT_EQ(run.status, 0) << path << run.err;
         const auto index = nlohmann::json::parse(file_text(folder / "index.json"));
-        EXPECT_EQ(index["files"][1]["bodies"][0]["volumes"], load_mesh(path).triangles.size())
+        EXPECT_EQ(index["files"][1]["bodies"][0]["volumes"],
+                  scenes::load_mesh(path).triangles.size())
             << path;
     }
 }
@@ -81,4 +84,4 @@ TEST(Emulated, AnOldCpuDrawsTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

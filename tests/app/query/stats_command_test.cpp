@@ -4,7 +4,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 using nlohmann::json;
@@ -76,4 +76,4 @@ TEST(StatsCommand, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

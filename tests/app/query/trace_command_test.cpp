@@ -6,7 +6,7 @@
 
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,7 +180,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     const std::string out = " -o " + (folder / "new");
     const std::vector<std::pair<std::string, std::string>> refusals = {
         {"trace " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
-        {"trace " + (folder / "text.scbtrace"), "text.scbtrace is no trace of scb"},
+        {"trace " + (folder / "text.scbtrace"), "text.scbtrace is not a trace of scb"},
         {"trace " + (folder / "damaged"), "checksum"},
         {"trace " + (folder / "newer"), "newer scb (version 2; this one reads up to 1)"},
         {"trace " + (folder / "none.scbtrace"), "there is no such file"},
@@ -205,7 +205,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace spheres-l1 --frames 500" + out, "frames 0 to 499"},
         {"trace spheres-l1 --level 99" + out, "--level 99"},
         {"trace spheres-l1 --max-pairs 0" + out, "--max-pairs 0"},
-        {"trace spheres-l1 --test fast" + out, "'fast' is no overlap test"},
+        {"trace spheres-l1 --test fast" + out, "'fast' is not an overlap test"},
         {"trace " + (folder / "one.off") + out, "one body"},
         {"diff " + corrected, "B"},
         {"diff " + corrected + " " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
@@ -278,4 +278,4 @@ TEST_F(TraceCommand, PrintsNoControlCharacters) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

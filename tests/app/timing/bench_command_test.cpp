@@ -5,7 +5,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ TEST(BenchCommand, HasTheCountsOfCollide) {
     EXPECT_EQ(json::parse(file_text(folder / "out/bench.json"))["scenes"].size(), 1u);
     const std::string csv = file_text(folder / "out/bench.csv");
     EXPECT_EQ(lines_of(csv), 1u + 4 * 2);
-    const Image picture = read_png(folder / "out/spheres-l1_bench.png");
+    const render::Image picture = render::read_png(folder / "out/spheres-l1_bench.png");
     EXPECT_EQ(picture.width, 1280);
     EXPECT_EQ(picture.height, 720);
 }
@@ -177,4 +177,4 @@ TEST(BenchCommand, RefusesASceneBeforeMeasuringAnother) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

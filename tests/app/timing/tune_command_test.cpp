@@ -5,7 +5,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,7 +95,7 @@ TEST(TuneCommand, TimesEverySettingAndWritesFiles) {
     EXPECT_LT(found["best"]["time"], found["settings"].size());
     EXPECT_EQ(json::parse(file_text(fs::path(out) / "tune.json")), found);
     EXPECT_EQ(lines_of(file_text(fs::path(out) / "tune.csv")), 1 + found["settings"].size());
-    const Image picture = read_png(fs::path(out) / "cone_tune.png");
+    const render::Image picture = render::read_png(fs::path(out) / "cone_tune.png");
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
     const std::string table = run_scb("tune cone --frames 60 --repeat 1").out;
@@ -160,4 +160,4 @@ TEST(TuneCommand, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::app

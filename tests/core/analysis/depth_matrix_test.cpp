@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/test_sizes.h"
+#include "core/analysis/traversal_tree.h"
 #include "scb/any_collide.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
@@ -82,9 +82,9 @@ TEST(DepthMatrix, CoarserCellsAddUp) {
 }
 
 TEST(TestSizes, OfASmallQueryByHand) {
-    EXPECT_EQ(test_sizes(test_tree(small_query(), {})),
+    EXPECT_EQ(subtree_sizes(traversal_tree(small_query(), {})),
               (std::vector<std::uint32_t>{5, 1, 3, 1, 1}));
-    EXPECT_TRUE(test_sizes(TestTree{}).empty());
+    EXPECT_TRUE(subtree_sizes(TraversalTree{}).empty());
 }
 
 TEST(TestSizes, AreOneMoreThanThoseOfTheChildren) {
@@ -93,8 +93,8 @@ TEST(TestSizes, AreOneMoreThanThoseOfTheChildren) {
             TraceHeader header;
             header.options.max_pairs = most;
             const TraceFrame frame = recorded(kind, header);
-            const TestTree tree = test_tree(header, frame);
-            const std::vector<std::uint32_t> sizes = test_sizes(tree);
+            const TraversalTree tree = traversal_tree(header, frame);
+            const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
             ASSERT_EQ(sizes.size(), frame.found.n_v);
             EXPECT_EQ(sizes[0], frame.found.n_v);
             std::vector<std::uint32_t> below(sizes.size(), 1);

@@ -16,11 +16,11 @@ TEST(FirstTests, AreTheQueryUpToThere) {
     to_level.options.stop_level = 4;
     for (const TraceHeader& header : {asking(VolumeKind::scb, OverlapTest::symmetric), to_level}) {
         const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
-        const TestTree of_whole = test_tree(header, whole);
+        const TraversalTree of_whole = traversal_tree(header, whole);
         const std::size_t all = whole.found.n_v;
         std::size_t pairs = 0;
         for (std::size_t count = 0; count <= all; count += 7) {
-            const TraceFrame part = first_tests(header, whole, of_whole, count);
+            const TraceFrame part = trace_prefix(header, whole, of_whole, count);
             EXPECT_EQ(part.found.n_v, count);
             EXPECT_EQ(test_count(part.found.stages), count);
             EXPECT_EQ(part.found.n_p, part.events.triangle_tests.size());
@@ -30,7 +30,7 @@ TEST(FirstTests, AreTheQueryUpToThere) {
                                       part.found.pairs.begin(), part.found.pairs.end()));
             pairs = part.found.pairs.size();
             // Its tree is that of the whole but for what was not divided yet.
-            const TestTree tree = test_tree(header, part);
+            const TraversalTree tree = traversal_tree(header, part);
             for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(tree.parents[i], of_whole.parents[i]);
                 EXPECT_TRUE(tree.outcomes[i] == of_whole.outcomes[i] ||
@@ -39,7 +39,7 @@ TEST(FirstTests, AreTheQueryUpToThere) {
         }
         // All of them, and more than there are.
         for (const std::size_t count : {all, all + 10}) {
-            const TraceFrame part = first_tests(header, whole, of_whole, count);
+            const TraceFrame part = trace_prefix(header, whole, of_whole, count);
             EXPECT_EQ(part.events, whole.events);
             EXPECT_EQ(part.found.pairs, whole.found.pairs);
             EXPECT_EQ(part.found.n_u, whole.found.n_u);

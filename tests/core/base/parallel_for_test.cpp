@@ -14,7 +14,7 @@ TEST(InThreads, CallsEachOnce) {
     for (const int threads : {1, 2, 7})
         for (const std::size_t count : {0u, 1u, 2u, 3u, 1000u}) {
             std::vector<std::atomic<int>> calls(count);
-            in_threads(threads, count, [&](std::size_t i) { ++calls[i]; });
+            parallel_for(threads, count, [&](std::size_t i) { ++calls[i]; });
             for (const auto& call : calls) EXPECT_EQ(call, 1);
         }
 }
@@ -23,8 +23,8 @@ TEST(InThreads, BlocksMakeUpAll) {
     for (const int threads : {1, 2, 7})
         for (const std::size_t count : {0u, 1u, 8192u, 8193u, 100000u}) {
             std::atomic<std::size_t> sum = 0;
-            in_blocks(threads, count,
-                      [&](std::size_t first, std::size_t end) { sum += end - first; });
+            parallel_blocks(threads, count,
+                            [&](std::size_t first, std::size_t end) { sum += end - first; });
             EXPECT_EQ(sum, count);
         }
 }
@@ -32,7 +32,7 @@ TEST(InThreads, BlocksMakeUpAll) {
 int leaves(int threads, int depth) {
     if (depth == 0) return 1;
     int first = 0, second = 0;
-    both(
+    parallel_invoke(
         threads, [&] { first = leaves(threads, depth - 1); },
         [&] { second = leaves(threads, depth - 1); });
     return first + second;
@@ -46,12 +46,12 @@ TEST(InThreads, ThrowsWhatWasThrown) {
     const auto fail = [] { throw std::runtime_error("on purpose"); };
     const auto succeed = [] {};
     for (const int threads : {1, 2, 5}) {
-        EXPECT_THROW(both(threads, fail, succeed), std::runtime_error);
-        EXPECT_THROW(both(threads, succeed, fail), std::runtime_error);
-        EXPECT_THROW(in_threads(threads, 10,
-                                [&](std::size_t i) {
-                                    if (i == 3) fail();
-                                }),
+        EXPECT_THROW(parallel_invoke(threads, fail, succeed), std::runtime_error);
+        EXPECT_THROW(parallel_invoke(threads, succeed, fail), std::runtime_error);
+        EXPECT_THROW(parallel_for(threads, 10,
+                                  [&](std::size_t i) {
+                                      if (i == 3) fail();
+                                  }),
                      std::runtime_error);
         EXPECT_EQ(leaves(threads, 5), 32);  // and goes on after that
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scb/collide.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/collide/query_placement.h"
+#include "core/overlap/test_functors.h"
 #include "scb/level_cover.h"
 #include "tests/core/collide/collide_checks.h"
 #include "tests/core/overlap/volume_pairs.h"

@@ -25,7 +25,7 @@ Scb ball(const Vec3& c, double r) { return {c, r, Vec3::UnitZ(), r, -r}; }
 Scb disc(const Vec3& c, double r, const Vec3& n) { return {c, r, n, 0, 0}; }
 
 Contact verdict(const Scb& a, const Scb& b) {
-    const ContactProof proof = exact_overlap(a, b, strict);
+    const ContactCertificate proof = exact_overlap(a, b, strict);
     EXPECT_TRUE(proof.contact == Contact::touching || verify(a, b, proof)) << proof.margin;
     return proof.contact;
 }
@@ -34,7 +34,7 @@ Contact verdict(const Scb& a, const Scb& b) {
 void expect_contact(const Scb& a, Scb b, const Vec3& contact, const Vec3& outward) {
     for (const double gap : {1e-11, 1e-9, 1e-6, 1e-3}) {
         b.c = contact + gap * outward;
-        const ContactProof apart = exact_overlap(a, b, strict);
+        const ContactCertificate apart = exact_overlap(a, b, strict);
         EXPECT_EQ(apart.contact, Contact::disjoint) << gap;
         EXPECT_TRUE(verify(a, b, apart)) << gap;
         EXPECT_NEAR(apart.margin, gap, 1e-14 + 1e-6 * gap);
@@ -130,7 +130,7 @@ TEST(ExactScbOverlap, ProvesNearlyEveryPair) {
         Random random(7);
         for (int i = 0; i < many; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
-            const ContactProof proof = exact_overlap(p.a, p.b, strict);
+            const ContactCertificate proof = exact_overlap(p.a, p.b, strict);
             if (proof.contact == Contact::touching) {
                 ++undecided;
                 continue;
@@ -167,7 +167,7 @@ TEST(ExactScbOverlap, AgreesWithSamples) {
                     ASSERT_NE(found, Contact::disjoint) << family.name << " pair " << i;
                 }
                 const Vec3 d = random_unit_vector(random);
-                if (dot(d, Vec3(p.b.c - p.a.c)) - extent(p.a, d) - extent(p.b, -d) > 1e-12) {
+                if (dot(d, Vec3(p.b.c - p.a.c)) - support(p.a, d) - support(p.b, -d) > 1e-12) {
                     ++separated;
                     ASSERT_NE(found, Contact::overlapping) << family.name << " pair " << i;
                 }
@@ -209,7 +209,7 @@ TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
         for (int i = 0; i < many / 100; ++i) {
             const FramedPair p = random_pair(random, family);
             // A wider tolerance asks for a deeper point.
-            const ContactProof proof = exact_overlap(p.a, p.b, 1e-4);
+            const ContactCertificate proof = exact_overlap(p.a, p.b, 1e-4);
             if (proof.contact != Contact::overlapping) continue;
             const double depth = proven_depth(p.a, p.b, proof.point);
             ASSERT_GE(depth, proof.margin * (1 - 1e-9));
@@ -249,7 +249,7 @@ TEST(ScbContactProof, GapHoldsForEveryPoint) {
                 dot(d, Vec3(p.b.c - p.a.c)) - least_bound(p.a, d) - least_bound(p.b, -d);
             ASSERT_NEAR(proven_gap(p.a, p.b, d), gap, 1e-9) << family.name << " pair " << i;
             ASSERT_NEAR(proven_gap(p.a, p.b, d),
-                        dot(d, Vec3(p.b.c - p.a.c)) - extent(p.a, d) - extent(p.b, -d), 1e-14);
+                        dot(d, Vec3(p.b.c - p.a.c)) - support(p.a, d) - support(p.b, -d), 1e-14);
         }
 }
 
@@ -276,7 +276,7 @@ TEST(ScbContactProof, IsRefusedOfLengthsThatAreTooSmall) {
     const Ball round{Vec3::Zero(), tiny}, round_apart{Vec3(0, 0, 5 * tiny), tiny};
     const Obb box{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(tiny)},
         box_apart{Vec3(0, 0, 5 * tiny), Mat3::Identity(), Vec3::Constant(tiny)};
-    const ContactProof claim{Contact::overlapping, Vec3::Zero(), Vec3::Zero(), tiny};
+    const ContactCertificate claim{Contact::overlapping, Vec3::Zero(), Vec3::Zero(), tiny};
     EXPECT_FALSE(verify(a, apart, claim));
     EXPECT_FALSE(verify(round, round_apart, claim));
     EXPECT_FALSE(verify(box, box_apart, claim));

@@ -68,7 +68,7 @@ std::string to_text(const Scb& a, const Scb& b) {
 
 Agreement compare(const Scb& a, const Scb& b) {
     const double larger = std::max(a.r, b.r);
-    const ContactProof proof = exact_overlap(a, b);
+    const ContactCertificate proof = exact_overlap(a, b);
     const SupportBounds shown = search_supports(a, b, clearly_apart * larger,
                                                 {clearly_deep * larger, least_depth * larger});
     Agreement result;
@@ -145,7 +145,7 @@ TEST(ExactScbOverlap, KnowsDiscsWhosePlanesTouchTheOther) {
     EXPECT_NEAR(shown.lower, 0.0316745, 1e-7);
     EXPECT_NEAR(shown.upper, 0.0316745, 1e-7);
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
-        const ContactProof proof = exact_overlap(first, second);
+        const ContactCertificate proof = exact_overlap(first, second);
         EXPECT_EQ(proof.contact, Contact::disjoint);
         EXPECT_TRUE(verify(first, second, proof));
         EXPECT_GT(proof.margin, 0.01);

@@ -42,7 +42,7 @@ V moved_to_contact(const V& a, V b, double gap) {
     // A step along the separating direction changes the gap by the step at most, so a few come
     // close to where the two touch.
     for (int i = 0; i < 30; ++i) {
-        const ContactProof proof = exact_overlap(a, b);
+        const ContactCertificate proof = exact_overlap(a, b);
         if (proof.contact == Contact::disjoint) b.center -= proof.margin * proof.direction;
         if (proof.contact != Contact::disjoint) break;
     }
@@ -53,7 +53,7 @@ V moved_to_contact(const V& a, V b, double gap) {
 
 template <class V>
 void expect_proven(const V& a, const V& b) {
-    const ContactProof proof = exact_overlap(a, b);
+    const ContactCertificate proof = exact_overlap(a, b);
     const Stage stage = overlap(a, b, Pose{});
     if (proof.contact == Contact::disjoint) {
         EXPECT_TRUE(verify(a, b, proof));
@@ -105,7 +105,7 @@ TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
     // Two flat boxes that cross, though no ball fits into either.
     const Obb flat{Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0)},
         upright{Vec3::Zero(), Mat3::Identity(), Vec3(0, 0.5, 0.5)};
-    const ContactProof proof = exact_overlap(flat, upright);
+    const ContactCertificate proof = exact_overlap(flat, upright);
     EXPECT_EQ(proof.contact, Contact::overlapping);
     EXPECT_TRUE(verify(flat, upright, proof));
 }
@@ -114,7 +114,7 @@ TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
 /// more.
 template <class V>
 double way_out(Random& random, const V& a, const V& b, const Vec3& to_b) {
-    const auto along = [&](const Vec3& d) { return extent(a, d) + extent(b, -d) - dot(d, to_b); };
+    const auto along = [&](const Vec3& d) { return support(a, d) + support(b, -d) - dot(d, to_b); };
     Vec3 best = random_unit_vector(random);
     double least = along(best);
     const auto take = [&](const Vec3& d) {
@@ -136,20 +136,20 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
         for (int i = 0; i < many / 500; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             const Scb b = placed(pair.b, pair.b_to_a);
-            const ContactProof proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
+            const ContactCertificate proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
             if (proof.contact != Contact::overlapping) continue;
             EXPECT_LE(proof.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
-            EXPECT_TRUE(supports_bear_out(pair.a, b, proof)) << family.name << " " << i;
+            EXPECT_TRUE(check_certificate(pair.a, b, proof)) << family.name << " " << i;
             ++scbs;
         }
     for (int i = 0; i < many / 100; ++i) {
         const Obb a = random_box(random);
         Obb b = random_box(random);
         b.center = a.center + random.uniform() * (b.center - a.center);
-        const ContactProof proof = sharpened(a, b, exact_overlap(a, b));
+        const ContactCertificate proof = sharpened(a, b, exact_overlap(a, b));
         if (proof.contact != Contact::overlapping) continue;
         EXPECT_LE(proof.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
-        EXPECT_TRUE(supports_bear_out(a, b, proof)) << i;
+        EXPECT_TRUE(check_certificate(a, b, proof)) << i;
         ++boxes;
     }
     EXPECT_GT(scbs, many / 1000);
@@ -162,19 +162,19 @@ void expect_borne_out_up_to(double margin, const V& a, const V& apart, const V& 
     const Vec3 up = Vec3::UnitZ();
     for (const double factor : {0.5, 1.0}) {
         const double claimed = factor * margin;
-        EXPECT_TRUE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), claimed}));
+        EXPECT_TRUE(check_certificate(a, apart, {Contact::disjoint, up, Vec3::Zero(), claimed}));
         EXPECT_TRUE(
-            supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, claimed}));
+            check_certificate(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, claimed}));
     }
     const double more = margin + 1e-9;
-    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, up, Vec3::Zero(), more}));
-    EXPECT_FALSE(supports_bear_out(a, apart, {Contact::disjoint, -up, Vec3::Zero(), margin}));
+    EXPECT_FALSE(check_certificate(a, apart, {Contact::disjoint, up, Vec3::Zero(), more}));
+    EXPECT_FALSE(check_certificate(a, apart, {Contact::disjoint, -up, Vec3::Zero(), margin}));
     EXPECT_FALSE(
-        supports_bear_out(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, more}));
+        check_certificate(a, close, {Contact::overlapping, Vec3::Zero(), 0.75 * up, more}));
     // Not a point of both.
-    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 1.1 * up, margin}));
-    EXPECT_FALSE(supports_bear_out(a, close, {Contact::overlapping, up, 0.4 * up, margin}));
-    EXPECT_FALSE(supports_bear_out(a, a, ContactProof{}));
+    EXPECT_FALSE(check_certificate(a, close, {Contact::overlapping, up, 1.1 * up, margin}));
+    EXPECT_FALSE(check_certificate(a, close, {Contact::overlapping, up, 0.4 * up, margin}));
+    EXPECT_FALSE(check_certificate(a, a, ContactCertificate{}));
 }
 
 TEST(SupportCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
@@ -192,11 +192,11 @@ TEST(SupportCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
 
 TEST(SharpenedProof, IsTheDistanceOrTheDepthOfBalls) {
     const Ball a{Vec3(1, 2, 3), 1}, apart{Vec3(1, 2, 6), 1.5}, close{Vec3(1, 2, 5), 1.5};
-    const ContactProof gap =
+    const ContactCertificate gap =
         sharpened(a, apart, {Contact::disjoint, Vec3(0.3, 0, 1).normalized(), Vec3::Zero(), 0.01});
     EXPECT_NEAR(gap.margin, 0.5, 1e-9);
     EXPECT_TRUE(verify(a, apart, gap));
-    const ContactProof depth = sharpened(a, close, exact_overlap(a, close));
+    const ContactCertificate depth = sharpened(a, close, exact_overlap(a, close));
     EXPECT_NEAR(depth.margin, 0.5, 1e-9);
     EXPECT_TRUE(verify(a, close, depth));
 }
@@ -208,13 +208,13 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
         for (int i = 0; i < 30; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             const Scb b = placed(pair.b, pair.b_to_a);
-            const ContactProof proof = exact_overlap(pair.a, b),
-                               better = sharpened(pair.a, b, proof);
+            const ContactCertificate proof = exact_overlap(pair.a, b),
+                                     better = sharpened(pair.a, b, proof);
             EXPECT_EQ(better.contact, proof.contact);
             if (proof.contact == Contact::touching) continue;
             EXPECT_GE(better.margin, proof.margin);
             EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
-            EXPECT_TRUE(supports_bear_out(pair.a, b, better)) << family.name << " " << i;
+            EXPECT_TRUE(check_certificate(pair.a, b, better)) << family.name << " " << i;
             if (proof.contact == Contact::overlapping) {
                 // Still a point of both.
                 const Vec3 in_b = better.point - (b.c - pair.a.c);

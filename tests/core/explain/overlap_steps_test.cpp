@@ -143,7 +143,8 @@ TEST(Steps, OfBoxesEndAtTheStageThatTheTestReturns) {
         ++ended[static_cast<std::size_t>(steps.stage())];
         const Vec3 c = transform_point(pose, b.center) - a.center;
         for (std::size_t k = 0; k < 15; ++k) {
-            // The test leaves the margin along the product of two edges, which is no unit vector.
+            // The test leaves the margin along the product of two edges, which is not a unit
+            // vector.
             const auto edge_a = static_cast<Eigen::Index>(k < 6 ? 0 : (k - 6) / 3),
                        edge_b = static_cast<Eigen::Index>(k < 6 ? 0 : (k - 6) % 3);
             const double length = k < 6 ? 1

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/triangle_pair.h"
+#include "scb/triangle_overlap.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/geometry/triangle_pairs.h"
 

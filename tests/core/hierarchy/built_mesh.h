@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "scb/any_collide.h"
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/level_statistics.h"
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"

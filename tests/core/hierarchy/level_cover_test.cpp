@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/level_statistics.h"
 #include "scb/any_hierarchy.h"
 #include "tests/core/fit/point_sets.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/analysis/operation_cost.h"
-#include "scb/overlap.h"
+#include "core/overlap/test_functors.h"
 #include "tests/core/overlap/counting_scalar.h"
 #include "tests/core/overlap/volume_pairs.h"
 

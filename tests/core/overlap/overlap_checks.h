@@ -5,6 +5,7 @@
 #include <array>
 
 #include "scb/overlap.h"
+#include "scb/placement.h"
 #include "tests/core/overlap/volume_pairs.h"
 
 namespace scb {

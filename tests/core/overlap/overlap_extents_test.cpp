@@ -21,7 +21,7 @@ TEST(ReachAtCosine, IsTheExtentAndNeverLess) {
         if (kind == 0) d = s.n;
         if (kind == 1) d = (s.n + 1e-7 * d).normalized();
         if (random.below(2) == 0) d = -d;
-        const double exact = extent(s, d), found = reach_at_cosine(s, dot(s.n, d), 1 + 0x1p-47);
+        const double exact = support(s, d), found = reach_at_cosine(s, dot(s.n, d), 1 + 0x1p-47);
         ASSERT_GE(found, exact - 1e-15);
         // The bound of the squared sine is 2^-47 above 1, which is 9e-8 of the radius.
         ASSERT_LE(found, exact + 1e-7 * s.r);
@@ -39,7 +39,9 @@ TEST(OverlapByExtents, EndsAtTheFirstOfItsAxesThatSeparatesTheExtents) {
         const VolumePair<Scb> p = random_scb_pair(random);
         const Scb b = placed(p.b, p.b_to_a);
         const Vec3 c = b.c - p.a.c;
-        const auto gap = [&](const Vec3& d) { return dot(d, c) - extent(p.a, d) - extent(b, -d); };
+        const auto gap = [&](const Vec3& d) {
+            return dot(d, c) - support(p.a, d) - support(b, -d);
+        };
         const auto gap_both = [&](const Vec3& n) { return std::max(gap(n), gap(-n)); };
         const std::array<double, 4> gaps = {c.norm() - p.a.r - b.r, gap_both(p.a.n), gap_both(b.n),
                                             gap(c.normalized())};

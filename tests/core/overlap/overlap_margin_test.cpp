@@ -11,7 +11,7 @@ namespace {
 const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
 
 // The farthest point of a slab cut ball in a direction.
-Vec3 support(const Scb& s, const Vec3& d) {
+Vec3 farthest_point(const Scb& s, const Vec3& d) {
     const double h = s.r * dot(s.n, d);
     if (s.f <= h && h <= s.e) return s.c + s.r * d;
     const double k = h > s.e ? s.e : s.f;
@@ -56,7 +56,7 @@ TEST(ClosedScbs, OverlapWhereTheyTouchAnywhere) {
         const std::uint32_t kind = random.below(4);
         if (kind == 0) d = pair.a.n;
         if (kind == 1) d = -b.n;
-        b.c += support(pair.a, d) - support(b, -d);
+        b.c += farthest_point(pair.a, d) - farthest_point(b, -d);
         const double away = random.below(4) == 0 ? 1000 : 1;
         const Pose world_a = random_pose(random, away), world_b = random_pose(random, away);
         pair.b_to_a = relative_pose(world_a, world_b);

@@ -130,7 +130,7 @@ TEST(OverlapOfBoxes, AgreesWithClippingTheirEdges) {
             b.axes = a.axes * turn;
         }
         const Vec3 d = random_unit_vector(random);
-        b.center = a.center + random.uniform(0.3, 1.1) * (extent(a, d) + extent(b, d)) * d;
+        b.center = a.center + random.uniform(0.3, 1.1) * (support(a, d) + support(b, d)) * d;
         const Pose pose = random_pose(random);
         const Obb in_own_frame = placed(b, inverse(pose));
         if (edges_meet(a, b, 1e-12)) {

@@ -6,6 +6,8 @@
 #include <ctime>
 #include <vector>
 
+#include "core/overlap/test_functors.h"
+
 namespace scb {
 namespace {
 
@@ -16,7 +18,7 @@ struct Drawn {
     ScbPair pair;
     Scb b_in_a;
     Placement placed;
-    ContactProof proof;
+    ContactCertificate proof;
     unsigned rejected = 0;
 };
 

@@ -106,7 +106,7 @@ inline VolumePair<Scb> random_scb_pair(Random& random) {
     if (random.below(2) == 0) d = (random.below(2) == 0 ? 1 : -1) * n + 0.4 * d;
     d.normalize();
     a.c = random_point(random);
-    b.c = a.c + random.uniform(0.3, 1.15) * (extent(a, d) + extent(b, -d)) * d;
+    b.c = a.c + random.uniform(0.3, 1.15) * (support(a, d) + support(b, -d)) * d;
     const Pose pose = random_pose(random);
     return {a, placed(b, inverse(pose)), pose};
 }

@@ -91,7 +91,7 @@ void expect_extent_is_a_supremum(const V& v, const Vec3& center, double reach,
                                  const std::vector<Vec3>& surface, Random& random) {
     for (int k = 0; k < 40; ++k) {
         const Vec3 d = random_unit_vector(random);
-        const double bound = extent(v, d);
+        const double bound = support(v, d);
         for (int i = 0; i < 2000; ++i) {
             const Vec3 p = center + reach * random_point(random);
             if (!contains(v, p)) continue;
@@ -141,12 +141,12 @@ TEST(Extent, IsReachedAndNeverExceeded) {
 
 TEST(ScbExtent, IsExactAlongTheNormalAndOnTheRim) {
     const Scb s{Vec3::Zero(), 5, Vec3::UnitZ(), 3, -4};
-    EXPECT_DOUBLE_EQ(extent(s, Vec3::UnitZ()), 3);
-    EXPECT_DOUBLE_EQ(extent(s, -Vec3::UnitZ()), 4);
-    EXPECT_DOUBLE_EQ(extent(s, Vec3::UnitX()), 5);
+    EXPECT_DOUBLE_EQ(support(s, Vec3::UnitZ()), 3);
+    EXPECT_DOUBLE_EQ(support(s, -Vec3::UnitZ()), 4);
+    EXPECT_DOUBLE_EQ(support(s, Vec3::UnitX()), 5);
     // The rim of the upper cut is the circle of radius 4 at height 3.
     const Vec3 d = Vec3(1, 0, 2) / std::sqrt(5.0);
-    EXPECT_NEAR(extent(s, d), (4 + 2 * 3) / std::sqrt(5.0), 1e-14);
+    EXPECT_NEAR(support(s, d), (4 + 2 * 3) / std::sqrt(5.0), 1e-14);
 }
 
 TEST(ScbExtent, DoesNotChangeWhenTheNormalIsFlipped) {
@@ -154,7 +154,7 @@ TEST(ScbExtent, DoesNotChangeWhenTheNormalIsFlipped) {
     for (int i = 0; i < 1000; ++i) {
         const Scb s = random_scb_somewhere(random, i % 2 == 0);
         const Vec3 d = random_unit_vector(random);
-        EXPECT_EQ(extent(s, d), extent(flipped(s), d));
+        EXPECT_EQ(support(s, d), support(flipped(s), d));
         EXPECT_DOUBLE_EQ(volume(s), volume(flipped(s)));
         EXPECT_EQ(contains(s, d), contains(flipped(s), d));
     }

@@ -8,20 +8,20 @@
 #include "scenes/text/file_bytes.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-Image picture(int width, int height, std::uint8_t green = 100) {
-    Image image{width, height, {}};
+render::Image picture(int width, int height, std::uint8_t green = 100) {
+    render::Image image{width, height, {}};
     image.rgba.assign(static_cast<std::size_t>(4 * width * height), 255);
-    set_pixel(image, 1, 2, {10, green, 30});
+    render::set_pixel(image, 1, 2, {10, green, 30});
     return image;
 }
 
-IdImage id_picture(int width, int height, std::uint32_t id = 7) {
-    IdImage image{width, height, {}};
+render::IdImage id_picture(int width, int height, std::uint32_t id = 7) {
+    render::IdImage image{width, height, {}};
     image.ids.assign(static_cast<std::size_t>(width * height), 0);
     image.ids[3] = id;
     return image;
@@ -34,15 +34,16 @@ class CaseComparison : public testing::Test {
         golden.name = "case";
         for (const TemporaryFolder* folder : {&baselines, &candidates}) {
             folder->write("case.counts.json", R"({"frames": {"0": {"n_v": 5, "pairs": 2}}})");
-            write_file_whole(folder->path / "case.ids.png", encode_png(id_picture(8, 6)));
-            write_file_whole(folder->path / "case.png", encode_png(picture(8, 6)));
+            render::write_file_whole(folder->path / "case.ids.png",
+                                     render::encode_png(id_picture(8, 6)));
+            render::write_file_whole(folder->path / "case.png", render::encode_png(picture(8, 6)));
         }
     }
     CaseResult compare() const {
         return compare_case(golden, {baselines.path, candidates.path, report.path});
     }
-    void draw(const TemporaryFolder& folder, const char* name, const Image& image) const {
-        write_file_whole(folder.path / name, encode_png(image));
+    void draw(const TemporaryFolder& folder, const char* name, const render::Image& image) const {
+        render::write_file_whole(folder.path / name, render::encode_png(image));
     }
     void expect_said(const CaseResult& result, const std::string& words) const {
         EXPECT_NE(result.message.find(words), std::string::npos) << result.message;
@@ -65,7 +66,8 @@ TEST_F(CaseComparison, FindsNothingWhereNothingDiffers) {
 
 TEST_F(CaseComparison, SaysWhatDiffersInEach) {
     candidates.write("case.counts.json", R"({"frames": {"0": {"n_v": 6, "pairs": 2}}})");
-    write_file_whole(candidates.path / "case.ids.png", encode_png(id_picture(8, 6, 9)));
+    render::write_file_whole(candidates.path / "case.ids.png",
+                             render::encode_png(id_picture(8, 6, 9)));
     draw(candidates, "case.png", picture(8, 6, 101));
     const CaseResult result = compare();
     EXPECT_EQ(result.verdict, Verdict::different);
@@ -156,7 +158,7 @@ TEST_F(CaseComparison, AFolderIsNoPicture) {
     fs::create_directory(baselines.path / "case.png");
     const CaseResult result = compare();
     EXPECT_EQ(result.verdict, Verdict::new_output);
-    expect_said(result, "case.png of the baseline is no regular file");
+    expect_said(result, "case.png of the baseline is not a regular file");
 }
 
 TEST_F(CaseComparison, ComparesOnlyWhatTheCaseSays) {
@@ -167,4 +169,4 @@ TEST_F(CaseComparison, ComparesOnlyWhatTheCaseSays) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace scb {
+namespace scb::golden {
 
 static void PrintTo(const CountChange& change, std::ostream* out) {
     const auto side = [](const std::optional<std::int64_t>& value, const std::string& text) {
@@ -141,4 +141,4 @@ TEST(CountsDifference, IsEmptyOnlyForEqualTreesAndMirrorsWhenTheyAreExchanged) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,28 +7,28 @@
 #include <random>
 #include <set>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
-IdImage empty_picture(int width, int height) {
-    IdImage image{width, height, {}};
+render::IdImage empty_picture(int width, int height) {
+    render::IdImage image{width, height, {}};
     image.ids.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     return image;
 }
 
-void fill(IdImage& image, PixelBox box, std::uint32_t id) {
+void fill(render::IdImage& image, PixelBox box, std::uint32_t id) {
     for (int y = box.top; y < box.bottom; ++y)
         for (int x = box.left; x < box.right; ++x)
             image.ids[static_cast<std::size_t>(y * image.width + x)] = id;
 }
 
 /// The same by definition, thing by thing.
-IdDifference recount(const IdImage& before, const IdImage& after) {
+IdDifference recount(const render::IdImage& before, const render::IdImage& after) {
     IdDifference difference;
     std::map<std::uint32_t, IdChange> changes;
     for (int y = 0; y < before.height; ++y)
         for (int x = 0; x < before.width; ++x) {
-            const std::uint32_t b = pixel(before, x, y), a = pixel(after, x, y);
+            const std::uint32_t b = render::pixel(before, x, y), a = render::pixel(after, x, y);
             ++changes[b].before;
             ++changes[a].after;
             if (a == b) continue;
@@ -52,16 +52,16 @@ IdDifference recount(const IdImage& before, const IdImage& after) {
 }
 
 TEST(IdDifference, IsNoneForEqualPictures) {
-    IdImage image = empty_picture(20, 10);
+    render::IdImage image = empty_picture(20, 10);
     fill(image, {3, 3, 9, 8}, 412);
     EXPECT_EQ(id_difference(image, image), IdDifference{});
     EXPECT_EQ(id_difference({}, {}), IdDifference{});
 }
 
 TEST(IdDifference, NamesAThingThatVanishedAndOneThatAppeared) {
-    IdImage with = empty_picture(64, 64);
+    render::IdImage with = empty_picture(64, 64);
     fill(with, {10, 10, 40, 40}, 7);
-    const IdImage without = with;
+    const render::IdImage without = with;
     fill(with, {20, 15, 24, 20}, 412);
     const PixelBox box{20, 15, 24, 20};
     EXPECT_EQ(id_difference(with, without),
@@ -71,7 +71,7 @@ TEST(IdDifference, NamesAThingThatVanishedAndOneThatAppeared) {
 }
 
 TEST(IdDifference, SeesAThingThatMovedAndKeptItsSize) {
-    IdImage before = empty_picture(64, 64), after = before;
+    render::IdImage before = empty_picture(64, 64), after = before;
     fill(before, {10, 10, 20, 20}, 5);
     fill(after, {11, 10, 21, 20}, 5);
     EXPECT_EQ(id_difference(before, after),
@@ -79,14 +79,14 @@ TEST(IdDifference, SeesAThingThatMovedAndKeptItsSize) {
 }
 
 TEST(IdDifference, FindsOnePixel) {
-    IdImage before = empty_picture(512, 512), after = before;
+    render::IdImage before = empty_picture(512, 512), after = before;
     fill(after, {511, 511, 512, 512}, 0xFFFFFFFF);
     const PixelBox box{511, 511, 512, 512};
     EXPECT_EQ(id_difference(before, after), (IdDifference{1, box, {{0xFFFFFFFF, 0, 1, 1, box}}}));
 }
 
 TEST(IdDifference, OrdersThingsByWhatHappenedThenByPixelsThenById) {
-    IdImage before = empty_picture(100, 1), after = before;
+    render::IdImage before = empty_picture(100, 1), after = before;
     fill(before, {0, 0, 50, 1}, 3);
     fill(after, {0, 0, 20, 1}, 3);    // loses 30
     fill(before, {50, 0, 60, 1}, 9);  // vanishes
@@ -111,10 +111,10 @@ TEST(IdDifference, AgreesWithANaiveRecount) {
                             std::min(height, top + 1 + static_cast<int>(random() % 9))};
         };
         const std::uint32_t things = i % 2 ? 6 : 100000;
-        IdImage before = empty_picture(width, height);
+        render::IdImage before = empty_picture(width, height);
         for (int k = 0; k < 20; ++k)
             fill(before, random_box(), static_cast<std::uint32_t>(random() % things));
-        IdImage after = before;
+        render::IdImage after = before;
         for (int k = static_cast<int>(random() % 5); k > 0; --k)
             fill(after, random_box(), static_cast<std::uint32_t>(random() % things));
         if (i % 5 == 0)
@@ -124,4 +124,4 @@ TEST(IdDifference, AgreesWithANaiveRecount) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

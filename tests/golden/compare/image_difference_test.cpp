@@ -6,19 +6,19 @@
 #include <cstdlib>
 #include <random>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
-Image filled(int width, int height, Rgba8 color) {
-    Image image{width, height, {}};
+render::Image filled(int width, int height, render::Rgba8 color) {
+    render::Image image{width, height, {}};
     image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) set_pixel(image, x, y, color);
+        for (int x = 0; x < width; ++x) render::set_pixel(image, x, y, color);
     return image;
 }
 
 /// A copy in which some pixels are others, most by little.
-Image disturbed(Image image, std::mt19937& random) {
+render::Image disturbed(render::Image image, std::mt19937& random) {
     const std::size_t changes = random() % 40;
     for (std::size_t i = 0; i < changes && !image.rgba.empty(); ++i) {
         std::uint8_t& channel = image.rgba[random() % image.rgba.size()];
@@ -27,20 +27,20 @@ Image disturbed(Image image, std::mt19937& random) {
     return image;
 }
 
-Image noise(int width, int height, std::mt19937& random) {
-    Image image = filled(width, height, {});
+render::Image noise(int width, int height, std::mt19937& random) {
+    render::Image image = filled(width, height, {});
     for (std::uint8_t& channel : image.rgba) channel = static_cast<std::uint8_t>(random());
     return image;
 }
 
-int difference_at(const Image& a, const Image& b, int x, int y) {
-    const Rgba8 p = pixel(a, x, y), q = pixel(b, x, y);
+int difference_at(const render::Image& a, const render::Image& b, int x, int y) {
+    const render::Rgba8 p = render::pixel(a, x, y), q = render::pixel(b, x, y);
     return std::max(
         {std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b), std::abs(p.a - q.a)});
 }
 
 /// The same by definition: one pass over the picture for every number.
-ImageDifference recount(const Image& a, const Image& b) {
+ImageDifference recount(const render::Image& a, const render::Image& b) {
     ImageDifference difference;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
@@ -55,11 +55,11 @@ ImageDifference recount(const Image& a, const Image& b) {
 }
 
 TEST(ImageDifference, FindsOnePixelOffByOneInAnyChannel) {
-    const Image a = filled(512, 512, {10, 20, 30, 200});
+    const render::Image a = filled(512, 512, {10, 20, 30, 200});
     for (std::size_t channel = 0; channel < 4; ++channel)
         for (const auto& [x, y] : {std::pair(0, 0), std::pair(511, 511), std::pair(310, 17)})
             for (const int step : {-1, 1}) {
-                Image b = a;
+                render::Image b = a;
                 std::uint8_t& value =
                     b.rgba[4 * (512 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)) +
                            channel];
@@ -76,7 +76,7 @@ TEST(ImageDifference, FindsOnePixelOffByOneInAnyChannel) {
 
 TEST(ImageDifference, IsNoneForEqualAndForEmptyPictures) {
     std::mt19937 random(1);
-    const Image image = noise(33, 17, random);
+    const render::Image image = noise(33, 17, random);
     EXPECT_EQ(image_difference(image, image), ImageDifference{});
     EXPECT_TRUE(image_difference(image, image).box.empty());
     EXPECT_EQ(image_difference({}, {}), ImageDifference{});
@@ -88,14 +88,15 @@ TEST(ImageDifference, AgreesWithANaiveRecount) {
     for (int i = 0; i < 300; ++i) {
         const int width = 1 + static_cast<int>(random() % 40),
                   height = 1 + static_cast<int>(random() % 40);
-        const Image a = noise(width, height, random);
-        const Image b = i % 3 == 0 ? noise(width, height, random) : disturbed(a, random);
+        const render::Image a = noise(width, height, random);
+        const render::Image b = i % 3 == 0 ? noise(width, height, random) : disturbed(a, random);
         ASSERT_EQ(image_difference(a, b), recount(a, b)) << i;
     }
 }
 
 TEST(ImageDifference, FindsTheWholeRange) {
-    const Image black = filled(3, 2, {0, 0, 0, 255}), white = filled(3, 2, {255, 255, 255, 255});
+    const render::Image black = filled(3, 2, {0, 0, 0, 255}),
+                        white = filled(3, 2, {255, 255, 255, 255});
     const ImageDifference difference = image_difference(black, white);
     EXPECT_EQ(difference.largest, 255);
     EXPECT_EQ(difference.beyond[254], 6u);
@@ -104,10 +105,10 @@ TEST(ImageDifference, FindsTheWholeRange) {
 }
 
 TEST(ColorTolerance, AllowsWhatItDeclaresAndNoMore) {
-    Image a = filled(8, 8, {100, 100, 100, 255}), b = a;
+    render::Image a = filled(8, 8, {100, 100, 100, 255}), b = a;
     EXPECT_TRUE(within(image_difference(a, b), {}));
-    for (int x = 0; x < 5; ++x) set_pixel(b, x, 3, {103, 100, 100, 255});
-    set_pixel(b, 7, 7, {100, 110, 100, 255});
+    for (int x = 0; x < 5; ++x) render::set_pixel(b, x, 3, {103, 100, 100, 255});
+    render::set_pixel(b, 7, 7, {100, 110, 100, 255});
     const ImageDifference difference = image_difference(a, b);
     EXPECT_FALSE(within(difference, {}));
     EXPECT_FALSE(within(difference, {0, 5}));
@@ -121,19 +122,19 @@ TEST(ColorTolerance, AllowsWhatItDeclaresAndNoMore) {
 }
 
 /// How far a color is from grey.
-int saturation(Rgba8 color) {
+int saturation(render::Rgba8 color) {
     return std::max({color.r, color.g, color.b}) - std::min({color.r, color.g, color.b});
 }
 
 TEST(DifferencePicture, ColorsEveryPixelThatDiffersAndNoOther) {
     std::mt19937 random(3);
-    const Image a = noise(40, 30, random), b = disturbed(disturbed(a, random), random);
-    const Image picture = difference_picture(a, b);
+    const render::Image a = noise(40, 30, random), b = disturbed(disturbed(a, random), random);
+    const render::Image picture = difference_picture(a, b);
     ASSERT_EQ(picture.width, 40);
     ASSERT_EQ(picture.height, 30);
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 40; ++x) {
-            const Rgba8 color = pixel(picture, x, y);
+            const render::Rgba8 color = render::pixel(picture, x, y);
             EXPECT_EQ(color.a, 255);
             if (difference_at(a, b, x, y) > 0)
                 EXPECT_GE(saturation(color), 80);
@@ -143,13 +144,15 @@ TEST(DifferencePicture, ColorsEveryPixelThatDiffersAndNoOther) {
 }
 
 TEST(DifferencePicture, IsStrongerWhereTheyDifferMore) {
-    Image a = filled(256, 1, {0, 0, 0, 255}), b = a;
-    for (int x = 0; x < 256; ++x) set_pixel(b, x, 0, {static_cast<std::uint8_t>(x), 0, 0, 255});
-    const Image picture = difference_picture(a, b);
+    render::Image a = filled(256, 1, {0, 0, 0, 255}), b = a;
+    for (int x = 0; x < 256; ++x)
+        render::set_pixel(b, x, 0, {static_cast<std::uint8_t>(x), 0, 0, 255});
+    const render::Image picture = difference_picture(a, b);
     for (int x = 2; x < 256; ++x)
-        EXPECT_GE(saturation(pixel(picture, x, 0)), saturation(pixel(picture, x - 1, 0)));
-    EXPECT_EQ(pixel(picture, 255, 0), (Rgba8{0xD5, 0x5E, 0x00, 255}));
+        EXPECT_GE(saturation(render::pixel(picture, x, 0)),
+                  saturation(render::pixel(picture, x - 1, 0)));
+    EXPECT_EQ(render::pixel(picture, 255, 0), (render::Rgba8{0xD5, 0x5E, 0x00, 255}));
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include "scb/error.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 std::string meta(int triangles, const std::string& hash) {
@@ -51,4 +51,4 @@ TEST_F(MeshSentences, AreNoneWhereNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

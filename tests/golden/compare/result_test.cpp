@@ -5,7 +5,7 @@
 #include "scb/error.h"
 #include "tests/golden/compare/sample_result.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using nlohmann::json;
@@ -115,4 +115,4 @@ TEST(Result, IsRefusedByPlaceAndValue) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

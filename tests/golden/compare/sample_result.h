@@ -4,7 +4,7 @@
 
 #include "golden/compare/result.h"
 
-namespace scb {
+namespace scb::golden {
 
 /// A result in which every field has a value of its own, and cases with every verdict.
 inline SuiteResult sample_result() {
@@ -54,4 +54,4 @@ inline SuiteResult sample_result() {
     return result;
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 constexpr Verdict all[] = {
@@ -24,4 +24,4 @@ TEST(Verdicts, AllButSameAndSkippedFail) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -2,23 +2,23 @@
 
 #include <gtest/gtest.h>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
-Image black(int width, int height) {
+render::Image black(int width, int height) {
     return {width, height,
             std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) *
                                       static_cast<std::size_t>(height))};
 }
 
 TEST(WorstPixels, AreThoseOfTheLargestChangeInOneChannelFromTheTop) {
-    const Image before = black(5, 4);
-    Image after = before;
-    set_pixel(after, 3, 3, {0, 0, 9, 0});
-    set_pixel(after, 4, 1, {2, 2, 2, 2});  // more in all, but less in one
-    set_pixel(after, 1, 2, {9, 0, 0, 0});
-    set_pixel(after, 0, 0, {0, 1, 0, 0});
-    set_pixel(after, 2, 2, {0, 0, 0, 9});
+    const render::Image before = black(5, 4);
+    render::Image after = before;
+    render::set_pixel(after, 3, 3, {0, 0, 9, 0});
+    render::set_pixel(after, 4, 1, {2, 2, 2, 2});  // more in all, but less in one
+    render::set_pixel(after, 1, 2, {9, 0, 0, 0});
+    render::set_pixel(after, 0, 0, {0, 1, 0, 0});
+    render::set_pixel(after, 2, 2, {0, 0, 0, 9});
     const std::vector<PixelChange> worst = worst_pixels(before, after, 4);
     ASSERT_EQ(worst.size(), 4u);
     const int expected[][2] = {{1, 2}, {2, 2}, {3, 3}, {4, 1}};
@@ -32,13 +32,13 @@ TEST(WorstPixels, AreThoseOfTheLargestChangeInOneChannelFromTheTop) {
 }
 
 TEST(WorstPixels, AreNoMoreThanDiffer) {
-    const Image before = black(5, 4);
+    const render::Image before = black(5, 4);
     EXPECT_TRUE(worst_pixels(before, before, 3).empty());
-    Image after = before;
-    set_pixel(after, 4, 3, {1, 0, 0, 0});
+    render::Image after = before;
+    render::set_pixel(after, 4, 3, {1, 0, 0, 0});
     EXPECT_EQ(worst_pixels(before, after, 3).size(), 1u);
     EXPECT_TRUE(worst_pixels(before, after, 0).empty());
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 std::string encoded(std::string_view text) {
@@ -35,4 +35,4 @@ TEST(Base64, UsesTheWholeAlphabetInOrder) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,7 +7,7 @@
 #include "golden/compare/number_words.h"
 #include "tests/golden/compare/sample_result.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 CaseResult failing_case(const std::string& name, std::size_t lines) {
@@ -180,4 +180,4 @@ TEST(GithubSummary, ShowsCasesWithLongNamesAndSentences) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include "tests/golden/compare/sample_result.h"
 #include "tests/golden/report/xml_document.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Attributes = std::map<std::string, std::string>;
@@ -119,4 +119,4 @@ TEST(JUnit, WritesAnyTime) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

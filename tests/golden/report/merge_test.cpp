@@ -4,7 +4,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 CaseResult named(const std::string& name) {
@@ -109,4 +109,4 @@ TEST(Merge, RefusesWhatIsNotOfOneRun) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

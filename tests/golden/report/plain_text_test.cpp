@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 TEST(PlainText, IsOneLineThatMovesNoCursor) {
@@ -33,4 +33,4 @@ TEST(PlainText, IsNoCommandOfGithubActions) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Open = std::vector<XmlElement>;
@@ -43,4 +43,4 @@ XmlElement parse_xml(const std::string& document) {
     return open.back().children.at(0);
 }
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 
 /// An element of an XML document: everything in it but comments.
 struct XmlElement {
@@ -27,4 +27,4 @@ struct XmlElement {
 /// not well-formed.
 XmlElement parse_xml(const std::string& document);
 
-}  // namespace scb
+}  // namespace scb::golden

@@ -7,7 +7,7 @@
 
 #include "tests/golden/report/xml_document.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 TEST(XmlText, KeepsWhatXmlAllows) {
@@ -40,4 +40,4 @@ TEST(XmlText, IsWellFormedWhateverTheBytes) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 class ForEachInThreads : public testing::TestWithParam<std::size_t> {};
@@ -44,4 +44,4 @@ TEST_P(ForEachInThreads, ThrowsWhatWorkOrAStepThrows) {
 INSTANTIATE_TEST_SUITE_P(, ForEachInThreads, testing::Values(1, 2, 8));
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -5,7 +5,7 @@
 #include "render/files/output_file.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 TEST(BaselineLock, IsOnesAtATime) {
@@ -17,7 +17,7 @@ TEST(BaselineLock, IsOnesAtATime) {
         try {
             const BaselineLock second(baselines);
             FAIL();
-        } catch (const OutputError& error) {
+        } catch (const render::OutputError& error) {
             EXPECT_NE(std::string(error.what()).find("another update"), std::string::npos);
         }
         EXPECT_TRUE(BaselineLock(folder.path).held());
@@ -29,8 +29,8 @@ TEST(BaselineLock, IsOnesAtATime) {
 
 TEST(BaselineLock, NeedsAFolder) {
     const TemporaryFolder folder;
-    EXPECT_THROW(BaselineLock(folder.write("file", "")), OutputError);
+    EXPECT_THROW(BaselineLock(folder.write("file", "")), render::OutputError);
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -8,7 +8,7 @@
 #include "scenes/text/file_bytes.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ class Baseline : public testing::Test {
         std::map<std::string, std::string> files;
         for (const fs::directory_entry& entry : fs::directory_iterator(baselines.path))
             files[entry.path().filename().string()] =
-                entry.is_directory() ? "a folder" : file_bytes(entry.path().string());
+                entry.is_directory() ? "a folder" : scenes::file_bytes(entry.path().string());
         return files;
     }
 
@@ -94,7 +94,7 @@ TEST_F(Baseline, ThatCannotBeReplacedStaysWhole) {
     candidates.write("case.ids.png", "new ids");
     candidates.write("case.meta.json", "new meta");
     const auto before = files();
-    EXPECT_THROW(replace(), OutputError);
+    EXPECT_THROW(replace(), render::OutputError);
     EXPECT_EQ(files(), before);
     EXPECT_TRUE(fs::exists(baselines.path / "case.png" / "inside"));
 }
@@ -129,4 +129,4 @@ TEST_F(Baseline, FilesOfNoCaseAreStray) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -93,4 +93,4 @@ TEST(CaseCommand, AFileThatLooksLikeAnOptionIsNone) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using nlohmann::json;
@@ -93,4 +93,4 @@ TEST(CaseCounts, KnowTheirOnlyFrame) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

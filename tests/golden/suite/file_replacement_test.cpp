@@ -8,7 +8,7 @@
 #include "scenes/text/file_bytes.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         files[entry.path().lexically_relative(folder).string()] =
-            entry.is_directory() ? "a folder" : file_bytes(entry.path().string());
+            entry.is_directory() ? "a folder" : scenes::file_bytes(entry.path().string());
     return files;
 }
 
@@ -51,7 +51,7 @@ TEST_F(FileReplacement, ThatFailsHalfWayChangesNothing) {
         replace_files(folder.path, {change("a"), change("c"), change("d"), change("b")},
                       {folder.path / "gone"});
         FAIL();
-    } catch (const OutputError& error) {
+    } catch (const render::OutputError& error) {
         EXPECT_NE(std::string(error.what()).find("d: it cannot be replaced"), std::string::npos)
             << error.what();
     }
@@ -64,7 +64,7 @@ TEST_F(FileReplacement, ThatCannotRemoveChangesNothing) {
         replace_files(folder.path, {change("a"), change("c")},
                       {folder.path / "gone", folder.path / "not there"});
         FAIL();
-    } catch (const OutputError& error) {
+    } catch (const render::OutputError& error) {
         EXPECT_NE(std::string(error.what()).find("not there: it cannot be removed"),
                   std::string::npos)
             << error.what();
@@ -80,4 +80,4 @@ TEST_F(FileReplacement, WithoutItsSourceChangesNothing) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

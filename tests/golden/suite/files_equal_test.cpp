@@ -6,7 +6,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 TEST(FilesEqual, ComparesEveryByte) {
@@ -37,4 +37,4 @@ TEST(FilesEqual, IsFalseForWhatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -9,7 +9,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 TEST(Shard, IsReadFromText) {
@@ -26,7 +26,7 @@ TEST(Shard, IsRefusedByName) {
             ADD_FAILURE() << text;
         } catch (const InputError& error) {
             EXPECT_EQ(error.what(), "\"" + std::string(text) +
-                                        "\" is no shard; give K/N, the K-th of N parts, such as "
+                                        "\" is not a shard; give K/N, the K-th of N parts, such as "
                                         "2/3.");
         }
     }
@@ -53,4 +53,4 @@ TEST(Shards, HaveEveryCaseOnceAndAreEven) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 std::string said_by_shell(const std::string& word) {
@@ -30,4 +30,4 @@ TEST(ShellWord, IsQuotedOnlyWhereItMustBe) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

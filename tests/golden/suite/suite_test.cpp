@@ -7,7 +7,7 @@
 #include "scb/error.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::golden {
 namespace {
 
 using nlohmann::json;
@@ -154,4 +154,4 @@ TEST_F(SuiteFile, NamesFilesAsTheyAreOpenedHereAndAsItHasThem) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::golden

@@ -9,7 +9,7 @@
 
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 /// A ray-caster of its own, in double precision and straight from the definitions of the volumes,
 /// to compare the renderer with.
@@ -116,4 +116,4 @@ inline std::optional<std::uint32_t> certain_id(const Pane& pane, double x, doubl
     return hit.id;
 }
 
-}  // namespace scb
+}  // namespace scb::render

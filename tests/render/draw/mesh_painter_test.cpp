@@ -6,7 +6,7 @@
 #include "scb/error.h"
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // A triangle behind a wall: faint where it is to show through, and without an id.
@@ -181,4 +181,4 @@ TEST(MeshPainter, MeshesAndSegmentsEndAtTheDepthRange) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -11,7 +11,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr Rgba8 before{10, 20, 30, 255}, ring{1, 2, 3, 255}, halo{200, 201, 202, 255};
@@ -144,4 +144,4 @@ TEST(Outline, IsBelowTheOverlay) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

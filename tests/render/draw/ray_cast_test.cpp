@@ -3,7 +3,7 @@
 #include "tests/render/draw/cpu_caster.h"
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Every pixel that the caster is certain of has its id, and it is certain of nearly all.
@@ -192,4 +192,4 @@ TEST(RayCastOrder, VolumesWithoutSizeDrawNothing) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

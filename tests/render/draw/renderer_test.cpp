@@ -11,7 +11,7 @@
 #include "scb/error.h"
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Everything at once: opaque and translucent volumes, a mesh with edges, segments, two panes,
@@ -187,4 +187,4 @@ TEST(Renderer, PanesAreClippedToTheirRectangles) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 
 #include "core/base/random.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr std::size_t width = 300;
@@ -59,4 +59,4 @@ TEST(Resolve, AnIdIsThatOfOneSample) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

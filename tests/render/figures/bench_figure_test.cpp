@@ -10,7 +10,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 BenchSeries series_of(std::string name, VolumeKind kind, double n_v, double ms, int frames) {
@@ -298,4 +298,4 @@ TEST(TimeOverScb, ComparesFramesThatBothWereTimedIn) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "render/draw/pane_difference.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr Rgba8 red{255, 0, 0}, green{0, 255, 0};
@@ -66,4 +66,4 @@ TEST(ComparisonLayout, PartsNeitherOverlapNorLeaveThePicture) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

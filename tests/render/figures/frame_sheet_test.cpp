@@ -4,7 +4,7 @@
 
 #include "render/draw/shrink.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TEST(FrameSheetLayout, FitsWhateverTheNumberOfCells) {
@@ -66,4 +66,4 @@ TEST(FrameSheet, LegendHasEveryKeyOnceAndSaysWhereScalesDiffer) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 Inspection example(std::uint64_t fit, std::uint64_t test, std::uint64_t wrong) {
@@ -124,4 +124,4 @@ TEST(InspectFigure, WrongRejectionsAreInTheAlarmColor) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -6,7 +6,7 @@
 #include "render/plots/icicle_plot.h"
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 constexpr int width = 800, height = 500;
@@ -19,7 +19,7 @@ StagesFigure figure_of(const std::vector<int>& frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         EndingCounts counts{};
         counts[static_cast<std::size_t>(Stage::slab_ball)] = 100;
-        counts[static_cast<std::size_t>(Ending::triangles_meet)] = i % 2 == 0 ? 100 : 300;
+        counts[static_cast<std::size_t>(Outcome::triangles_meet)] = i % 2 == 0 ? 100 : 300;
         figure.counts.push_back(counts);
     }
     return figure;
@@ -48,16 +48,16 @@ TEST(StagesFigure, AreasAreProportionalToTheCounts) {
         for (int i = 0; i < count; ++i) frames.push_back(3 * i);
         std::map<std::uint32_t, int> pixels = pixels_of(figure_of(frames));
         const double slab = pixels[key(ending_color(rejected_at(Stage::slab_ball), light_theme))],
-                     meet = pixels[key(ending_color(Ending::triangles_meet, light_theme))];
+                     meet = pixels[key(ending_color(Outcome::triangles_meet, light_theme))];
         EXPECT_GT(slab, 1000);
         EXPECT_NEAR(meet / slab, 2, 0.1) << count;
     }
 }
 
 TEST(StagesFigure, OneFrameAndNone) {
-    EXPECT_GT(pixels_of(figure_of({7}))[key(ending_color(Ending::triangles_meet, light_theme))],
+    EXPECT_GT(pixels_of(figure_of({7}))[key(ending_color(Outcome::triangles_meet, light_theme))],
               1000);
-    EXPECT_EQ(pixels_of(figure_of({}))[key(ending_color(Ending::triangles_meet, light_theme))], 0);
+    EXPECT_EQ(pixels_of(figure_of({}))[key(ending_color(Outcome::triangles_meet, light_theme))], 0);
 }
 
 /// Every group that a picture can have, with its theme.
@@ -75,7 +75,7 @@ void for_each_group(Check check) {
 
 TEST(EndingColors, TellGroupsApart) {
     for_each_group(
-        [](const std::vector<EndingGroup>& groups, const std::vector<Ending>& all, const Theme&) {
+        [](const std::vector<EndingGroup>& groups, const std::vector<Outcome>& all, const Theme&) {
             std::size_t endings = 0;
             for (std::size_t i = 0; i < groups.size(); ++i) {
                 endings += groups[i].endings.size();
@@ -91,7 +91,7 @@ TEST(EndingColors, StandOutFromTheBackgroundAndFromDividedPairs) {
     const auto distance = [](Rgba8 a, Rgba8 b) {
         return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
     };
-    for_each_group([&](const std::vector<EndingGroup>& groups, const std::vector<Ending>&,
+    for_each_group([&](const std::vector<EndingGroup>& groups, const std::vector<Outcome>&,
                        const Theme& theme) {
         for (const EndingGroup& group : groups) {
             EXPECT_GT(distance(group.color, theme.background), 150) << group.label;
@@ -101,17 +101,17 @@ TEST(EndingColors, StandOutFromTheBackgroundAndFromDividedPairs) {
 }
 
 TEST(EndingColors, OnlyWhatIsLeftOverTakesTheThemes) {
-    for (const Ending ending : endings_of(VolumeKind::scb, {})) {
+    for (const Outcome ending : endings_of(VolumeKind::scb, {})) {
         const Rgba8 light = ending_color(ending, light_theme),
                     dark = ending_color(ending, dark_theme);
-        if (ending == Ending::left_over) {
+        if (ending == Outcome::left_over) {
             EXPECT_LT(light.g, 60);
             EXPECT_GT(dark.g, 200);
         } else {
-            EXPECT_EQ(light, dark) << ending_name(ending);
+            EXPECT_EQ(light, dark) << outcome_name(ending);
         }
     }
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

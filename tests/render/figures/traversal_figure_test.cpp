@@ -8,7 +8,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TraceHeader scb_header() {
@@ -97,7 +97,7 @@ std::vector<EndingGroup> groups_of(const TraceHeader& header) {
 
 Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
     const TraceHeader header = scb_header();
-    return icicle(frame.events, test_tree(header, frame), groups_of(header), columns, rows);
+    return icicle(frame.events, traversal_tree(header, frame), groups_of(header), columns, rows);
 }
 
 std::string label_of(const IcicleRun& run) {
@@ -218,7 +218,7 @@ TEST(TraversalFigure, AreasAreProportionalToTests) {
         const auto counts =
             colors_of(drawn(drawing, figure, scb_header(), small_frame(), 1280, 720));
         // One test each: a fifth of the width by a row; the swatches of the legend are the same.
-        const int one = count_in(counts, ending_color(Ending::triangles_meet, *theme));
+        const int one = count_in(counts, ending_color(Outcome::triangles_meet, *theme));
         EXPECT_GT(one, 240 * 30);
         for (const Stage stage : {Stage::slab_cylinder, Stage::ball_slab})
             EXPECT_NEAR(count_in(counts, ending_color(rejected_at(stage), *theme)), one, one / 50);
@@ -288,4 +288,4 @@ TEST(TraversalFigure, LeavesTheMarginsFree) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

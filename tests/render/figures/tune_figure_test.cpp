@@ -4,7 +4,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TuneFigure example(bool timed) {
@@ -70,4 +70,4 @@ TEST(TuneFigure, ShowsEveryBarAndThePlaceOfTheBest) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

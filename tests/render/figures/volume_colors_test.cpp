@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TEST(VolumeColors, NamesAreReadBack) {
@@ -55,4 +55,4 @@ TEST(VolumeColors, LegendsHaveRisingTicks) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

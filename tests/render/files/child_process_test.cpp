@@ -9,7 +9,7 @@
 #include <functional>
 #include <thread>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -102,4 +102,4 @@ TEST_F(ChildProcessTest, IsNotKilledOnceItIsForgotten) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

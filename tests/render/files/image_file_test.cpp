@@ -21,7 +21,7 @@
 #include "render/files/encode_queue.h"
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -288,4 +288,4 @@ TEST_F(ImageFile, TheQueueMakesDoWithFewerThreads) {
 #endif
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -14,7 +14,7 @@
 #include "render/files/output_file.h"
 #include "tests/temporary_folder.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -159,4 +159,4 @@ TEST_F(VideoFileTest, IsNotStartedWhereThereIsNoProgram) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -4,7 +4,7 @@
 
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// Makes a context in a new process, whose environment is as `prepare` leaves it; the exit status
@@ -44,4 +44,4 @@ TEST(Context, SaysWhatItIsWithoutMachineFacts) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -9,7 +9,7 @@
 #include "render/gl/context.h"
 #include "render/view/fit_camera.h"
 
-namespace scb {
+namespace scb::render {
 
 inline GlBackend any_backend() {
     return is_compiled_in(GlBackend::osmesa) ? GlBackend::osmesa : GlBackend::egl;
@@ -67,4 +67,4 @@ inline std::vector<AnyVolume> assorted_volumes() {
     return volumes;
 }
 
-}  // namespace scb
+}  // namespace scb::render

@@ -5,7 +5,7 @@
 #include "render/figures/level_sheet.h"
 #include "render/view/fit_camera.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 bool inside(const PixelRect& inner, int width, int height) {
@@ -126,4 +126,4 @@ TEST(WrappedText, BreaksAtSpacesAndLosesNoWord) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

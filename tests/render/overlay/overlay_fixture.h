@@ -4,7 +4,7 @@
 
 #include "render/view/picture.h"
 
-namespace scb {
+namespace scb::render {
 
 inline Picture empty_picture(int width, int height) {
     Picture picture;
@@ -28,4 +28,4 @@ inline std::pair<int, int> inside_and_outside(const Image& image, const PixelRec
     return {inside, outside};
 }
 
-}  // namespace scb
+}  // namespace scb::render

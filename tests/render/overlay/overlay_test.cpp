@@ -5,7 +5,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TEST(Overlay, TextStaysInItsMeasuredBox) {
@@ -140,4 +140,4 @@ TEST(TextUnit, GrowsWithThePictureAndStaysLegible) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 /// How much of a panel of that height is filled; lines of text are 25 pixels high.
@@ -36,4 +36,4 @@ TEST(SidePanel, LeavesOutWhatBelongsToAHeadingThatIsNotDrawn) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

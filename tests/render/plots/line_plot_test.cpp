@@ -10,7 +10,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 PlotSeries series_of(std::vector<double> y, Rgba8 color = body_a_color) {
@@ -317,4 +317,4 @@ TEST(BarPlot, StaysInItsRectangleWhateverTheData) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 std::vector<std::string> labels(const PlotAxis& axis) {
@@ -149,4 +149,4 @@ TEST(AxisPosition, IsProportionalAndWithinTheAxis) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

@@ -13,7 +13,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 // Directions that are parallel to a millionth count as parallel.
@@ -210,4 +210,4 @@ TEST(ExplainLayout, PartsLieInThePictureAndApart) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

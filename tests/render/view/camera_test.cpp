@@ -1,7 +1,7 @@
 #include "scb/error.h"
 #include "tests/render/gl/gl_fixture.h"
 
-namespace scb {
+namespace scb::render {
 namespace {
 
 TEST(Camera, AzimuthZeroLooksAlongYWithXToTheRight) {
@@ -109,4 +109,4 @@ TEST(FitCamera, RefusesAnEmptySet) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::render

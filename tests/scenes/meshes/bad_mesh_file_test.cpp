@@ -7,7 +7,7 @@
 #include "scenes/meshes/mesh_file.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::string ply(const std::string& vertices, const std::string& faces, const std::string& body,
@@ -183,4 +183,4 @@ TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

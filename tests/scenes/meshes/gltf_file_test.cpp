@@ -2,7 +2,7 @@
 
 #include "tests/scenes/meshes/sample_mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// The four corners as floats, then two lists of indices: 0, 1, 2 and 0, 1, 2, 1, 2, 3.
@@ -124,4 +124,4 @@ TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

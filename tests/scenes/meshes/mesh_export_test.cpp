@@ -7,7 +7,7 @@
 #include "scenes/meshes/mesh_file.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 ExportPart part(const std::string& name, double x) {
@@ -66,4 +66,4 @@ TEST(MeshExport, RefusesCoordinatesThatFloatCannotHold) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -7,7 +7,7 @@
 
 #include "tests/scenes/meshes/sample_mesh.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::string corner_line(const std::string& start, const Vec3& v) {
@@ -212,4 +212,4 @@ TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

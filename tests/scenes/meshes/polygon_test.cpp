@@ -4,7 +4,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::vector<Triangle> cut(const std::vector<Vec3>& points) {
@@ -78,4 +78,4 @@ TEST(Polygon, ThatIsLargeAndConcaveIsRefused) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -6,7 +6,7 @@
 #include "scb/mesh.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 
 /// Four corners and six triangles: a tetrahedron, one triangle again, and one that repeats a
 /// corner.
@@ -74,4 +74,4 @@ inline std::string gltf(const std::string& nodes) {
               "max": [1, 2, 3]}, {"bufferView": 1, "componentType": 5123, "count": 18, "type": "SCALAR"}]})";
 }
 
-}  // namespace scb
+}  // namespace scb::scenes

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 double area_of(const Mesh& mesh) {
@@ -116,4 +116,4 @@ TEST(VolumeMesh, OfAFlatScbIsADiscAndOfAPointNothing) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -12,6 +12,7 @@
 #include "core/analysis/inspection.h"
 #include "core/analysis/operation_cost.h"
 #include "core/analysis/worst_pairs.h"
+#include "core/collide/query_placement.h"
 #include "core/explain/overlap_steps.h"
 #include "core/explain/pair_explanation.h"
 #include "scenes/scene/builtin.h"
@@ -21,7 +22,7 @@
 
 // Why pairs passed, on the built-in scenes, recomputed without what attribution.cpp is made of.
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 #ifdef SCB_SANITIZED
@@ -39,7 +40,7 @@ struct Query {
     const BuiltMesh &a, &b;
     TraceHeader header;
     TraceFrame frame;
-    TestTree tree;
+    TraversalTree tree;
     std::vector<IndexPair> contacts;
     Attribution result;
 
@@ -47,7 +48,7 @@ struct Query {
           OverlapTest test)
         : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
         frame = record_frame(a, b, 0, pose, header);
-        tree = test_tree(header, frame);
+        tree = traversal_tree(header, frame);
         const auto i = static_cast<std::size_t>(kind);
         contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
         result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
@@ -75,7 +76,7 @@ void check_counts(const Query& q) {
     Work wasted, useful;
     for (std::size_t i = 0; i < tests.size(); ++i) {
         const std::uint32_t parent = q.tree.parents[i];
-        (parent != TestTree::no_parent && is_false[parent] ? wasted : useful) +=
+        (parent != TraversalTree::no_parent && is_false[parent] ? wasted : useful) +=
             {1, 0, operation_cost(q.header.volume, q.header.options.overlap, tests[i].stage)};
     }
     for (const TriangleTest& test : q.frame.events.triangle_tests)
@@ -87,7 +88,7 @@ void check_counts(const Query& q) {
         is_weak[pair.test] = pair.reason == PassReason::weak_test;
     std::uint64_t saved = 0;
     for (std::size_t i = 0; i < tests.size(); ++i)
-        for (std::uint32_t at = q.tree.parents[i]; at != TestTree::no_parent;
+        for (std::uint32_t at = q.tree.parents[i]; at != TraversalTree::no_parent;
              at = q.tree.parents[at])
             if (is_weak[at]) {
                 ++saved;
@@ -209,7 +210,7 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     const TraceFrame frame = record_frame(a, b, 0, pose, header);
     ASSERT_FALSE(frame.found.complete);
     const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame,
-                                    test_tree(header, frame), contacts);
+                                    traversal_tree(header, frame), contacts);
     EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
     // The roots are of a pair that meets, although it is not the one that was found.
     EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
@@ -310,7 +311,7 @@ TEST(AllContacts, AreThoseOfAFullQueryWhereTheQueryEndedEarly) {
 }
 
 // By the steps of the other test, which are not what it is made of.
-TEST(OtherTest, CatchesTheWeakPairsThatItRejects) {
+TEST(AlternativeTest, CatchesTheWeakPairsThatItRejects) {
     const Scene scene = load_builtin(*find_builtin("spheres-l1"));
     const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
         b(scene.meshes[scene.bodies[1].mesh].mesh);
@@ -321,7 +322,7 @@ TEST(OtherTest, CatchesTheWeakPairsThatItRejects) {
                &of_b = std::get<Hierarchy<Scb>>(b.hierarchies[0]);
     const Placement placed = query_placement(of_a, of_b, pose);
     std::set<std::uint64_t> seen;
-    for (const OverlapOptions& other : other_tests(query.header)) {
+    for (const OverlapOptions& other : alternative_tests(query.header)) {
         std::uint64_t caught = 0, weak = 0;
         for (const PassedPair& pair : query.result.passed) {
             if (pair.reason != PassReason::weak_test) continue;
@@ -331,8 +332,9 @@ TEST(OtherTest, CatchesTheWeakPairsThatItRejects) {
                           .decisive()
                           .has_value();
         }
-        const OtherTest found = try_other_test(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh,
-                                               query.header, query.frame, query.result, other);
+        const AlternativeTest found =
+            try_alternative_test(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh, query.header,
+                                 query.frame, query.result, other);
         EXPECT_EQ(found.caught, caught) << overlap_test_name(other.test);
         EXPECT_LT(found.caught, weak);
         EXPECT_EQ(found.pairs, query.contacts.size());
@@ -420,4 +422,4 @@ TEST(Attribution, WorstPairsAreEachListedOnceAtTheirWorstFrame) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/leaf_order.h"
 #include "scenes/scene/builtin.h"
 #include "tests/core/hierarchy/built_mesh.h"
 #include "tests/real_models.h"
@@ -12,7 +14,7 @@
 // The pairs of triangles of the built-in scenes: against brute force where that is possible, and
 // their sums over many frames against those that other libraries found.
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 constexpr std::size_t brute_force_limit = 5000;  // triangles per body
@@ -160,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ModelPairSums,
 #endif
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -7,7 +7,7 @@
 // The built-in scenes that were made to show something: that they do, in the frame that they show
 // where none is asked for.
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 struct Shown {
@@ -52,7 +52,7 @@ TEST(BuiltinScenes, Line8LosesAllPairsToOneWrongRejectionOfThePrintedTest) {
         shown.found(VolumeKind::scb, OverlapTest::corrected).pairs;
     const Attribution attribution =
         attribute(shown.a().hierarchies[kind], shown.b().hierarchies[kind], header, frame,
-                  test_tree(header, frame), contacts);
+                  traversal_tree(header, frame), contacts);
     EXPECT_EQ(attribution.wrongly_rejected, (std::vector<WrongRejection>{{0, pairs}}));
 }
 
@@ -90,4 +90,4 @@ TEST(BuiltinScenes, LongTrianglesNeedOneTestOfBoxesAndNearlyAllOfSlabCutBalls) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

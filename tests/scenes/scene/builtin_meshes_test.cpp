@@ -10,7 +10,7 @@
 
 // The built-in scenes whose meshes are files of others.
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,4 +139,4 @@ TEST(BuiltinMeshes, LoadIntoAUnitBoxWithTheirCounts) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

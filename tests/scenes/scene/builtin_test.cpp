@@ -5,7 +5,7 @@
 #include "scenes/shapes/torus_knot.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 TEST(BuiltinScenes, AreListedInAFixedOrder) {
@@ -95,4 +95,4 @@ TEST(BuiltinScenes, KeepTheKnotsStillToEachOtherButNotAtTheIdentity) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,13 +2,13 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 TEST(CameraOption, ReadsFitAndOrbit) {
     EXPECT_EQ(parse_camera("fit").azimuth, 30);
     EXPECT_FALSE(parse_camera("fit").distance);
-    const CameraSpec camera = parse_camera("orbit:-45.5,10");
+    const CameraView camera = parse_camera("orbit:-45.5,10");
     EXPECT_EQ(camera.azimuth, -45.5);
     EXPECT_EQ(camera.elevation, 10);
     EXPECT_FALSE(camera.distance);
@@ -29,7 +29,7 @@ TEST(CameraOption, RefusesWhatIsNotACamera) {
 }
 
 TEST(CameraJson, ComesBackAsItWasWritten) {
-    CameraSpec camera;
+    CameraView camera;
     camera.azimuth = 0.1;
     camera.distance = 1.0 / 3;
     camera.target = Vec3(1, 2, 3);
@@ -37,7 +37,7 @@ TEST(CameraJson, ComesBackAsItWasWritten) {
     camera.orthographic = true;
     camera.view_height = 4;
     camera.inset = Inset{{-0.025, 0, 0}, 0.12};
-    const CameraSpec again = parse_camera_json(camera_json(camera), "again");
+    const CameraView again = parse_camera_json(camera_json(camera), "again");
     EXPECT_EQ(camera_json(again), camera_json(camera));
     EXPECT_EQ(again.azimuth, 0.1);
     EXPECT_EQ(again.distance, 1.0 / 3);
@@ -78,4 +78,4 @@ TEST(CameraJson, IsTakenOutOfAnIndex) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -2,7 +2,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -116,4 +116,4 @@ TEST(LoadScene, MakesFileNamesOfAnyText) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

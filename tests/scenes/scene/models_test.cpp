@@ -4,7 +4,7 @@
 #include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// The rows `| FILE.ply | VERTICES (...) | TRIANGLES | ...` of the table that describes the models.
@@ -41,4 +41,4 @@ TEST(Models, HaveTheCountsThatTheirTableStates) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

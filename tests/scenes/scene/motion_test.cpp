@@ -5,7 +5,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 void expect_near(const Mat3& a, const Mat3& b, double tolerance) {
@@ -99,4 +99,4 @@ TEST(Motion, RefusesAPoseThatIsNotRigid) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

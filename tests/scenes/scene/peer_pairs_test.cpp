@@ -15,7 +15,7 @@
 #include "tests/real_models.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 /// One row of peer_counts.tsv: two meshes, where B is, and the triangle pairs that an exact library
@@ -139,4 +139,4 @@ INSTANTIATE_TEST_SUITE_P(Models, PeerPairs, testing::ValuesIn(first_meshes()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

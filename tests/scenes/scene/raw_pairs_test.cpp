@@ -4,7 +4,7 @@
 
 #include "scb/error.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 std::string refusal(const std::string& text) {
@@ -47,4 +47,4 @@ TEST(RawPairs, AcceptPointsAndTheSmallestLengths) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

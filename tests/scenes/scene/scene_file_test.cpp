@@ -4,7 +4,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 using nlohmann::json;
@@ -330,4 +330,4 @@ TEST(SceneFile, ExpressesTheHandsOfTheBenchmark) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

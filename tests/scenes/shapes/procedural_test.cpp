@@ -6,7 +6,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 TEST(Icosphere, HasTheCountsOfTable2AndIsClosed) {
@@ -125,4 +125,4 @@ TEST(ProceduralMeshes, AreTheSameBitsOnEveryCompilerAndMachine) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

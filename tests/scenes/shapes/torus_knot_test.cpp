@@ -5,7 +5,7 @@
 
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 TorusKnot knot_a(int sides, int rings) {
@@ -109,4 +109,4 @@ TEST(TorusKnot, RefusesWhatItCannotMake) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

@@ -11,7 +11,7 @@
 #include "tests/core/analysis/traces.h"
 #include "tests/scenes/support.h"
 
-namespace scb {
+namespace scb::scenes {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -165,7 +165,7 @@ TEST(TraceFile, TruncatedAtEveryByte) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
         const std::string sentence = refusal_of(part);
-        expect_in(size == 0 ? "file.scbtrace is no trace of scb" : "file.scbtrace is truncated",
+        expect_in(size == 0 ? "file.scbtrace is not a trace of scb" : "file.scbtrace is truncated",
                   sentence);
     }
 }
@@ -173,7 +173,7 @@ TEST(TraceFile, TruncatedAtEveryByte) {
 TEST(TraceFile, ForeignNewerLongerDamaged) {
     const Bytes bytes = encode_trace(small_trace());
     const std::string text = "solid cube\nfacet normal 0 0 1\n";
-    expect_in("is no trace of scb", refusal_of(Bytes(text.begin(), text.end())));
+    expect_in("is not a trace of scb", refusal_of(Bytes(text.begin(), text.end())));
     Bytes newer = bytes;
     newer[8] = 7;
     expect_in("was written by a newer scb (version 7; this one reads up to 1)", refusal_of(newer));
@@ -221,7 +221,7 @@ bool survives(const Bytes& bytes) {
         }
         EXPECT_EQ(std::adjacent_find(frame.found.pairs.begin(), frame.found.pairs.end()),
                   frame.found.pairs.end());
-        const TestTree tree = test_tree(trace.header, frame);
+        const TraversalTree tree = traversal_tree(trace.header, frame);
         EXPECT_EQ(tree.parents.size(), frame.events.volume_tests.size());
     }
     EXPECT_TRUE(diff(trace, trace).equal());
@@ -300,7 +300,7 @@ TEST(TraceFile, LengthsThatNobodyWroteAreRefusedAtOnce) {
         unpacked.append(packed);
         unpacked.varint(0);
         unpacked.fixed32(0);
-        expect_in("is no valid trace", refusal_of(resealed(unpacked.bytes)));
+        expect_in("is not a valid trace", refusal_of(resealed(unpacked.bytes)));
 
         ByteWriter block{start};
         block.varint(length);
@@ -402,4 +402,4 @@ TEST(TraceFile, FramesComeInOrder) {
 }
 
 }  // namespace
-}  // namespace scb
+}  // namespace scb::scenes

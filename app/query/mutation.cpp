@@ -1,15 +1,13 @@
-#include "app/cli/mutation.h"
+#include "app/query/mutation.h"
 
 #include <algorithm>
+#include <utility>
 
-namespace scb {
+namespace scb::app {
 namespace {
 
 constexpr Mutation mutations[] = {Mutation::drop_node, Mutation::nudge_radius,
-                                  Mutation::flip_comparison, Mutation::swap_stages,
-                                  Mutation::shift_color};
-
-Mutation current = Mutation::none;
+                                  Mutation::flip_comparison, Mutation::swap_stages};
 
 void grow(Scb& volume, double by) { volume.r *= by; }
 void grow(Ball& volume, double by) { volume.radius *= by; }
@@ -36,8 +34,6 @@ std::string_view mutation_name(Mutation mutation) {
             return "flip-comparison";
         case Mutation::swap_stages:
             return "swap-stages";
-        case Mutation::shift_color:
-            return "shift-color";
         case Mutation::none:
             break;
     }
@@ -50,13 +46,11 @@ std::optional<Mutation> mutation_of(std::string_view name) {
     return std::nullopt;
 }
 
-void set_mutation(Mutation mutation) { current = mutation; }
-
-void mutate(AnyHierarchy& hierarchy) {
-    if (current != Mutation::drop_node && current != Mutation::nudge_radius) return;
+void mutate(Mutation mutation, AnyHierarchy& hierarchy) {
+    if (mutation != Mutation::drop_node && mutation != Mutation::nudge_radius) return;
     std::visit(
-        [](auto& of) {
-            if (current == Mutation::drop_node)
+        [mutation](auto& of) {
+            if (mutation == Mutation::drop_node)
                 grow(of.volumes[node_at(*of.topology, 7)], 0);
             else
                 grow(of.volumes[node_at(*of.topology, 5)], 1.001);
@@ -64,26 +58,25 @@ void mutate(AnyHierarchy& hierarchy) {
         hierarchy);
 }
 
-void mutate(OverlapOptions& options) {
-    if (current == Mutation::flip_comparison) options.mutant = TestMutant::flipped_comparison;
-    if (current == Mutation::swap_stages) options.mutant = TestMutant::swapped_stages;
+void mutate(Mutation mutation, OverlapOptions& options) {
+    if (mutation == Mutation::flip_comparison) options.test = OverlapTest::printed;
 }
 
-bool mutates_pictures() { return current == Mutation::shift_color; }
+void mutate(Mutation mutation, Collision& found, VolumeKind kind, const OverlapOptions& options) {
+    if (mutation != Mutation::swap_stages) return;
+    std::swap(found.stages[static_cast<std::size_t>(Stage::slab_ball)],
+              found.stages[static_cast<std::size_t>(Stage::ball_slab)]);
+    found.n_u = transform_count(kind, found.stages, options);
+}
 
-Picture mutated(Picture picture) {
-    if (!mutates_pictures()) return picture;
-    const auto shift = [](Rgba8& color) {
-        color.g = static_cast<std::uint8_t>(color.g < 255 ? color.g + 1 : color.g - 1);
-    };
-    for (Pane& pane : picture.panes) {
-        for (VolumeInstance& volume : pane.volumes) shift(volume.color);
-        for (MeshDraw& mesh : pane.meshes) {
-            shift(mesh.color);
-            for (Rgba8& color : mesh.triangle_colors) shift(color);
-        }
+void mutate(Mutation mutation, Events& events) {
+    if (mutation != Mutation::swap_stages) return;
+    for (VolumeTest& test : events.volume_tests) {
+        if (test.stage == Stage::slab_ball)
+            test.stage = Stage::ball_slab;
+        else if (test.stage == Stage::ball_slab)
+            test.stage = Stage::slab_ball;
     }
-    return picture;
 }
 
-}  // namespace scb
+}  // namespace scb::app

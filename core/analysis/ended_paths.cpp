@@ -1,4 +1,4 @@
-#include "core/analysis/traversal_front.h"
+#include "core/analysis/ended_paths.h"
 
 #include <algorithm>
 #include <map>
@@ -10,11 +10,11 @@ namespace {
 struct End {
     std::uint32_t node;
     std::uint16_t depth;
-    Ending ending;
+    Outcome ending;
 };
 
-FrontNode summary(std::span<const End> ends) {
-    FrontNode result;
+EndedPaths summary(std::span<const End> ends) {
+    EndedPaths result;
     result.node = ends.front().node;
     result.depth = ends.front().depth;
     result.tests = static_cast<std::uint32_t>(ends.size());
@@ -26,35 +26,35 @@ FrontNode summary(std::span<const End> ends) {
         result.rejected += is_rejection(end.ending);
     }
     const auto most = std::max_element(counts.begin(), counts.end());
-    result.dominant = static_cast<Ending>(most - counts.begin());
+    result.dominant = static_cast<Outcome>(most - counts.begin());
     result.of_dominant = *most;
     return result;
 }
 
 }  // namespace
 
-std::vector<FrontNode> traversal_front(const TraceFrame& frame, const TestTree& tree,
-                                       std::size_t side, const FrontFilter& filter) {
+std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
+                                    std::size_t side, const EndedPathsFilter& filter) {
     std::vector<End> ends;
     std::map<std::uint32_t, std::uint32_t> passed_on;
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
         const VolumeTest& test = frame.events.volume_tests[i];
-        const std::optional<Ending> ending = ending_of(test, tree.outcomes[i]);
-        if (!ending) {
+        const Outcome outcome = tree.outcomes[i];
+        if (!is_ending(outcome)) {
             ++passed_on[side == 0 ? test.nodes.a : test.nodes.b];
             continue;
         }
         const std::uint16_t depth = side == 0 ? test.depth_a : test.depth_b;
         if (depth < filter.least_depth || depth > filter.most_depth) continue;
         if (!filter.endings.empty() && std::find(filter.endings.begin(), filter.endings.end(),
-                                                 *ending) == filter.endings.end())
+                                                 outcome) == filter.endings.end())
             continue;
-        ends.push_back({side == 0 ? test.nodes.a : test.nodes.b, depth, *ending});
+        ends.push_back({side == 0 ? test.nodes.a : test.nodes.b, depth, outcome});
     }
     // Stable, so that first and last are those of the traversal.
     std::stable_sort(ends.begin(), ends.end(),
                      [](const End& x, const End& y) { return x.node < y.node; });
-    std::vector<FrontNode> front;
+    std::vector<EndedPaths> front;
     for (std::size_t begin = 0; begin < ends.size();) {
         std::size_t end = begin + 1;
         while (end < ends.size() && ends[end].node == ends[begin].node) ++end;
@@ -66,9 +66,9 @@ std::vector<FrontNode> traversal_front(const TraceFrame& frame, const TestTree& 
     return front;
 }
 
-std::vector<FrontNode> innermost(const std::vector<FrontNode>& front, const Topology& topology) {
+std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const Topology& topology) {
     std::vector<char> in_front(topology.nodes.size()), below(topology.nodes.size());
-    for (const FrontNode& node : front) in_front[node.node] = 1;
+    for (const EndedPaths& node : front) in_front[node.node] = 1;
     // Children come after their parents.
     for (std::size_t i = topology.nodes.size(); i-- > 0;) {
         const TopologyNode& node = topology.nodes[i];
@@ -76,8 +76,8 @@ std::vector<FrontNode> innermost(const std::vector<FrontNode>& front, const Topo
         for (const std::size_t child : {std::size_t{node.left}, std::size_t{node.left} + 1})
             if (in_front[child] || below[child]) below[i] = 1;
     }
-    std::vector<FrontNode> result;
-    for (const FrontNode& node : front)
+    std::vector<EndedPaths> result;
+    for (const EndedPaths& node : front)
         if (!below[node.node]) result.push_back(node);
     return result;
 }

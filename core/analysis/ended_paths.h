@@ -8,32 +8,32 @@
 namespace scb {
 
 /// A node of one body at which paths of a traversal ended, and how they did.
-struct FrontNode {
+struct EndedPaths {
     std::uint32_t node = 0;
     std::uint16_t depth = 0;     ///< of the node
     std::uint32_t tests = 0;     ///< paths that ended here
     std::uint32_t rejected = 0;  ///< of these, those whose volumes were rejected
     std::uint32_t tested = 0;    ///< all tests of the node, also those that were passed on
-    Ending first{}, last{};      ///< in the order of the tests
-    Ending dominant{};           ///< the most frequent one; of equally frequent ones the first in
-                                 ///< the order of Ending
+    Outcome first{}, last{};     ///< in the order of the tests
+    Outcome dominant{};          ///< the most frequent one; of equally frequent ones the first in
+                                 ///< the order of Outcome
     std::uint32_t of_dominant = 0;
 };
 
 /// Which paths count.
-struct FrontFilter {
-    std::vector<Ending> endings;                                        ///< empty: all
+struct EndedPathsFilter {
+    std::vector<Outcome> endings;                                       ///< empty: all
     int least_depth = 0, most_depth = std::numeric_limits<int>::max();  ///< of the node
 };
 
 /// The front of a traversal on one side: every node of A (`side` 0) or B (1) in whose pair tests
 /// paths ended, ascending. A node may be in the front and below another one that is, since it met
 /// other nodes of the other body.
-std::vector<FrontNode> traversal_front(const TraceFrame& frame, const TestTree& tree,
-                                       std::size_t side, const FrontFilter& filter = {});
+std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
+                                    std::size_t side, const EndedPathsFilter& filter = {});
 
 /// Of a front, the nodes without another one of it below them: these volumes do not hold each
 /// other, so that each can be seen.
-std::vector<FrontNode> innermost(const std::vector<FrontNode>& front, const Topology& topology);
+std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const Topology& topology);
 
 }  // namespace scb

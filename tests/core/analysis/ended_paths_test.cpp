@@ -1,4 +1,4 @@
-#include "core/analysis/traversal_front.h"
+#include "core/analysis/ended_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::vector<TraceHeader> headers() {
 TEST(Endings, AreTheTestsThatWereNotPassedOn) {
     for (const TraceHeader& header : headers()) {
         const TraceFrame frame = some_frame(header);
-        const TestTree tree = test_tree(header, frame);
+        const TraversalTree tree = traversal_tree(header, frame);
         std::uint64_t passed_on = 0;
         for (const Outcome outcome : tree.outcomes)
             passed_on += outcome == Outcome::divided_a || outcome == Outcome::divided_b;
@@ -47,56 +47,55 @@ TEST(Endings, AreTheTestsThatWereNotPassedOn) {
             }
         EXPECT_EQ(ended + passed_on, frame.found.n_v);
         for (std::size_t s = 1; s < stage_count; ++s) EXPECT_EQ(sum[s], frame.found.stages[s]);
-        const auto at = [&](Ending ending) { return sum[static_cast<std::size_t>(ending)]; };
-        EXPECT_EQ(at(Ending::triangles_meet) + at(Ending::found), frame.found.pairs.size());
-        EXPECT_EQ(at(Ending::triangles_meet) + at(Ending::triangles_apart), frame.found.n_p);
-        EXPECT_EQ(at(Ending::left_over) > 0, !frame.found.complete);
+        const auto at = [&](Outcome ending) { return sum[static_cast<std::size_t>(ending)]; };
+        EXPECT_EQ(at(Outcome::triangles_meet) + at(Outcome::found), frame.found.pairs.size());
+        EXPECT_EQ(at(Outcome::triangles_meet) + at(Outcome::triangles_apart), frame.found.n_p);
+        EXPECT_EQ(at(Outcome::left_over) > 0, !frame.found.complete);
         // What a query of these options can have covers what it has.
-        const std::vector<Ending> known = endings_of(header.volume, header.options);
+        const std::vector<Outcome> known = endings_of(header.volume, header.options);
         for (std::size_t i = 1; i < ending_count; ++i)
             EXPECT_TRUE(sum[i] == 0 || std::find(known.begin(), known.end(),
-                                                 static_cast<Ending>(i)) != known.end());
+                                                 static_cast<Outcome>(i)) != known.end());
     }
 }
 
 TEST(Endings, HaveNames) {
     std::set<std::string_view> names;
     for (std::size_t i = 1; i < ending_count; ++i) {
-        const auto ending = static_cast<Ending>(i);
-        names.insert(ending_name(ending));
-        EXPECT_EQ(ending_of(ending_name(ending)), ending);
+        const auto ending = static_cast<Outcome>(i);
+        names.insert(outcome_name(ending));
+        EXPECT_EQ(ending_of(outcome_name(ending)), ending);
     }
     EXPECT_EQ(names.size(), ending_count - 1);
     EXPECT_FALSE(ending_of("overlapping"));
 }
 
-TEST(TraversalFront, SumsUpThePathsThatEndedAtEachNode) {
+TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
     for (const TraceHeader& header : headers())
         for (const std::size_t side : {0u, 1u}) {
             const TraceFrame frame = some_frame(header);
-            const TestTree tree = test_tree(header, frame);
-            std::map<std::uint32_t, std::vector<Ending>> ends;
+            const TraversalTree tree = traversal_tree(header, frame);
+            std::map<std::uint32_t, std::vector<Outcome>> ends;
             std::map<std::uint32_t, std::uint32_t> tested;
             for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
                 const VolumeTest& test = frame.events.volume_tests[i];
                 const std::uint32_t node = side == 0 ? test.nodes.a : test.nodes.b;
                 ++tested[node];
-                if (const auto ending = ending_of(test, tree.outcomes[i]))
-                    ends[node].push_back(*ending);
+                if (is_ending(tree.outcomes[i])) ends[node].push_back(tree.outcomes[i]);
             }
-            const std::vector<FrontNode> front = traversal_front(frame, tree, side);
+            const std::vector<EndedPaths> front = ended_paths(frame, tree, side);
             ASSERT_EQ(front.size(), ends.size());
             auto expected = ends.begin();
-            for (const FrontNode& node : front) {
+            for (const EndedPaths& node : front) {
                 ASSERT_EQ(node.node, expected->first);
-                const std::vector<Ending>& list = expected->second;
+                const std::vector<Outcome>& list = expected->second;
                 EXPECT_EQ(node.tests, list.size());
                 EXPECT_EQ(node.tested, tested[node.node]);
                 EXPECT_EQ(node.first, list.front());
                 EXPECT_EQ(node.last, list.back());
                 EXPECT_EQ(node.rejected, std::count_if(list.begin(), list.end(), is_rejection));
                 for (std::size_t i = 0; i < ending_count; ++i) {
-                    const auto ending = static_cast<Ending>(i);
+                    const auto ending = static_cast<Outcome>(i);
                     const auto count = std::count(list.begin(), list.end(), ending);
                     EXPECT_LE(count, node.of_dominant);
                     EXPECT_TRUE(ending >= node.dominant || count < node.of_dominant);
@@ -107,17 +106,17 @@ TEST(TraversalFront, SumsUpThePathsThatEndedAtEachNode) {
         }
 }
 
-TEST(TraversalFront, KeepsWhatTheFilterAsksFor) {
+TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
     const TraceFrame frame = some_frame(header);
-    const TestTree tree = test_tree(header, frame);
+    const TraversalTree tree = traversal_tree(header, frame);
     const std::vector<std::uint16_t> depths = node_depths(mesh().topology());
-    FrontFilter filter;
-    filter.endings = {Ending::triangles_apart, rejected_at(Stage::ball_ball)};
+    EndedPathsFilter filter;
+    filter.endings = {Outcome::triangles_apart, rejected_at(Stage::ball_ball)};
     filter.least_depth = 3;
     filter.most_depth = 9;
     std::uint64_t tests = 0, all = 0;
-    for (const FrontNode& node : traversal_front(frame, tree, 1, filter)) {
+    for (const EndedPaths& node : ended_paths(frame, tree, 1, filter)) {
         EXPECT_EQ(node.depth, depths[node.node]);
         EXPECT_TRUE(node.depth >= 3 && node.depth <= 9);
         EXPECT_TRUE(node.dominant == filter.endings[0] || node.dominant == filter.endings[1]);
@@ -132,21 +131,21 @@ TEST(TraversalFront, KeepsWhatTheFilterAsksFor) {
     EXPECT_EQ(tests, all);
 }
 
-TEST(TraversalFront, InnermostNodesHoldNoOther) {
+TEST(EndedPathsOf, InnermostNodesHoldNoOther) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
     const TraceFrame frame = some_frame(header);
-    const std::vector<FrontNode> front = traversal_front(frame, test_tree(header, frame), 0);
-    const std::vector<FrontNode> inner = innermost(front, mesh().topology());
+    const std::vector<EndedPaths> front = ended_paths(frame, traversal_tree(header, frame), 0);
+    const std::vector<EndedPaths> inner = innermost(front, mesh().topology());
     const auto& nodes = mesh().topology().nodes;
     const auto holds = [&](std::uint32_t outer, std::uint32_t node) {
         return outer != node && nodes[outer].first <= nodes[node].first &&
                nodes[node].first + nodes[node].count <= nodes[outer].first + nodes[outer].count;
     };
     std::set<std::uint32_t> kept;
-    for (const FrontNode& node : inner) kept.insert(node.node);
+    for (const EndedPaths& node : inner) kept.insert(node.node);
     ASSERT_LT(kept.size(), front.size());
-    for (const FrontNode& outer : front) {
-        const bool has_below = std::any_of(front.begin(), front.end(), [&](const FrontNode& node) {
+    for (const EndedPaths& outer : front) {
+        const bool has_below = std::any_of(front.begin(), front.end(), [&](const EndedPaths& node) {
             return holds(outer.node, node.node);
         });
         EXPECT_EQ(kept.contains(outer.node), !has_below);

@@ -1,0 +1,106 @@
+#include "app/cli/command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace scb::app {
+
+Option Option::check(Check accepted) const {
+    option_->check(CLI::Validator([accepted](std::string& text) { return accepted(text); }, ""));
+    return *this;
+}
+Option Option::type_name(const std::string& name) const {
+    option_->type_name(name);
+    return *this;
+}
+Option Option::description(const std::string& text) const {
+    option_->description(text);
+    return *this;
+}
+Option Option::show_default() const {
+    option_->capture_default_str();
+    return *this;
+}
+Option Option::default_str(const std::string& text) const {
+    option_->default_str(text);
+    return *this;
+}
+Option Option::required(bool is) const {
+    option_->required(is);
+    return *this;
+}
+Option Option::expected(int count) const {
+    option_->expected(count);
+    return *this;
+}
+Option Option::expected(int least, int most) const {
+    option_->expected(least, most);
+    return *this;
+}
+Option Option::delimiter(char separator) const {
+    option_->delimiter(separator);
+    return *this;
+}
+Option Option::envname(const std::string& name) const {
+    option_->envname(name);
+    return *this;
+}
+Option Option::hide() const {
+    option_->group("");
+    return *this;
+}
+
+template <class T>
+Option Command::add_option(const std::string& names, T& value, const std::string& help) const {
+    return Option(app_->add_option(names, value, help));
+}
+template Option Command::add_option(const std::string&, std::string&, const std::string&) const;
+template Option Command::add_option(const std::string&, int&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::int64_t&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::size_t&, const std::string&) const;
+template Option Command::add_option(const std::string&, double&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<int>&,
+                                    const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<std::int64_t>&,
+                                    const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<double>&,
+                                    const std::string&) const;
+template Option Command::add_option(const std::string&, std::vector<std::string>&,
+                                    const std::string&) const;
+template Option Command::add_option(const std::string&, std::vector<double>&,
+                                    const std::string&) const;
+
+Option Command::add_option_function(const std::string& names,
+                                    const std::function<void(const std::string&)>& use,
+                                    const std::string& help) const {
+    return Option(app_->add_option_function<std::string>(names, use, help));
+}
+
+Option Command::add_flag(const std::string& names, bool& value, const std::string& help) const {
+    return Option(app_->add_flag(names, value, help));
+}
+
+Option Command::get_option(const std::string& name) const { return Option(app_->get_option(name)); }
+
+void Command::remove_option(const std::string& name) const {
+    app_->remove_option(app_->get_option(name));
+}
+
+std::size_t Command::count(const std::string& name) const { return app_->count(name); }
+
+Command Command::add_subcommand(const std::string& name, const std::string& help) const {
+    return Command(*app_->add_subcommand(name, help));
+}
+
+void Command::require_subcommand() const {
+    app_->require_subcommand(1);
+    app_->fallthrough();
+}
+
+void Command::footer(const std::string& text) const { app_->footer(text); }
+
+void Command::callback(std::function<void()> chosen) const { app_->callback(std::move(chosen)); }
+
+}  // namespace scb::app

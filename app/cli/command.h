@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace scb::app {
+
+/// What a value must be, as a function: empty where it is that, else what is wrong with it.
+using Check = std::string (*)(const std::string& text);
+
+/// An option of a command, being described. A handle: copies are of the same option. Behind it is
+/// CLI11, which only command.cpp and main.cpp include, since it takes five seconds to compile.
+class Option {
+  public:
+    explicit Option(CLI::Option* option) : option_(option) {}
+
+    Option check(Check accepted) const;
+    /// What help shows for its value: "FILE".
+    Option type_name(const std::string& name) const;
+    Option description(const std::string& text) const;
+    /// Has help show the present value as the default.
+    Option show_default() const;
+    Option default_str(const std::string& text) const;
+    Option required(bool is = true) const;
+    /// How many values it takes.
+    Option expected(int count) const;
+    Option expected(int least, int most) const;
+    Option delimiter(char separator) const;
+    /// An environment variable that gives the value where the command line does not.
+    Option envname(const std::string& name) const;
+    /// Leaves it out of the help.
+    Option hide() const;
+
+  private:
+    CLI::Option* option_;
+};
+
+/// A command of the program, being described. A handle.
+class Command {
+  public:
+    explicit Command(CLI::App& app) : app_(&app) {}
+
+    /// `names`: "SCENE", "--size", "-o,--output", "--frames,--frame". `value` gets what is given.
+    /// T: std::string, int, std::int64_t, std::size_t, double, std::optional of one, or a
+    /// std::vector of texts or doubles.
+    template <class T>
+    Option add_option(const std::string& names, T& value, const std::string& help) const;
+    Option add_option_function(const std::string& names,
+                               const std::function<void(const std::string&)>& use,
+                               const std::string& help) const;
+    Option add_flag(const std::string& names, bool& value, const std::string& help) const;
+    Option get_option(const std::string& name) const;
+    void remove_option(const std::string& name) const;
+    /// How often the option was given.
+    std::size_t count(const std::string& name) const;
+
+    Command add_subcommand(const std::string& name, const std::string& help) const;
+    /// Makes it one that does nothing without a subcommand.
+    void require_subcommand() const;
+    /// Text below the options in its help.
+    void footer(const std::string& text) const;
+    /// What is called once it was chosen and the whole command line was read.
+    void callback(std::function<void()> chosen) const;
+
+    const CLI::App& app() const { return *app_; }
+
+  private:
+    CLI::App* app_;
+};
+
+}  // namespace scb::app

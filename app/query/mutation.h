@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "scb/any_collide.h"
+
+namespace scb::app {
+
+/// An error on purpose, by which `scb golden selftest` proves that a suite can fail. It is made of
+/// what the core library was given or gave; the library itself knows nothing of it.
+enum class Mutation {
+    none,
+    drop_node,        ///< a node's volume is gone
+    nudge_radius,     ///< a node's volume is wider by a thousandth of its radius
+    flip_comparison,  ///< Figure 8 as printed, which compares with the wrong radius
+    swap_stages,      ///< rejections by A's slab are said to be by B's slab, and the reverse
+};
+
+/// All but none.
+std::span<const Mutation> all_mutations();
+/// "drop-node", ...
+std::string_view mutation_name(Mutation mutation);
+std::optional<Mutation> mutation_of(std::string_view name);
+
+// What the mutation makes of each; nothing where it is one of something else.
+void mutate(Mutation mutation, AnyHierarchy& hierarchy);
+void mutate(Mutation mutation, OverlapOptions& options);
+void mutate(Mutation mutation, Collision& found, VolumeKind kind, const OverlapOptions& options);
+void mutate(Mutation mutation, Events& events);
+
+}  // namespace scb::app

@@ -1,0 +1,29 @@
+#include "core/analysis/outcome.h"
+
+namespace scb {
+
+std::string_view outcome_name(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::triangles_apart:
+            return "triangles apart";
+        case Outcome::triangles_meet:
+            return "triangles meet";
+        case Outcome::found:
+            return "found";
+        case Outcome::left_over:
+            return "left over";
+        case Outcome::divided_a:
+            return "divided a";
+        case Outcome::divided_b:
+            return "divided b";
+    }
+    return stage_name(static_cast<Stage>(outcome));
+}
+
+std::optional<Outcome> ending_of(std::string_view name) {
+    for (std::size_t i = 1; i < ending_count; ++i)
+        if (outcome_name(static_cast<Outcome>(i)) == name) return static_cast<Outcome>(i);
+    return std::nullopt;
+}
+
+}  // namespace scb

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "scb/stage.h"
+
+namespace scb {
+
+/// What became of a pair of nodes whose volumes were tested. Values below stage_count are the
+/// stages at which the test rejected the pair, see rejected_at. A path of the traversal ends with
+/// every outcome but the last two.
+enum class Outcome : std::uint8_t {
+    triangles_apart = stage_count,  ///< two leaves that overlap, whose triangles do not intersect
+    triangles_meet,                 ///< two leaves that overlap, whose triangles intersect
+    found,                          ///< nodes that overlap at the level where the query stopped
+    left_over,  ///< they overlap, but the query had its pairs before it came to divide them
+    divided_a,  ///< they overlap; the children of A's node were tested next
+    divided_b,  ///< they overlap; the children of B's node were tested next
+};
+/// How many outcomes end a path, and indices below which they are.
+inline constexpr std::size_t ending_count = stage_count + 4;
+
+constexpr Outcome rejected_at(Stage stage) { return static_cast<Outcome>(stage); }
+constexpr bool is_rejection(Outcome outcome) {
+    return static_cast<std::size_t>(outcome) < stage_count;
+}
+constexpr bool is_ending(Outcome outcome) {
+    return static_cast<std::size_t>(outcome) < ending_count;
+}
+
+/// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
+/// "divided a", "divided b".
+std::string_view outcome_name(Outcome outcome);
+/// The outcome of that name, where it ends a path.
+std::optional<Outcome> ending_of(std::string_view name);
+
+}  // namespace scb

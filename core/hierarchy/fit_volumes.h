@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/hierarchy/leaf_order.h"
+#include "scb/any_hierarchy.h"
+
+namespace scb {
+
+/// Fits a volume to the points of every node, bottom up: the 26-DOP and the surface moments of a
+/// node come from its children, the rest of the fit from its points. The same volumes as fitting
+/// each node by itself, on any number of threads. O(n log n).
+template <Volume V>
+std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
+                           const FitOptions& options = {}, int threads = 1);
+
+/// Fits volumes of the kind to a topology; `ritter` sets FitOptions::ball_method.
+AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
+                     const LeafOrder& points, FitOptions options = {}, int threads = 1);
+
+}  // namespace scb

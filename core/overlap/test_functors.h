@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cassert>
+#include <concepts>
+
+#include "core/overlap/overlap_ball.h"
+#include "core/overlap/overlap_extents.h"
+#include "core/overlap/overlap_figure8.h"
+#include "core/overlap/overlap_obb.h"
+#include "core/overlap/overlap_symmetric.h"
+#include "scb/overlap_options.h"
+#include "scb/volume.h"
+
+namespace scb {
+
+/// An overlap test as a type, so that a traversal is compiled for it: called with A, B and where B
+/// is, it returns the stage that rejected, or overlapping.
+struct BallTest {
+    Stage operator()(const Ball& a, const Ball& b, const Placement& placed) const {
+        return overlap_ball(a, b, placed);
+    }
+};
+struct ObbTest {
+    Stage operator()(const Obb& a, const Obb& b, const Placement& placed) const {
+        return overlap_obb(a, b, placed);
+    }
+};
+template <OverlapTest test>
+struct ScbTest {
+    double threshold;
+    Stage operator()(const Scb& a, const Scb& b, const Placement& placed) const {
+        if constexpr (test == OverlapTest::printed)
+            return overlap_figure8<Figure8Errata{true, true}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::line8)
+            return overlap_figure8<Figure8Errata{false, true}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::corrected)
+            return overlap_figure8<Figure8Errata{}>(a, b, placed, threshold);
+        else if constexpr (test == OverlapTest::symmetric)
+            return overlap_symmetric(a, b, placed);
+        else
+            return overlap_extents(a, b, placed);
+    }
+};
+
+/// Calls `use` with the test of the options, as one of the types above, and returns what it
+/// returns.
+template <Volume V, class Use>
+decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
+    if constexpr (std::same_as<V, Ball>) {
+        return use(BallTest{});
+    } else if constexpr (std::same_as<V, Obb>) {
+        return use(ObbTest{});
+    } else {
+        assert(options.threshold >= 0 && options.threshold <= 1 && "a threshold is a cosine");
+        switch (options.test) {
+            case OverlapTest::printed:
+                return use(ScbTest<OverlapTest::printed>{options.threshold});
+            case OverlapTest::line8:
+                return use(ScbTest<OverlapTest::line8>{options.threshold});
+            case OverlapTest::symmetric:
+                return use(ScbTest<OverlapTest::symmetric>{options.threshold});
+            case OverlapTest::extents:
+                return use(ScbTest<OverlapTest::extents>{options.threshold});
+            case OverlapTest::corrected:
+                break;
+        }
+        return use(ScbTest<OverlapTest::corrected>{options.threshold});
+    }
+}
+
+}  // namespace scb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scb {
+
+/// A source file by its path from the project's root, and its text.
+struct SourceFile {
+    std::string path, text;
+};
+
+/// What the `#include` lines of a file break of the rules between rooms: a sentence for each line,
+/// "core/fit/fit.cpp:7: core/fit must not include core/collide (scb/collide.h)."
+///
+/// Of the top folders, core includes none of the others, scenes and render only core, golden all
+/// but app. Inside a folder, includes go from a later line of its table to an earlier one; rooms on
+/// one line do not know each other. A public header, which belongs to a room although it lies in
+/// core/include, includes public headers only.
+std::vector<std::string> broken_rules(const SourceFile& file);
+
+/// The public headers that belong to no room, and the rooms' headers that are not there.
+std::vector<std::string> homeless_headers(const std::vector<std::string>& public_headers);
+
+}  // namespace scb

@@ -1,0 +1,86 @@
+#include "tests/rooms/include_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace scb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<SourceFile> sources() {
+    std::vector<SourceFile> files;
+    for (const char* folder : {"core", "scenes", "render", "golden", "app"})
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator(fs::path(SCB_SOURCE_DIR) / folder)) {
+            const fs::path& path = entry.path();
+            if (path.extension() != ".h" && path.extension() != ".cpp") continue;
+            std::ifstream in(path);
+            files.push_back({fs::relative(path, SCB_SOURCE_DIR).string(),
+                             {std::istreambuf_iterator<char>(in), {}}});
+        }
+    return files;
+}
+
+TEST(IncludeRules, HoldInEveryFile) {
+    const std::vector<SourceFile> files = sources();
+    ASSERT_GT(files.size(), 500u);
+    for (const SourceFile& file : files)
+        for (const std::string& broken : broken_rules(file)) ADD_FAILURE() << broken;
+}
+
+TEST(IncludeRules, KnowEveryPublicHeader) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(SCB_SOURCE_DIR) / "core/include/scb"))
+        names.push_back(entry.path().stem().string());
+    EXPECT_EQ(homeless_headers(names), std::vector<std::string>{});
+    EXPECT_EQ(homeless_headers({"nowhere"}).size(), 36u);
+}
+
+// Each rule, broken once.
+TEST(IncludeRules, AreSeenToBreak) {
+    const struct {
+        const char *path, *included;
+    } broken[] = {
+        {"core/fit/fit.cpp", "scenes/text/utf8.h"},
+        {"scenes/scene/scene.cpp", "render/view/camera.h"},
+        {"render/view/camera.cpp", "scenes/scene/scene.h"},
+        {"render/draw/renderer.cpp", "golden/suite/suite.h"},
+        {"golden/run/run_case.cpp", "app/cli/console.h"},
+        {"core/geometry/mesh.cpp", "core/volumes/placed_volume.h"},
+        {"core/fit/fit.cpp", "core/overlap/overlap_slabs.h"},
+        {"core/fit/fit.cpp", "scb/collide.h"},
+        {"core/packed/collapse.cpp", "core/analysis/trace.h"},
+        {"core/analysis/trace.cpp", "scb/packed_scb.h"},
+        {"core/explain/exact_overlap.h", "scb/collide.h"},
+        {"core/include/scb/fit.h", "core/fit/dop26.h"},
+        {"core/include/scb/vec.h", "scb/mesh.h"},
+        {"scenes/shapes/icosphere.cpp", "scenes/scene/scene.h"},
+        {"render/gl/context.cpp", "render/view/camera.h"},
+        {"render/plots/bar_plot.cpp", "render/draw/renderer.h"},
+        {"golden/compare/comparison.cpp", "golden/report/junit.h"},
+        {"golden/report/junit.cpp", "golden/run/run_case.h"},
+        {"app/cli/console.cpp", "app/query/scene_query.h"},
+        {"app/timing/bench.cpp", "app/explain/explain_json.h"},
+        {"app/golden/check.cpp", "app/inspect/inspect_report.h"},
+    };
+    for (const auto& [path, included] : broken) {
+        const std::vector<std::string> found =
+            broken_rules({path, "#pragma once\n#include \"" + std::string(included) + "\"\n"});
+        ASSERT_EQ(found.size(), 1u) << path << " " << included;
+        EXPECT_TRUE(found[0].starts_with(std::string(path) + ":2: ")) << found[0];
+        EXPECT_NE(found[0].find(included), std::string::npos) << found[0];
+    }
+    EXPECT_EQ(broken_rules({"core/collide/collide.cpp",
+                            "#include <vector>\n#include <scb/fit.h>\n#include "
+                            "\"core/overlap/overlap_slabs.h\"\n"})
+                  .size(),
+              0u);
+}
+
+}  // namespace
+}  // namespace scb
