@@ -1,5 +1,6 @@
 #include "app/pictures/level_options.h"
 
+#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "scb/error.h"
 
