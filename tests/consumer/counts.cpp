@@ -1,5 +1,6 @@
-// Prints the counts of many queries and a hash of their pairs. The mesh and the poses are the same bits however this file is
-// compiled: sums are of integers, and no sum follows a product that is rounded.
+// Prints the counts of many queries and a hash of their pairs. The mesh and the poses are the same
+// bits however this file is compiled: sums are of integers, and no sum follows a product that is
+// rounded.
 #include <scb/any_collide.h>
 #include <scb/any_packed.h>
 #include <scb/collide.h>
@@ -87,24 +88,69 @@ struct OwnObserver {
 
     void volume_test(scb::IndexPair nodes, int depth_a, int depth_b, scb::Stage stage) {
         ++volumes;
-        for (const std::uint64_t value : {std::uint64_t{nodes.a}, std::uint64_t{nodes.b},
-                                          std::uint64_t(depth_a), std::uint64_t(depth_b), std::uint64_t(stage)})
+        for (const std::uint64_t value :
+             {std::uint64_t{nodes.a}, std::uint64_t{nodes.b}, std::uint64_t(depth_a),
+              std::uint64_t(depth_b), std::uint64_t(stage)})
             hash = (hash ^ value) * 1099511628211u;
         if (stop_after != 0 && volumes == std::uint64_t(stop_after)) throw stop_after;
     }
     void triangle_test(scb::IndexPair triangles_tested, bool intersect) {
         ++triangles;
-        for (const std::uint64_t value : {triangles_tested.a, triangles_tested.b, std::uint32_t(intersect)})
+        for (const std::uint64_t value :
+             {triangles_tested.a, triangles_tested.b, std::uint32_t(intersect)})
             hash = (hash ^ value) * 1099511628211u;
     }
 };
 
+/// The library's rounding of a coordinate of a pose's point, by operations that no compiler fuses.
+double rounded(const scb::Pose& pose, int i, const scb::Vec3& point) {
+    volatile double x = pose.rotation(i, 0) * point[0], y = pose.rotation(i, 1) * point[1];
+    volatile double z = pose.rotation(i, 2) * point[2], xy = x + y, xyz = xy + z;
+    return xyz + pose.translation[i];
+}
+
+/// How many of 100 points of B touch the point that they are in A's frame: all, unless the library
+/// rounds otherwise, as it would by a copy of its inline functions that was compiled here.
+int touching_points(const scb::Pose& b_to_a) {
+    int touching = 0;
+    std::uint32_t random = 7;
+    for (int i = 0; i < 100; ++i) {
+        scb::Vec3 point;
+        for (int axis = 0; axis < 3; ++axis) {
+            random = random * 1664525 + 1013904223;
+            point[axis] = random / 3.0;
+        }
+        scb::Mesh a, b;
+        b.vertices = {point};
+        a.vertices = {
+            {rounded(b_to_a, 0, point), rounded(b_to_a, 1, point), rounded(b_to_a, 2, point)}};
+        a.triangles = b.triangles = {{0, 0, 0}};
+        const auto hierarchy_a = scb::build_hierarchy<scb::Ball>(a),
+                   hierarchy_b = scb::build_hierarchy<scb::Ball>(b);
+        touching +=
+            int(scb::collide<scb::Ball>({hierarchy_a, a}, {hierarchy_b, b}, b_to_a).pairs.size());
+    }
+    return touching;
+}
+
+/// Makes the compiler give this program copies of its own of inline functions that the library has
+/// too.
+void emit_inline_functions() {
+    scb::TriangleCorners (*volatile corners)(const scb::Pose&, const scb::TriangleCorners&) =
+        &scb::transform_corners;
+    scb::Vec3 (*volatile point)(const scb::Pose&, const scb::Vec3&) = &scb::transform_point;
+    double (*volatile product)(const scb::Vec3&, const scb::Vec3&) = &scb::dot;
+    require(corners && point && product, "functions are nowhere.");
+}
+
 }  // namespace
 
 int main() {
+    emit_inline_functions();
     const scb::Mesh mesh = bumpy_sphere();
     std::printf("%zu triangles\n", mesh.triangles.size());
-    const scb::Pose poses[] = {pose(1, 0, 0, 0, {1.75, 0.5, 0.25}), pose(3, 1, -2, 5, {0.5, 1.5, -1}),
+    const scb::Pose poses[] = {pose(1, 0, 0, 0, {1.75, 0.5, 0.25}),
+                               pose(3, 1, -2, 5, {0.5, 1.5, -1}),
                                pose(7, -3, 1, 2, {0, 0, 2.09375}), pose(2, 5, 1, -1, {0.125, 0, 0}),
                                pose(1, 1, 1, 1, {3, 0, 0})};
     const auto kinds = scb::all_volume_kinds();
@@ -118,10 +164,13 @@ int main() {
             require(fault.empty(), fault);
         }
         double area = 0;
-        for (const scb::Scb& volume : balls.volumes) area = std::max(area, scb::surface_area(volume));
-        std::printf("%s: largest area %a\n", std::string(scb::split_method_name(split)).c_str(), area);
+        for (const scb::Scb& volume : balls.volumes)
+            area = std::max(area, scb::surface_area(volume));
+        std::printf("%s: largest area %a\n", std::string(scb::split_method_name(split)).c_str(),
+                    area);
 
         for (const scb::Pose& b_to_a : poses) {
+            std::printf("%d of 100 points touch\n", touching_points(b_to_a));
             for (std::size_t i = 0; i < kinds.size(); ++i)
                 print(std::string(scb::volume_kind_name(kinds[i])).c_str(),
                       scb::collide(hierarchies[i], mesh, hierarchies[i], mesh, b_to_a));
@@ -130,17 +179,20 @@ int main() {
             scb::CollideOptions options;
             for (const scb::OverlapTest test : scb::all_overlap_tests()) {
                 options.overlap.test = test;
-                print(std::string(scb::overlap_test_name(test)).c_str(), collide(side, side, b_to_a, options));
+                print(std::string(scb::overlap_test_name(test)).c_str(),
+                      collide(side, side, b_to_a, options));
             }
             options.overlap = {};
             for (const scb::DescentRule rule : scb::all_descent_rules()) {
                 options.descent = rule;
-                print(std::string(scb::descent_rule_name(rule)).c_str(), collide(side, side, b_to_a, options));
+                print(std::string(scb::descent_rule_name(rule)).c_str(),
+                      collide(side, side, b_to_a, options));
             }
 
             OwnObserver observer;
             const scb::Collision seen = collide(side, side, b_to_a, {}, observer);
-            require(observer.volumes == seen.n_v && observer.triangles == seen.n_p, "the observer missed tests.");
+            require(observer.volumes == seen.n_v && observer.triangles == seen.n_p,
+                    "the observer missed tests.");
             std::printf("observer: %016" PRIx64 "\n", observer.hash);
             scb::EventRecorder recorder;
             collide(side, side, b_to_a, {}, recorder);
@@ -169,11 +221,12 @@ int main() {
                 const std::string fault = scb::validate(packed, mesh);
                 require(fault.empty(), fault);
                 scb::PackedWorkspace workspace;
-                const auto quick = scb::collide_packed(packed, mesh, packed, mesh, b_to_a, {}, &workspace);
+                const auto quick =
+                    scb::collide_packed(packed, mesh, packed, mesh, b_to_a, {}, &workspace);
                 require(quick.pairs == seen.pairs, "a packed layout finds other pairs.");
                 std::printf("%s: N_v %" PRIu64 ", N_p %" PRIu64 ", exact %" PRIu64 ", %zu bytes\n",
-                            scb::packed_layout_name(layout).c_str(), quick.n_v, quick.n_p, quick.n_exact,
-                            scb::bytes_of(packed));
+                            scb::packed_layout_name(layout).c_str(), quick.n_v, quick.n_p,
+                            quick.n_exact, scb::bytes_of(packed));
             }
         }
     }
