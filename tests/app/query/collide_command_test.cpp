@@ -133,7 +133,7 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --level -1", "have the levels 0 to"},
              {"spheres-l1 --json --csv", "exclude each other"},
              {"spheres-l1 --max-pairs 010", "'010' is not a whole number"},
-             {"spheres-l1 --level ''", "'' is not a whole number"},
+             {"spheres-l1 --level ''", "--levels: the name is empty"},
              {"spheres-l1 --margin ''", "'' is not a number"},
              {"spheres-l1 --pairs-out -", "standard output"},
              {"spheres-l1 --pairs-out ''", "--pairs-out: the name is empty"},
