@@ -25,16 +25,17 @@ Collision with_both(const AnyHierarchy& a, const AnyHierarchy& b, Use&& use) {
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options) {
-    return with_both(a, b, [&](const auto& of_a, const auto& of_b) {
-        return collide(Collider{of_a, mesh_a}, Collider{of_b, mesh_b}, b_to_a, options);
+    return with_both(a, b, [&]<class V>(const Hierarchy<V>& of_a, const Hierarchy<V>& of_b) {
+        return collide(Collider<V>{of_a, mesh_a}, Collider<V>{of_b, mesh_b}, b_to_a, options);
     });
 }
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                   EventRecorder& recorder) {
-    return with_both(a, b, [&](const auto& of_a, const auto& of_b) {
-        return collide(Collider{of_a, mesh_a}, Collider{of_b, mesh_b}, b_to_a, options, recorder);
+    return with_both(a, b, [&]<class V>(const Hierarchy<V>& of_a, const Hierarchy<V>& of_b) {
+        return collide(Collider<V>{of_a, mesh_a}, Collider<V>{of_b, mesh_b}, b_to_a, options,
+                       recorder);
     });
 }
 

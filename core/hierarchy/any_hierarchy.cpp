@@ -10,21 +10,21 @@
 namespace scb {
 namespace {
 
-constexpr std::array kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
-                              VolumeKind::obb};
-constexpr std::array<std::string_view, kinds.size()> names = {"scb", "ball", "ritter", "obb"};
+constexpr std::array all_kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
+                                  VolumeKind::obb};
+constexpr std::array<std::string_view, all_kinds.size()> names = {"scb", "ball", "ritter", "obb"};
 
 }  // namespace
 
 std::string_view volume_kind_name(VolumeKind kind) { return names[static_cast<std::size_t>(kind)]; }
 
 std::optional<VolumeKind> volume_kind_of(std::string_view name) {
-    for (const VolumeKind kind : kinds)
+    for (const VolumeKind kind : all_kinds)
         if (volume_kind_name(kind) == name) return kind;
     return std::nullopt;
 }
 
-std::span<const VolumeKind> all_volume_kinds() { return kinds; }
+std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
                      const LeafOrder& points, FitOptions options, int threads) {
