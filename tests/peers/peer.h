@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "scb/collide.h"
+#include "scb/observer.h"
 
 namespace scb {
 
 /// A mesh as adapters get it, without a type of Eigen: an adapter is compiled as a user of its
-/// library compiles, not with the definitions that scb::core sets for its own users, which would
+/// library compiles, not with those that this project compiles its own code with, which would
 /// change the layout of Eigen's types and with them FCL's.
 struct PeerMesh {
     std::vector<std::array<double, 3>> vertices;
