@@ -9,9 +9,9 @@ namespace scb {
 namespace {
 
 /// A mesh in Bullet's numbers, which are floats in Debian's package, and its tree.
-class scenes::Body {
+class Body {
   public:
-    explicit scenes::Body(const PeerMesh& mesh) {
+    explicit Body(const PeerMesh& mesh) {
         for (const auto& v : mesh.vertices)
             for (const double x : v) vertices_.push_back(static_cast<btScalar>(x));
         for (const auto& t : mesh.triangles)
@@ -85,7 +85,7 @@ class BulletPeer : public Peer {
     }
 
   private:
-    scenes::Body a_, b_;
+    Body a_, b_;
     btPairSet candidates_;
     std::vector<IndexPair> found_;
 };

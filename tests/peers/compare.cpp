@@ -37,7 +37,7 @@ constexpr const char* all_scenes[] = {"spheres-l1", "spheres-l2", "knots-l1", "k
 void note(const std::string& line) { std::cerr << "scb_peers: " << line << std::endl; }
 
 /// "all", or FIRST:LAST[:STEP].
-std::vector<int> render::frames_of(const std::string& text, const scenes::Scene& scene) {
+std::vector<int> frames_of(const std::string& text, const scenes::Scene& scene) {
     const auto refuse = [&]() -> InputError {
         return InputError("--frames " + text +
                           ": give all, or FIRST:LAST[:STEP] with frames from " + "0 to " +
@@ -50,14 +50,14 @@ std::vector<int> render::frames_of(const std::string& text, const scenes::Scene&
         const char* const end = at + text.size();
         for (int i = 0; i < 3; ++i) {
             const auto [next, error] = std::from_chars(at, end, numbers[i]);
-            if (error != std::errc{}) throw scenes::refuse();
+            if (error != std::errc{}) throw refuse();
             at = next;
             if (at == end && i > 0) break;
-            if (at == end || *at++ != ':' || i == 2) throw scenes::refuse();
+            if (at == end || *at++ != ':' || i == 2) throw refuse();
         }
     }
     const auto [first, last, step] = numbers;
-    if (first < 0 || last < first || last >= scene.frames || step < 1) throw scenes::refuse();
+    if (first < 0 || last < first || last >= scene.frames || step < 1) throw refuse();
     std::vector<int> frames;
     for (int frame = first; frame <= last; frame += step) frames.push_back(frame);
     return frames;
@@ -124,7 +124,7 @@ int compare(const Options& options) {
         if (scene.bodies.size() != 2)
             throw InputError("the scene '" + scene.name + "' has " +
                              std::to_string(scene.bodies.size()) + " bodies; give one with two.");
-        frames.push_back(render::frames_of(options.frames, scene));
+        frames.push_back(frames_of(options.frames, scene));
     }
 
     std::vector<SceneComparison> scenes;

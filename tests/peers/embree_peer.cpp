@@ -24,8 +24,8 @@ float rounded_up(double x) {
 
 /// A mesh, its vertices where they are now, and Embree's tree over them: rtcCollide knows only
 /// scenes of user geometries, in one frame.
-struct scenes::Body {
-    scenes::Body(RTCDevice device, const PeerMesh& from, bool moves)
+struct Body {
+    Body(RTCDevice device, const PeerMesh& from, bool moves)
         : mesh(core_mesh(from)), scene(rtcNewScene(device)) {
         if (moves) {
             rtcSetSceneFlags(scene, RTC_SCENE_FLAG_DYNAMIC);
@@ -43,15 +43,15 @@ struct scenes::Body {
         placed = mesh.vertices;
         rtcCommitScene(scene);
     }
-    scenes::Body(const scenes::Body&) = delete;
-    scenes::Body& operator=(const scenes::Body&) = delete;
-    ~scenes::Body() {
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+    ~Body() {
         rtcReleaseScene(scene);
         rtcReleaseGeometry(geometry);
     }
 
     static void bounds(const RTCBoundsFunctionArguments* arguments) {
-        const scenes::Body& body = *static_cast<const scenes::Body*>(arguments->geometryUserPtr);
+        const Body& body = *static_cast<const Body*>(arguments->geometryUserPtr);
         const TriangleCorners t = body.triangle(arguments->primID);
         const Vec3 lower = t[0].cwiseMin(t[1]).cwiseMin(t[2]),
                    upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -91,8 +91,8 @@ class EmbreePeer : public Peer {
             throw InputError(
                 "--peers embree: Embree does not start on this machine; leave it out.");
         rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &bytes_);
-        a_ = std::make_unique<scenes::Body>(device_, a, false);
-        b_ = std::make_unique<scenes::Body>(device_, b, true);
+        a_ = std::make_unique<Body>(device_, a, false);
+        b_ = std::make_unique<Body>(device_, b, true);
     }
     ~EmbreePeer() override {
         a_.reset();
@@ -126,7 +126,7 @@ class EmbreePeer : public Peer {
 
     ssize_t bytes_ = 0;
     RTCDevice device_;
-    std::unique_ptr<scenes::Body> a_, b_;
+    std::unique_ptr<Body> a_, b_;
     std::vector<IndexPair> found_;
 };
 

@@ -25,9 +25,9 @@ void start_ode() {
 }
 
 /// A mesh as ODE keeps it, and its tree.
-class scenes::Body {
+class Body {
   public:
-    explicit scenes::Body(const PeerMesh& mesh) : data_(dGeomTriMeshDataCreate()) {
+    explicit Body(const PeerMesh& mesh) : data_(dGeomTriMeshDataCreate()) {
         for (const auto& t : mesh.triangles) corners_.insert(corners_.end(), t.begin(), t.end());
         dGeomTriMeshDataBuildDouble(data_, mesh.vertices.data(), sizeof mesh.vertices[0],
                                     static_cast<int>(mesh.vertices.size()), corners_.data(),
@@ -35,9 +35,9 @@ class scenes::Body {
         geometry_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
         dGeomTriMeshSetTriMergeCallback(geometry_, first_of);
     }
-    scenes::Body(const scenes::Body&) = delete;
-    scenes::Body& operator=(const scenes::Body&) = delete;
-    ~scenes::Body() {
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+    ~Body() {
         dGeomDestroy(geometry_);
         dGeomTriMeshDataDestroy(data_);
     }
@@ -90,7 +90,7 @@ class OdePeer : public Peer {
   private:
     static constexpr int most_contacts = 0xffff;  // as many as dCollide can be asked for
 
-    scenes::Body a_, b_;
+    Body a_, b_;
     std::vector<dContactGeom> contacts_;
     int count_ = 0;
 };

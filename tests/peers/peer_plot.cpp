@@ -31,7 +31,7 @@ std::string color_of(std::span<const PeerKind> kinds, std::size_t p) {
         render::category_color(library_colors[library % std::size(library_colors)]);
     if (kinds[p].own)
         color = render::shade_of(render::hierarchy_color(VolumeKind::scb), own_count - 1 - own,
-                                 own_count, light_theme);
+                                 own_count, render::light_theme);
     if (kinds[p].name == baseline_name) color = render::hierarchy_color(VolumeKind::obb);
     char text[8];
     std::snprintf(text, sizeof text, "#%02X%02X%02X", color.r, color.g, color.b);
