@@ -7,7 +7,6 @@
 #include "core/base/text_format.h"
 #include "golden/report/plain_text.h"
 #include "golden/suite/baseline.h"
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 
 namespace scb::app {

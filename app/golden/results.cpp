@@ -14,7 +14,6 @@
 #include "golden/report/plain_text.h"
 #include "golden/report/report_folder.h"
 #include "golden/report/result_lines.h"
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"

@@ -22,8 +22,6 @@ std::size_t node_at(const Topology& topology, int depth) {
 
 }  // namespace
 
-std::span<const Mutation> all_mutations() { return mutations; }
-
 std::string_view mutation_name(Mutation mutation) {
     switch (mutation) {
         case Mutation::drop_node:
@@ -59,7 +57,8 @@ void mutate(Mutation mutation, AnyHierarchy& hierarchy) {
 }
 
 void mutate(Mutation mutation, OverlapOptions& options) {
-    if (mutation == Mutation::flip_comparison) options.test = OverlapTest::printed;
+    if (mutation == Mutation::flip_comparison && options.test == OverlapTest::symmetric)
+        options.test = OverlapTest::printed;
 }
 
 void mutate(Mutation mutation, Collision& found, VolumeKind kind, const OverlapOptions& options) {

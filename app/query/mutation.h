@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "scb/any_collide.h"
@@ -14,12 +13,11 @@ enum class Mutation {
     none,
     drop_node,        ///< a node's volume is gone
     nudge_radius,     ///< a node's volume is wider by a thousandth of its radius
-    flip_comparison,  ///< Figure 8 as printed, which compares with the wrong radius
+    flip_comparison,  ///< for `symmetric`, Figure 8 as printed, which compares with the wrong
+                      ///< radius
     swap_stages,      ///< rejections by A's slab are said to be by B's slab, and the reverse
 };
 
-/// All but none.
-std::span<const Mutation> all_mutations();
 /// "drop-node", ...
 std::string_view mutation_name(Mutation mutation);
 std::optional<Mutation> mutation_of(std::string_view name);

@@ -1,13 +1,10 @@
 #include "app/query/scene_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <sstream>
 
 #include "app/cli/validators.h"
 #include "core/base/text_format.h"
-#include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"

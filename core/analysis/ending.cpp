@@ -1,7 +1,5 @@
 #include "core/analysis/ending.h"
 
-#include <algorithm>
-
 namespace scb {
 
 std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TraversalTree& tree) {

@@ -1,4 +1,5 @@
 #include "core/hierarchy/fit_volumes.h"
+
 #include "core/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "golden/compare/number_words.h"
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 #include "scenes/text/json_reader.h"
 

@@ -1,7 +1,6 @@
 #include "golden/report/report_folder.h"
 
 #include "golden/report/html_report.h"
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"

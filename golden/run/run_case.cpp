@@ -5,7 +5,6 @@
 #include "core/base/exit_status.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/case_counts.h"
-#include "golden/suite/files_equal.h"
 #include "golden/suite/shell_word.h"
 #include "render/files/child_process.h"
 #include "render/files/output_file.h"

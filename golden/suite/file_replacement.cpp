@@ -6,7 +6,6 @@
 #include <string>
 #include <system_error>
 
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 #include "scenes/text/file_bytes.h"
 

@@ -293,7 +293,7 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
         {"spheres-l1 --pair 1,40959",
          "there is no node 40959 of B; its hierarchy has the nodes 0 to 40958"},
         {"spheres-l1 --pair 1,2 --frame 500",
-         "the scene 'spheres-l1' has the frames 0 to 499"},
+         "--frames 500: there is no frame 500; the scene 'spheres-l1' has the frames 0 to 499"},
         {"spheres-l1 --pair 1,2 --test fast", "'fast' is not an overlap test"},
         {"spheres-l1 --pair 1,2 --test printed,corrected", "one overlap test at a time"},
         {"spheres-l1 --pair 1,2 --volume scb,ball", "takes one of"},
