@@ -95,18 +95,18 @@ Json explanation_json(const ExplainedPair& pair) {
                                        {"triangles", node.triangles}});
     for (const TestAnswer& test : found.tests) {
         stages[std::string(overlap_test_name(test.test))] = stage_name(test.stage);
-        answers[std::string(overlap_test_name(test.test))] = answer_name(test.answer);
+        answers[std::string(overlap_test_name(test.test))] = answer_names[test.answer];
     }
     if (found.tests.empty()) {
         stages[kind] = stage_name(found.steps.stage());
-        answers[kind] = answer_name(found.answer);
+        answers[kind] = answer_names[found.answer];
     }
     result["test"] =
         pair.kind == VolumeKind::scb ? std::string(overlap_test_name(pair.options.test)) : kind;
     if (pair.kind == VolumeKind::scb) result["threshold"] = pair.options.threshold;
     result["stage"] = std::move(stages);
-    result["exact"] = contact_name(found.proof.contact);
-    result["answer"] = answer_name(found.answer);
+    result["exact"] = contact_names[found.proof.contact];
+    result["answer"] = answer_names[found.answer];
     result["answers"] = std::move(answers);
     result["proof"] = proof_json(pair);
     result["a"] = json_of(pair.a);

@@ -11,12 +11,12 @@ std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
                                                const scenes::Scene* scene) {
     if ((options.camera.empty() && options.up.empty()) || options.follows_contact())
         return std::nullopt;
-    if (scene != nullptr) return camera_spec_for(options, *scene);
-    scenes::CameraView spec;
-    if (!options.camera.empty()) spec = scenes::parse_camera(options.camera);
-    if (!options.up.empty()) spec.up = options.up_vector();
-    if (options.orthographic) spec.orthographic = true;
-    return spec;
+    if (scene != nullptr) return camera_view_for(options, *scene);
+    scenes::CameraView wish;
+    if (!options.camera.empty()) wish = scenes::parse_camera(options.camera);
+    if (!options.up.empty()) wish.up = options.up_vector();
+    if (options.orthographic) wish.orthographic = true;
+    return wish;
 }
 
 std::string explain_name(const std::string& scene, VolumeKind kind, int frame,

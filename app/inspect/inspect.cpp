@@ -25,7 +25,7 @@ constexpr int most_pictured = 200;
 /// What is written at the end, beside index.json.
 const std::vector<std::string> tables = {"index.html", "frames.csv", "pairs.csv"};
 
-struct Options {
+struct InspectOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
@@ -40,7 +40,7 @@ struct Options {
     void check();
 };
 
-void Options::check() {
+void InspectOptions::check() {
     hierarchy.kind();
     hierarchy.build();
     query.collide();
@@ -115,7 +115,7 @@ class Inspector {
 };
 
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
-bool write_report(PictureRun& pictures, const Options& options, const SceneQuery& query,
+bool write_report(PictureRun& pictures, const InspectOptions& options, const SceneQuery& query,
                   const InspectReport& report, const Console& console,
                   const InterruptWatch& watch) {
     Progress progress(
@@ -142,12 +142,12 @@ bool write_report(PictureRun& pictures, const Options& options, const SceneQuery
     return whole;
 }
 
-void print_report(const Options& options, const InspectReport& report) {
+void print_report(const InspectOptions& options, const InspectReport& report) {
     print_result(options.picture.json ? json_text(inspect_json(report), 2) + "\n"
                                       : inspect_text(report));
 }
 
-int run(Options& options, const Console& console) {
+int run(InspectOptions& options, const Console& console) {
     const InterruptWatch watch;
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
@@ -209,7 +209,7 @@ int run(Options& options, const Console& console) {
 void add_inspect(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "inspect", "Which pairs passed the overlap test that should not have, and what that cost");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<InspectOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "

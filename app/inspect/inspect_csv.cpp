@@ -53,15 +53,15 @@ std::string pairs_csv(const InspectReport& report) {
         for (const FalsePair& p : *worst) {
             const Work& below = p.pair.below;
             text +=
-                pair_row(p.frame, p.test, std::string(pass_reason_name(p.pair.reason)).c_str()) +
-                "," + std::string(contact_name(p.pair.exact)) +
+                pair_row(p.frame, p.test, std::string(pass_reason_names[p.pair.reason]).c_str()) +
+                "," + std::string(contact_names[p.pair.exact]) +
                 format(p.pair.exact == Contact::disjoint ? ",%.17g,," : ",,%.17g,", p.margin) +
                 row({p.pair.leaves, below.volume_tests, below.triangle_tests, below.operations}) +
                 ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
         }
     for (const WronglyRejectedPair& w : report.wrong)
         text += pair_row(w.frame, w.test, "wrongly rejected") + "," +
-                std::string(contact_name(w.rejection.exact)) + ",,,,,,," +
+                std::string(contact_names[w.rejection.exact]) + ",,,,,,," +
                 std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
                 "," + file_of(report, w.frame, w.test) + "\n";
     return text;

@@ -21,16 +21,12 @@ namespace {
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 
-std::string share(std::uint64_t part, std::uint64_t whole) {
-    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
-}
-
 std::string percents(std::uint64_t part, std::uint64_t whole) {
     return format("%.2f",
                   whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-data frame_row(const std::string& name, const Inspection& found) {
+data frame_data(const std::string& name, const Inspection& found) {
     const PassCounts& counts = found.counts;
     const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
                         by_tests = counts.wasted_by_tests.volume_tests;
@@ -41,7 +37,7 @@ data frame_row(const std::string& name, const Inspection& found) {
     row["passed"] = render::count_text(counts.passed());
     for (const PassReason reason :
          {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
-        row[std::string(pass_reason_name(reason))] = render::count_text(counts.passed(reason));
+        row[std::string(pass_reason_names[reason])] = render::count_text(counts.passed(reason));
     row["wasted"] = render::count_text(wasted);
     const std::uint64_t n_p = counts.wasted.triangle_tests;
     row["wasted_n_p"] = render::count_text(n_p);
@@ -58,12 +54,12 @@ data frame_row(const std::string& name, const Inspection& found) {
 data frame_rows(const InspectReport& report) {
     data rows(data::type::list);
     for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
-        data row = frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+        data row = frame_data(std::to_string(report.frames[i].frame), report.frames[i].found);
         row["sum"] = data(data::type::bool_false);
         rows << row;
     }
     if (report.frames.size() > 1) {
-        data row = frame_row("sum", report.sum);
+        data row = frame_data("sum", report.sum);
         row["sum"] = data(data::type::bool_true);
         rows << row;
     }

@@ -18,12 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-unsigned long long wide(std::uint64_t value) { return value; }
-
-std::string share(std::uint64_t part, std::uint64_t whole) {
-    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
-}
-
 std::string frame_row(const std::string& name, const Inspection& i) {
     return format("%5s %8llu %9llu %9llu %8llu %8llu %8llu %9llu %8s %9llu %8s", name.c_str(),
                   wide(i.pairs), wide(i.counts.all.volume_tests), wide(i.counts.passed()),
@@ -143,7 +137,7 @@ std::string others_text(const InspectReport& report) {
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
     Json json;
     for (std::size_t r = 0; r < pass_reason_count; ++r)
-        json[std::string(pass_reason_name(static_cast<PassReason>(r)))] = counts[r];
+        json[std::string(pass_reason_names[static_cast<PassReason>(r)])] = counts[r];
     return json;
 }
 
@@ -174,8 +168,8 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
                  {"nodes", {p.test.nodes.a, p.test.nodes.b}},
                  {"depths", {p.test.depth_a, p.test.depth_b}},
                  {"test", p.pair.test},
-                 {"reason", pass_reason_name(p.pair.reason)},
-                 {"exact", contact_name(p.pair.exact)},
+                 {"reason", pass_reason_names[p.pair.reason]},
+                 {"exact", contact_names[p.pair.exact]},
                  {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
                  {"leaves", p.pair.leaves},
                  {"wasted", work_json(p.pair.below)}};
@@ -184,6 +178,10 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
 }
 
 }  // namespace
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
+}
 
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
     if (!report.drawn) return "";

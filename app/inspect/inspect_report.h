@@ -27,6 +27,9 @@ inline constexpr std::size_t most_frame_rows = 20;
 /// The picture of a pair of nodes; empty where none was drawn.
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
 
+/// "12 %": the share of a whole, as the tables and pages say it.
+std::string share(std::uint64_t part, std::uint64_t whole);
+
 /// As tables for a reader.
 std::string inspect_text(const InspectReport& report);
 

@@ -48,17 +48,17 @@ Json level_head(const LevelOptions& options, const scenes::Scene& scene, int fra
             {"options",
              {{"volume", kinds},
               {"levels", levels_json},
-              {"growth", options.hierarchy.growth},
+              {"growth", ball_growth_name(options.hierarchy.growth)},
               {"margin", options.hierarchy.margin},
-              {"split", options.hierarchy.split},
+              {"split", split_method_name(options.hierarchy.split)},
               {"size", {options.picture.width(), options.picture.height()}},
               {"samples", options.picture.samples},
               {"background", options.picture.background},
-              {"color_by", render::color_by_name(options.resolved_color_by(scene.bodies.size()))},
+              {"color_by", render::color_by_names[options.resolved_color_by(scene.bodies.size())]},
               {"opacity", options.resolved_opacity()},
               {"mesh", options.mesh},
               {"edges", options.edges}}},
-            {"camera", Json::parse(scenes::camera_json(camera))}};
+            {"camera", scenes::camera_json(camera)}};
 }
 
 }  // namespace scb::app

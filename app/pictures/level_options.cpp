@@ -1,5 +1,6 @@
 #include "app/pictures/level_options.h"
 
+#include "app/cli/choice.h"
 #include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "scb/error.h"
@@ -18,14 +19,10 @@ void LevelOptions::check() const {
     if (opacity && !(*opacity >= 0 && *opacity <= 1))
         throw InputError("--opacity " + std::to_string(*opacity) +
                          ": give 0 (volumes hidden) to 1 (opaque).");
-    if (color_by != "auto" && !render::color_by_of(color_by))
-        throw InputError("--color-by " + color_by +
-                         ": give body, depth, radius, thickness or auto.");
 }
 
 render::ColorBy LevelOptions::resolved_color_by(std::size_t bodies) const {
-    return render::color_by_of(color_by).value_or(bodies > 1 ? render::ColorBy::body
-                                                             : render::ColorBy::thickness);
+    return color_by.value_or(bodies > 1 ? render::ColorBy::body : render::ColorBy::thickness);
 }
 
 double LevelOptions::resolved_opacity() const { return opacity.value_or(mesh || edges ? 0.25 : 1); }
@@ -40,11 +37,18 @@ void add_level_options(const Command& command, LevelOptions& options) {
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);
-    command
-        .add_option("--color-by", options.color_by,
-                    "body, depth, radius or thickness; auto is body for several, thickness for one")
+    std::vector<std::string_view> colors = {"auto"};
+    colors.insert(colors.end(), std::begin(render::color_by_names.names),
+                  std::end(render::color_by_names.names));
+    add_word_option(
+        command, "--color-by", colors,
+        [&options](std::size_t place) {
+            options.color_by.reset();
+            if (place > 0) options.color_by = static_cast<render::ColorBy>(place - 1);
+        },
+        "body, depth, radius or thickness; auto is body for several, thickness for one")
         .type_name("WHAT")
-        .show_default();
+        .default_str("auto");
     command.add_option("--opacity", options.opacity,
                        "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
                        "or 0.25 with --mesh");

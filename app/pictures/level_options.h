@@ -17,7 +17,7 @@ struct LevelOptions {
     PictureOptions picture;
     CameraOptions camera;
     std::string levels = "auto";
-    std::string color_by = "auto";
+    std::optional<render::ColorBy> color_by;  ///< none: auto
     std::optional<double> opacity;
     bool mesh = false, edges = false, no_sheet = false;
 

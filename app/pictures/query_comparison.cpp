@@ -1,5 +1,7 @@
 #include "app/pictures/query_comparison.h"
 
+#include "app/pictures/query_index.h"
+
 namespace scb::app {
 
 render::ComparedQueries compared_queries(const QueryView& view, const QuerySources& sources,
@@ -23,11 +25,11 @@ void draw_comparison(const QueryView& view, const render::ComparedQueries& queri
     }
     render::ComparisonFigure figure;
     const render::Camera camera = view.camera(region);
-    nlohmann::ordered_json entry = view.index_entry(frames, camera);
+    nlohmann::ordered_json entry = query_index_entry(view, frames, camera);
     entry["only_in_one"] = nlohmann::ordered_json::array();
     for (const std::vector<IndexPair>& pairs : only_here)
         entry["only_in_one"].push_back(pairs.size());
-    if (title == "pairs") entry["pair_ids"] = view.pair_ids(frames);
+    if (title == "pairs") entry["pair_ids"] = pair_ids_json(view, frames);
     entry["outlined"] = views[0].outlined ? nlohmann::ordered_json(*views[0].outlined) : nullptr;
     for (std::size_t i = 0; i < 2; ++i) {
         views[i].caption = view.labels()[i].caption;

@@ -5,22 +5,12 @@
 #include <utility>
 
 #include "app/cli/build_text.h"
-#include "app/query/count_table.h"
-#include "app/query/trace_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
-#include "scb/error.h"
 #include "scb/level_cover.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json range_json(const char* what, const std::string& body, std::uint32_t first, std::size_t count) {
-    return {{"what", what}, {"body", body}, {"first", first}, {"count", count}};
-}
 
 double root_diameter(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy);
@@ -55,19 +45,14 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     const SceneQuery& query = sources.front().query();
     for (const scenes::NamedMesh& mesh : query.scene.meshes)
         meshes_.push_back(renderer.upload(mesh.mesh));
-    std::size_t ids = 1;
-    for (const std::size_t body : {query.a, query.b})
-        ids += topology_of(query.hierarchy(body)).nodes.size() + query.mesh(body).triangles.size();
-    if (ids >= 0x80000000u)
-        throw InputError("the scene has more nodes and triangles than ids; use smaller meshes.");
-    first_free_id_ = static_cast<std::uint32_t>(ids);
-    spec_ = camera_spec_for(options.camera, query.scene);
+    ids_ = id_ranges(query);
+    camera_view_ = camera_view_for(options.camera, query.scene);
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
     support_ = support_over_frames(nodes);
     center_ = render::center_of(support_);
-    whole_ = camera_for(spec_, support_, aspect());
+    whole_ = camera_for(camera_view_, support_, aspect());
 }
 
 render::Support QueryView::support_over_frames(
@@ -94,7 +79,6 @@ render::Support QueryView::support_over_frames(
 render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
     const SceneQuery& query = sources_[query_index].query();
     render::QueryBodies bodies;
-    std::uint32_t next_id = 1;
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t index = side == 0 ? query.a : query.b;
         const scenes::Body& body = query.scene.bodies[index];
@@ -104,12 +88,8 @@ render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const 
         b.hierarchy = &query.hierarchy(index);
         b.handle = meshes_[body.mesh];
         b.pose = scenes::pose_at(body.motion, frame);
-        b.first_node_id = next_id;
-        next_id += static_cast<std::uint32_t>(topology_of(*b.hierarchy).nodes.size());
-    }
-    for (render::QueryBody& b : bodies) {
-        b.first_triangle_id = next_id;
-        next_id += static_cast<std::uint32_t>(b.mesh->triangles.size());
+        b.first_node_id = ids_.nodes[side].first;
+        b.first_triangle_id = ids_.triangles[side].first;
     }
     return bodies;
 }
@@ -126,17 +106,21 @@ render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) c
     std::vector<render::AnyVolume> wide = region;
     const render::Support of_region = render::support_of(region);
     const Vec3 middle = render::center_of(of_region);
-    scenes::CameraView spec = spec_;
-    spec.target.reset();
-    spec.distance.reset();
-    spec.view_height.reset();
+    scenes::CameraView wish = camera_view_;
+    wish.target.reset();
+    wish.distance.reset();
+    wish.view_height.reset();
     const SceneQuery& query = sources_.front().query();
     const double smaller =
         std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
     wide.emplace_back(Ball{middle, smaller / 50});
-    render::Camera camera = camera_for(spec, render::support_of(wide), aspect());
+    render::Camera camera = camera_for(wish, render::support_of(wide), aspect());
     render::set_depth_range(camera, support_);
     return camera;
+}
+
+scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {
+    return exact_camera_view(camera_view_, camera, center_);
 }
 
 Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
@@ -187,7 +171,7 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     for (const std::string& part : build_parts(build)) add(part);
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
-    if (spec_.orthographic.value_or(false)) add("orthographic");
+    if (camera_view_.orthographic.value_or(false)) add("orthographic");
     return text;
 }
 
@@ -202,44 +186,6 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
            (frame ? format("_frame-%04d", *frame) : "");
 }
 
-Json QueryView::what_is(std::uint32_t id, const QueryFrames& frames, std::size_t query) const {
-    const render::QueryBodies both = bodies(frames[0]->frame, query);
-    for (const render::QueryBody& b : both) {
-        const Topology& topology = topology_of(*b.hierarchy);
-        if (id >= b.first_node_id && id - b.first_node_id < topology.nodes.size()) {
-            const std::uint32_t node = id - b.first_node_id;
-            return {{"what", "node"},
-                    {"body", b.name},
-                    {"index", node},
-                    {"depth", node_depths(topology)[node]},
-                    {"triangles", topology.nodes[node].count}};
-        }
-    }
-    for (const render::QueryBody& b : both)
-        if (id >= b.first_triangle_id && id - b.first_triangle_id < b.mesh->triangles.size())
-            return {{"what", "triangle"}, {"body", b.name}, {"index", id - b.first_triangle_id}};
-    std::uint32_t first = first_free_id_;
-    for (const TraceFrame* frame : frames) {
-        const std::vector<IndexPair>& pairs = frame->found.pairs;
-        if (id >= first && id - first < pairs.size()) {
-            const IndexPair pair = pairs[id - first];
-            return {{"what", "pair"}, {"triangles", {pair.a, pair.b}}};
-        }
-        first += static_cast<std::uint32_t>(pairs.size());
-    }
-    return nullptr;
-}
-
-Json QueryView::pair_ids(const QueryFrames& frames) const {
-    Json ids = Json::array();
-    std::size_t first = first_free_id_;
-    for (const TraceFrame* frame : frames) {
-        ids.push_back({{"first", first}, {"count", frame->found.pairs.size()}});
-        first += frame->found.pairs.size();
-    }
-    return ids;
-}
-
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
                           const QueryFrames& frames) const {
     if (!options_.picture.pick) return;
@@ -248,20 +194,8 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
         return at.x >= r.x && at.x < r.x + r.width && at.y >= r.y && at.y < r.y + r.height;
     };
     const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
-    const Json what = what_is(pictures.id_at(at.x, at.y), frames, query);
-    std::string text = name + format(".png at %d,%d: ", at.x, at.y);
-    if (what.is_null())
-        text += "nothing";
-    else if (what["what"] == "pair")
-        text += "triangles " + what["triangles"][0].dump() + " and " + what["triangles"][1].dump() +
-                " meet";
-    else
-        text += what["what"].get<std::string>() + " " + what["index"].dump() + " of " +
-                scenes::printable(what["body"].get<std::string>());
-    if (!what.is_null() && what["what"] == "node")
-        text += ", depth " + what["depth"].dump() + ", " + what["triangles"].dump() +
-                (what["triangles"] == 1 ? " triangle" : " triangles");
-    pictures.say(text);
+    pictures.say(name + format(".png at %d,%d: ", at.x, at.y) +
+                 id_text(ids_, sources_[query].query(), frames, pictures.id_at(at.x, at.y)));
 }
 
 void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
@@ -274,58 +208,6 @@ void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,
     planned->sheet.subtitle =
         subtitle(planned->one_frame ? std::optional(frames[0]) : std::nullopt);
     pictures.begin_sheet(std::move(*planned));
-}
-
-Json QueryView::index_head(const std::string& command) const {
-    Json head = {{"command", command}};
-    Json asked = Json::array();
-    for (const QuerySource& source : sources_) {
-        asked.push_back(trace_header_json(source.header()));
-        asked.back().erase("version");
-    }
-    if (compares()) {
-        head["compare"] = {labels_[0].name, labels_[1].name};
-        head["queries"] = std::move(asked);
-    } else {
-        head.update(asked[0]);
-    }
-    head["frames"] = sources_.front().frames();
-    if (options_.shown != Shown::nothing) {
-        const render::QueryBodies both = bodies(sources_.front().frames().front());
-        head["ids"] = Json::array();
-        for (const render::QueryBody& b : both)
-            head["ids"].push_back(range_json("node", b.name, b.first_node_id,
-                                             topology_of(*b.hierarchy).nodes.size()));
-        for (const render::QueryBody& b : both)
-            head["ids"].push_back(
-                range_json("triangle", b.name, b.first_triangle_id, b.mesh->triangles.size()));
-    }
-    Json& options = head["options"];
-    options["size"] = {options_.picture.width(), options_.picture.height()};
-    if (options_.shown != Shown::nothing) options["samples"] = options_.picture.samples;
-    options["background"] = options_.picture.background;
-    if (options_.shown != Shown::nothing && !follows_contact())
-        head["camera"] = Json::parse(scenes::camera_json(exact_spec(spec_, camera({}), center_)));
-    return head;
-}
-
-Json QueryView::index_entry(const QueryFrames& frames) const {
-    Json counts = Json::array();
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const TraceHeader& header = sources_[i].header();
-        const TraceFrame& frame = *frames[i];
-        counts.push_back(count_json(frame.frame, frame.b_to_a, frame.found,
-                                    counted_stages(header.volume, header.options.overlap)));
-    }
-    if (!compares()) return counts[0];
-    return {{"frame", frames[0]->frame}, {"queries", std::move(counts)}};
-}
-
-Json QueryView::index_entry(const QueryFrames& frames, const render::Camera& camera) const {
-    Json entry = index_entry(frames);
-    if (follows_contact())
-        entry["camera"] = Json::parse(scenes::camera_json(exact_spec(spec_, camera, center_)));
-    return entry;
 }
 
 }  // namespace scb::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/pictures/id_ranges.h"
 #include "app/pictures/picture_run.h"
 #include "app/pictures/query_view_options.h"
 #include "app/pictures/scene_camera.h"
@@ -19,7 +19,7 @@ std::string stopped_remark(const TraceFrame& frame);
 
 /// Two bodies of a scene on the GPU, and how they are looked at: what the pictures of a run share.
 /// Where the options say that pictures show nothing of the bodies, these stay where they are, and
-/// there are names only: titles, file names, what index.json says.
+/// there are names only: titles and file names.
 class QueryView {
   public:
     /// `layout`: of the pictures, where two queries are compared.
@@ -37,10 +37,14 @@ class QueryView {
     render::Camera camera(const std::vector<render::AnyVolume>& region) const;
     /// What that camera looks at: where a scale bar holds.
     Vec3 center(const std::vector<render::AnyVolume>& region) const;
-    /// The id of the first of what a picture has beside nodes and triangles.
-    std::uint32_t first_free_id() const { return first_free_id_; }
+    /// The camera as a wish that leaves nothing open, see exact_camera_view.
+    scenes::CameraView camera_view(const render::Camera& camera) const;
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
+    const QueryViewOptions& options() const { return options_; }
+    const QuerySources& sources() const { return sources_; }
+    /// None where the options say that pictures show nothing of the bodies.
+    const IdRanges& ids() const { return ids_; }
     const std::optional<render::ComparisonLayout>& layout() const { return layout_; }
     /// What the two queries are called that are compared.
     const std::array<QueryLabel, 2>& labels() const { return labels_; }
@@ -53,13 +57,6 @@ class QueryView {
     std::string picture_name(const std::string& what,
                              std::optional<int> frame = std::nullopt) const;
 
-    /// What an id of a picture of this frame stands for: {"what": "node", "body": "A", "index":
-    /// 412, ...}; null for 0. `query` is that of the view: another's nodes may be others.
-    nlohmann::ordered_json what_is(std::uint32_t id, const QueryFrames& frames,
-                                   std::size_t query) const;
-    /// For each query, the ids of the segments in which its pairs meet: {"first": ..., "count":
-    /// ...}, in the order of `scb collide --pairs-out`.
-    nlohmann::ordered_json pair_ids(const QueryFrames& frames) const;
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
     void tell_pick(PictureRun& pictures, const std::string& name, const QueryFrames& frames) const;
@@ -67,14 +64,6 @@ class QueryView {
     /// Begins the sheet of the pictures of WHAT, where one is asked for.
     void begin_sheet(PictureRun& pictures, const std::string& what,
                      std::optional<SheetRun> planned) const;
-
-    /// What index.json says of the run: scene, bodies, what was asked, camera, ids.
-    nlohmann::ordered_json index_head(const std::string& command) const;
-    /// What it says of one picture: the counts of its query, or of both as `queries`; and the
-    /// camera, where it moves.
-    nlohmann::ordered_json index_entry(const QueryFrames& frames,
-                                       const render::Camera& camera) const;
-    nlohmann::ordered_json index_entry(const QueryFrames& frames) const;
 
   private:
     double aspect() const;
@@ -87,13 +76,13 @@ class QueryView {
     std::optional<render::ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
     std::vector<render::MeshHandle> meshes_;
-    scenes::CameraView spec_;
+    scenes::CameraView camera_view_;
     /// Of both bodies at all frames: what all pictures show.
     Vec3 center_ = Vec3::Zero();
     render::Camera whole_;
     /// Of both bodies at all frames; computed from one frame's volumes after the other.
     render::Support support_;
-    std::uint32_t first_free_id_ = 1;
+    IdRanges ids_;
 };
 
 }  // namespace scb::app

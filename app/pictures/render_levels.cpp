@@ -89,7 +89,7 @@ int run(const LevelOptions& options, const Console& console) {
     // threads.
     const scenes::Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
-    const scenes::CameraView spec = camera_spec_for(options.camera, scene);
+    const scenes::CameraView wish = camera_view_for(options.camera, scene);
     const std::vector<MeshTopology> topologies =
         scenes::build_topologies(scene, options.hierarchy.build().topology());
     const int deepest_level = scenes::deepest(topologies);
@@ -118,12 +118,12 @@ int run(const LevelOptions& options, const Console& console) {
     render::LevelFigure figure;
     figure.style = style;
     figure.center = render::center_of(support);
-    if (spec.inset)
-        figure.detail = render::Detail{detail_camera(spec, *spec.inset, support, 1),
-                                       spec.inset->center, spec.inset->radius};
+    if (wish.inset)
+        figure.detail = render::Detail{detail_camera(wish, *wish.inset, support, 1),
+                                       wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
     figure.camera =
-        camera_for(spec, support, render::aspect_of(render::figure_layout(width, height).view));
+        camera_for(wish, support, render::aspect_of(render::figure_layout(width, height).view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
     const std::size_t total = kinds.size() * levels.size();
@@ -151,7 +151,7 @@ int run(const LevelOptions& options, const Console& console) {
         sheet.center = figure.center;
         sheet.detail = figure.detail;
         sheet.camera =
-            camera_for(spec, support, static_cast<double>(layout.view_width) / layout.view_height);
+            camera_for(wish, support, static_cast<double>(layout.view_width) / layout.view_height);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             std::vector<render::LevelSheetCell>& row = sheet.rows.emplace_back();
             for (const int level : levels)
@@ -163,8 +163,8 @@ int run(const LevelOptions& options, const Console& console) {
             render::compose(sheet, options.picture.samples, pictures.overlay());
         pictures.draw(sheet_name(scene, frame), picture, {{"sheet", true}}, false);
     }
-    pictures.finish(
-        level_head(options, scene, frame, levels, exact_spec(spec, figure.camera, figure.center)));
+    pictures.finish(level_head(options, scene, frame, levels,
+                               exact_camera_view(wish, figure.camera, figure.center)));
     return exit_done;
 }
 

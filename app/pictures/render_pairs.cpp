@@ -1,9 +1,11 @@
 #include <memory>
 
+#include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_comparison.h"
+#include "app/pictures/query_index.h"
 #include "render/figures/heat_figure.h"
 #include "render/figures/pairs_figure.h"
 #include "scb/error.h"
@@ -11,9 +13,9 @@
 namespace scb::app {
 namespace {
 
-struct Options : QueryViewOptions {
+struct PairsOptions : QueryViewOptions {
     bool no_leaves = false;
-    std::string heat;
+    std::optional<HeatOf> heat;
     std::optional<int> heat_end;
 };
 
@@ -21,7 +23,7 @@ void describe_pairs(render::SceneFigure& figure, const QueryView& view, const Qu
                     const TraceFrame& frame, const render::QueryBodies& bodies,
                     const render::PairsStyle& style) {
     figure.title = view.title("pairs");
-    figure.pane = render::pairs_pane(bodies, source.header(), frame, style, view.first_free_id());
+    figure.pane = render::pairs_pane(bodies, source.header(), frame, style, view.ids().first_free);
     figure.panel = render::pairs_panel(bodies, source.header(), frame, style);
     if (frame.found.pairs.empty())
         figure.remark = "no contact";
@@ -29,37 +31,36 @@ void describe_pairs(render::SceneFigure& figure, const QueryView& view, const Qu
         figure.remark = stopped_remark(frame);
 }
 
-std::optional<std::uint32_t> heat_end_of(const Options& options) {
+std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
     if (!options.heat_end) return std::nullopt;
     return static_cast<std::uint32_t>(*options.heat_end);
 }
 
-void describe_heat(render::SceneFigure& figure, const QueryView& view, const Options& options,
+void describe_heat(render::SceneFigure& figure, const QueryView& view, const PairsOptions& options,
                    const TraceFrame& frame, const render::QueryBodies& bodies) {
-    const HeatOf of = *render::heat_of_of(options.heat);
-    const render::Heat heat = render::heat_of(bodies, frame, of, heat_end_of(options));
+    const render::Heat heat = render::heat_of(bodies, frame, *options.heat, heat_end_of(options));
     figure.title = view.title("heat");
     figure.pane = render::heat_pane(bodies, heat);
     figure.panel = render::heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
 }
 
-render::ComparisonLayout layout_of(const Options& options) {
+render::ComparisonLayout layout_of(const PairsOptions& options) {
     return render::comparison_layout(
         options.picture.width(), options.picture.height(),
-        options.heat.empty() ? render::compared_pairs_rows() : render::compared_heat_rows());
+        !options.heat ? render::compared_pairs_rows() : render::compared_heat_rows());
 }
 
 void draw_compared(const QueryView& view, const QuerySources& sources, const QueryFrames& frames,
-                   const Options& options, const render::PairsStyle& style, const std::string& what,
-                   PictureRun& pictures) {
+                   const PairsOptions& options, const render::PairsStyle& style,
+                   const std::string& what, PictureRun& pictures) {
     const render::ComparedQueries queries = compared_queries(view, sources, frames);
     const render::PairsOfOne only_here = render::pairs_of_one(queries);
-    const bool heat = !options.heat.empty();
+    const bool heat = options.heat.has_value();
     std::array<render::ComparedView, 2> views =
-        heat ? render::compared_heat(queries, only_here, *render::heat_of_of(options.heat),
-                                     heat_end_of(options), *style.theme)
-             : render::compared_pairs(queries, only_here, style, view.first_free_id());
+        heat ? render::compared_heat(queries, only_here, *options.heat, heat_end_of(options),
+                                     *style.theme)
+             : render::compared_pairs(queries, only_here, style, view.ids().first_free);
     for (std::size_t i = 0; i < 2; ++i)
         if (!heat && frames[i]->found.pairs.empty())
             views[i].remark = "no contact";
@@ -69,11 +70,9 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
                     options, pictures);
 }
 
-int run(Options& options, const Console& console) {
+int run(PairsOptions& options, const Console& console) {
     options.check();
-    if (!options.heat.empty() && !render::heat_of_of(options.heat))
-        throw InputError("--heat " + options.heat + ": give volumes or triangles.");
-    if (options.heat_end && (options.heat.empty() || *options.heat_end < 2))
+    if (options.heat_end && (!options.heat || *options.heat_end < 2))
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
     QuerySources sources = options.open(console);
@@ -86,7 +85,8 @@ int run(Options& options, const Console& console) {
     render::PairsStyle style;
     style.leaves = !options.no_leaves;
     style.theme = options.picture.theme();
-    const std::string what = options.heat.empty() ? "pairs" : "heat-" + options.heat;
+    const std::string what =
+        !options.heat ? "pairs" : "heat-" + std::string(render::heat_names[*options.heat]);
     view.begin_sheet(pictures, what, std::move(sheet));
     return draw_frames(
         sources, pictures, console,
@@ -99,7 +99,7 @@ int run(Options& options, const Console& console) {
             const QuerySource& source = sources[0];
             const render::QueryBodies bodies = view.bodies(frame.frame);
             render::SceneFigure figure;
-            if (options.heat.empty())
+            if (!options.heat)
                 describe_pairs(figure, view, source, frame, bodies, style);
             else
                 describe_heat(figure, view, options, frame, bodies);
@@ -109,8 +109,8 @@ int run(Options& options, const Console& console) {
             figure.pane.camera = view.camera(region);
             figure.center = view.center(region);
             figure.theme = style.theme;
-            nlohmann::ordered_json entry = view.index_entry(frames, figure.pane.camera);
-            if (options.heat.empty()) entry["pair_ids"] = view.pair_ids(frames)[0];
+            nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
+            if (!options.heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
             pictures.explain(figure.title, figure.panel);
             const render::Picture picture = render::compose(
                 std::move(figure), options.picture.width(), options.picture.height(),
@@ -121,11 +121,11 @@ int run(Options& options, const Console& console) {
             return true;
         },
         [&] {
-            nlohmann::ordered_json head = view.index_head("render pairs");
-            if (options.heat.empty())
+            nlohmann::ordered_json head = query_index_head(view, "render pairs");
+            if (!options.heat)
                 head["options"]["leaves"] = style.leaves;
             else
-                head["options"]["heat"] = options.heat;
+                head["options"]["heat"] = render::heat_names[*options.heat];
             return head;
         });
 }
@@ -135,15 +135,13 @@ int run(Options& options, const Console& console) {
 void add_render_pairs(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
         "pairs", "The triangles that intersect, and the leaves that overlap");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PairsOptions>();
     add_query_view_options(command, *options, Shown::meshes);
     command.add_flag("--no-leaves", options->no_leaves,
                      "Without the volumes of leaves that overlap while their triangles do not");
-    command
-        .add_option("--heat", options->heat,
-                    "Instead, color each triangle by the tests that it took part in: of volumes "
-                    "that hold it, or of triangles")
-        .check(has_name)
+    add_choice(command, "--heat", options->heat, render::heat_names.names,
+               "Instead, color each triangle by the tests that it took part in: of volumes that "
+               "hold it, or of triangles")
         .type_name("volumes|triangles");
     command
         .add_option("--heat-end", options->heat_end,

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_comparison.h"
+#include "app/pictures/query_index.h"
 #include "app/query/level_list.h"
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_prefix.h"
@@ -18,8 +20,8 @@
 namespace scb::app {
 namespace {
 
-struct Options : QueryViewOptions {
-    std::string by = "dominant";
+struct RejectionsOptions : QueryViewOptions {
+    render::EndingChoice by = render::EndingChoice::dominant;
     std::string stages, depths, body;
     double opacity = 1;
     bool nested = false;
@@ -47,12 +49,10 @@ std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
     return {first, last};
 }
 
-render::RejectionsStyle style_of(const Options& options, const QuerySources& sources) {
+render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySources& sources) {
     const QuerySource& source = sources.front();
     render::RejectionsStyle style;
-    const std::optional<render::FrontColor> by = render::front_color_of(options.by);
-    if (!by) throw InputError("--by " + options.by + ": give first, last, dominant or share.");
-    style.by = *by;
+    style.by = options.by;
     std::vector<Outcome> known;
     for (const QuerySource& each : sources)
         for (const Outcome ending : endings_of(each.header().volume, each.header().options))
@@ -87,7 +87,7 @@ render::RejectionsStyle style_of(const Options& options, const QuerySources& sou
 }
 
 /// Which nodes are shown, where not all are.
-std::string filter_text(const Options& options) {
+std::string filter_text(const RejectionsOptions& options) {
     std::string text;
     if (!options.body.empty()) text += ", only body " + options.body;
     if (!options.depths.empty()) text += ", only levels " + options.depths;
@@ -100,7 +100,7 @@ struct Shot {
     const QuerySources& sources;
     const QueryView& view;
     const render::RejectionsStyle& style;
-    const Options& options;
+    const RejectionsOptions& options;
     PictureRun& pictures;
 
     /// `step`: how many tests of `whole` the frame has, where it is an animation's.
@@ -108,30 +108,29 @@ struct Shot {
               const TraceFrame& whole) const {
         const QuerySource& source = sources.front();
         const render::QueryBodies bodies = view.bodies(frame.frame);
-        const render::Fronts fronts = render::fronts_of(bodies, frame, tree, style);
+        const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
         render::SceneFigure figure;
         figure.title = view.title("rejections");
         figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
-        figure.pane = render::rejections_pane(bodies, fronts, style);
+        figure.pane = render::rejections_pane(bodies, ended, style);
         const std::vector<render::AnyVolume> region =
             render::contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
-        figure.panel =
-            render::rejections_panel(bodies, source.header(), frame, tree, fronts, style);
+        figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
         figure.chart = render::endings_chart(source.header(), frame, tree, *style.theme);
         figure.theme = style.theme;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
-        } else if (fronts[0].empty() && fronts[1].empty()) {
+        } else if (ended[0].empty() && ended[1].empty()) {
             figure.remark = "no such node";
         } else if (!frame.found.complete) {
             figure.remark = stopped_remark(frame);
         } else if (frame.found.n_v == 1) {
             figure.remark = "no overlap: the roots were rejected";
         }
-        nlohmann::ordered_json entry = view.index_entry({&frame}, figure.pane.camera);
-        entry["volumes"] = {fronts[0].size(), fronts[1].size()};
+        nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
+        entry["volumes"] = {ended[0].size(), ended[1].size()};
         std::string name = view.picture_name("rejections", frame.frame);
         if (step) {
             entry["tests"] = *step;
@@ -183,7 +182,7 @@ struct Shot {
 
 /// How the paths of each frame ended: a picture for each query.
 void draw_stages(std::vector<render::StagesFigure>& stages, const QuerySources& sources,
-                 const QueryView& view, const Options& options, PictureRun& pictures) {
+                 const QueryView& view, const RejectionsOptions& options, PictureRun& pictures) {
     double most = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const TraceHeader& header = sources[i].header();
@@ -219,7 +218,7 @@ std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t>
     return count;
 }
 
-int run(Options& options, const Console& console) {
+int run(RejectionsOptions& options, const Console& console) {
     options.check();
     QuerySources sources = options.open(console);
     const render::RejectionsStyle style = style_of(options, sources);
@@ -270,8 +269,8 @@ int run(Options& options, const Console& console) {
         },
         [&] {
             if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
-            nlohmann::ordered_json head = view.index_head("render rejections");
-            head["options"]["by"] = options.by;
+            nlohmann::ordered_json head = query_index_head(view, "render rejections");
+            head["options"]["by"] = render::ending_choices[options.by];
             if (!options.stages.empty())
                 head["options"]["stages"] = scenes::split_list(options.stages);
             if (!options.depths.empty())
@@ -289,14 +288,13 @@ int run(Options& options, const Console& console) {
 void add_render_rejections(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
         "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RejectionsOptions>();
     add_query_view_options(command, *options, Shown::volumes);
-    command
-        .add_option("--by", options->by,
-                    "Which ending colors a node that has several: first, last, dominant; or the "
-                    "share of its tests that were rejected: share")
-        .type_name("WHICH")
-        .show_default();
+    add_choice(
+        command, "--by", options->by, render::ending_choices.names,
+        "Which ending colors a node that has several: first, last, dominant; or the share of "
+        "its tests that were rejected: share")
+        .type_name("WHICH");
     command
         .add_option("--stages,--stage", options->stages,
                     "Only paths that ended so: some of the stages, 'triangles apart', "

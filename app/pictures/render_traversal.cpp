@@ -1,32 +1,26 @@
 #include <memory>
 
+#include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
-#include "app/pictures/query_view.h"
+#include "app/pictures/query_index.h"
+#include "core/base/enum_names.h"
 #include "render/figures/traversal_figure.h"
 #include "scb/error.h"
 
 namespace scb::app {
 namespace {
 
-struct Options : QueryViewOptions {
-    std::string by = "tests";
-    std::string show = "both";
+/// Which of the two diagrams the picture has.
+enum class Diagrams { matrix, icicle, both };
+constexpr EnumNames<Diagrams, 3> diagram_names = {{"matrix", "icicle", "both"}};
 
-    render::MatrixMeasure measure() const {
-        if (by == "tests") return render::MatrixMeasure::tests;
-        if (by == "share") return render::MatrixMeasure::share;
-        throw InputError("--by " + by + ": give tests or share.");
-    }
-    void check() {
-        QueryViewOptions::check();
-        measure();
-        if (show != "matrix" && show != "icicle" && show != "both")
-            throw InputError("--show " + show + ": give matrix, icicle or both.");
-    }
+struct TraversalOptions : QueryViewOptions {
+    render::MatrixMeasure by = render::MatrixMeasure::tests;
+    Diagrams show = Diagrams::both;
 };
 
-int run(Options& options, const Console& console) {
+int run(TraversalOptions& options, const Console& console) {
     options.check();
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
@@ -36,9 +30,9 @@ int run(Options& options, const Console& console) {
 
     render::TraversalFigure figure;
     figure.title = view.title("traversal");
-    figure.measure = options.measure();
-    figure.matrix = options.show != "icicle";
-    figure.icicle = options.show != "matrix";
+    figure.measure = options.by;
+    figure.matrix = options.show != Diagrams::icicle;
+    figure.icicle = options.show != Diagrams::matrix;
     figure.theme = options.picture.theme();
     return draw_frames(
         sources, pictures, console,
@@ -49,13 +43,13 @@ int run(Options& options, const Console& console) {
                 render::compose(figure, sources.front().header(), frame, options.picture.width(),
                                 options.picture.height(), pictures.overlay());
             pictures.draw(view.picture_name("traversal", frame.frame), picture,
-                          view.index_entry(frames));
+                          query_index_entry(view, frames));
             return true;
         },
         [&] {
-            nlohmann::ordered_json head = view.index_head("render traversal");
-            head["options"]["by"] = options.by;
-            head["options"]["show"] = options.show;
+            nlohmann::ordered_json head = query_index_head(view, "render traversal");
+            head["options"]["by"] = render::matrix_measure_names[options.by];
+            head["options"]["show"] = diagram_names[options.show];
             return head;
         });
 }
@@ -65,13 +59,11 @@ int run(Options& options, const Console& console) {
 void add_render_traversal(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
         "traversal", "The traversal itself, by pairs of nodes: where it spends its tests");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TraversalOptions>();
     add_query_view_options(command, *options, Shown::nothing);
-    command
-        .add_option("--by", options->by,
-                    "Colors of the matrix: tests (how many) or share (of them rejected)")
-        .show_default();
-    command.add_option("--show", options->show, "matrix, icicle or both").show_default();
+    add_choice(command, "--by", options->by, render::matrix_measure_names.names,
+               "Colors of the matrix: tests (how many) or share (of them rejected)");
+    add_choice(command, "--show", options->show, diagram_names.names, "matrix, icicle or both");
     command.footer(
         "Left, the volume tests by depth of the node of A and that of B. Right, the recursion as "
         "an "

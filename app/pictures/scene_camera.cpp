@@ -34,42 +34,42 @@ Vec3 CameraOptions::up_vector() const {
     throw InputError("--up " + up + ": give x, y or z.");
 }
 
-scenes::CameraView camera_spec_for(const CameraOptions& options, const scenes::Scene& scene) {
-    scenes::CameraView spec;
+scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene) {
+    scenes::CameraView wish;
     if (!options.camera.empty() && !options.follows_contact())
-        spec = scenes::parse_camera(options.camera);
+        wish = scenes::parse_camera(options.camera);
     else if (scene.camera)
-        spec = *scene.camera;
+        wish = *scene.camera;
     else
-        spec.azimuth = azimuth_for(scene, options.up_vector());
-    if (!options.up.empty()) spec.up = options.up_vector();
-    if (!spec.inset && scene.camera) spec.inset = scene.camera->inset;
-    if (options.orthographic) spec.orthographic = true;
-    return spec;
+        wish.azimuth = azimuth_for(scene, options.up_vector());
+    if (!options.up.empty()) wish.up = options.up_vector();
+    if (!wish.inset && scene.camera) wish.inset = scene.camera->inset;
+    if (options.orthographic) wish.orthographic = true;
+    return wish;
 }
 
-render::Camera camera_for(const scenes::CameraView& spec, const render::Support& support,
+render::Camera camera_for(const scenes::CameraView& wish, const render::Support& support,
                           double aspect) {
     render::CameraFit fit;
     fit.aspect = aspect;
-    fit.orthographic = spec.orthographic.value_or(false);
-    fit.vertical_fov = spec.field_of_view;
-    const Vec3 up = spec.up.value_or(Vec3::UnitZ());
+    fit.orthographic = wish.orthographic.value_or(false);
+    fit.vertical_fov = wish.field_of_view;
+    const Vec3 up = wish.up.value_or(Vec3::UnitZ());
     render::Camera camera =
-        render::fit_camera(render::orbit_axes(spec.azimuth, spec.elevation, up), support, fit);
-    if (spec.view_height) camera.view_height = *spec.view_height;
-    if (!spec.target && !spec.distance) return camera;
+        render::fit_camera(render::orbit_axes(wish.azimuth, wish.elevation, up), support, fit);
+    if (wish.view_height) camera.view_height = *wish.view_height;
+    if (!wish.target && !wish.distance) return camera;
     const Vec3 back = camera.axes.col(2);
-    const Vec3 target = spec.target.value_or(render::center_of(support));
-    const double distance = spec.distance.value_or(dot(back, Vec3(camera.position - target)));
+    const Vec3 target = wish.target.value_or(render::center_of(support));
+    const double distance = wish.distance.value_or(dot(back, Vec3(camera.position - target)));
     camera.position = target + distance * back;
     render::set_depth_range(camera, support);
     return camera;
 }
 
-render::Camera detail_camera(const scenes::CameraView& spec, const scenes::Inset& inset,
+render::Camera detail_camera(const scenes::CameraView& wish, const scenes::Inset& inset,
                              const render::Support& support, double aspect) {
-    scenes::CameraView detail = spec;
+    scenes::CameraView detail = wish;
     detail.orthographic = true;
     detail.target = inset.center;
     detail.distance.reset();
@@ -77,12 +77,12 @@ render::Camera detail_camera(const scenes::CameraView& spec, const scenes::Inset
     return camera_for(detail, support, aspect);
 }
 
-scenes::CameraView exact_spec(const scenes::CameraView& spec, const render::Camera& camera,
-                              const Vec3& center) {
-    scenes::CameraView exact = spec;
+scenes::CameraView exact_camera_view(const scenes::CameraView& wish, const render::Camera& camera,
+                                     const Vec3& center) {
+    scenes::CameraView exact = wish;
     exact.orthographic = camera.orthographic;
     if (camera.orthographic) exact.view_height = camera.view_height;
-    if (spec.target && spec.distance) return exact;
+    if (wish.target && wish.distance) return exact;
     exact.distance = dot(Vec3(camera.axes.col(2)), Vec3(camera.position - center));
     exact.target = camera.position - *exact.distance * camera.axes.col(2);
     return exact;

@@ -23,21 +23,21 @@ struct CameraOptions {
 };
 
 /// The wish that holds: the command line's, or else the scene's, or else the default angles.
-scenes::CameraView camera_spec_for(const CameraOptions& options, const scenes::Scene& scene);
+scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene);
 
 /// The camera of a wish for a view of this aspect (width / height); what the wish leaves open is
 /// fitted to `support`.
-render::Camera camera_for(const scenes::CameraView& spec, const render::Support& support,
+render::Camera camera_for(const scenes::CameraView& wish, const render::Support& support,
                           double aspect);
 
 /// A camera with the same axes that looks at a detail: a ball of `radius` about `center` fills the
 /// view. Orthographic, so that lengths in it can be compared.
-render::Camera detail_camera(const scenes::CameraView& spec, const scenes::Inset& inset,
+render::Camera detail_camera(const scenes::CameraView& wish, const scenes::Inset& inset,
                              const render::Support& support, double aspect);
 
 /// The camera as a wish that leaves nothing open: what `--camera` reads back to the same view.
 /// `center` is that of the scene; the distance counts from it.
-scenes::CameraView exact_spec(const scenes::CameraView& spec, const render::Camera& camera,
-                              const Vec3& center);
+scenes::CameraView exact_camera_view(const scenes::CameraView& wish, const render::Camera& camera,
+                                     const Vec3& center);
 
 }  // namespace scb::app

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CollideCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
@@ -75,7 +75,8 @@ std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
     return line + "\n";
 }
 
-Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, Json frames) {
+Json json_of(const CollideCommandOptions& options, const SceneQuery& query, const Sums& sums,
+             Json frames) {
     const auto body = [&](std::size_t i) -> Json {
         return body_json({query.scene.bodies[i].name, fingerprint(query.mesh(i))});
     };
@@ -89,10 +90,10 @@ Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, 
         if (has_threshold(query.options.overlap.test))
             result["threshold"] = options.query.threshold;
     }
-    result["descent"] = options.query.descent;
-    result["growth"] = options.hierarchy.growth;
+    result["descent"] = descent_rule_name(options.query.descent);
+    result["growth"] = ball_growth_name(options.hierarchy.growth);
     result["margin"] = options.hierarchy.margin;
-    result["split"] = options.hierarchy.split;
+    result["split"] = split_method_name(options.hierarchy.split);
     result["max_pairs"] = query.options.max_pairs;
     const int level = query.options.stop_level;
     result["level"] = level >= 0 ? Json(level) : Json();
@@ -104,7 +105,7 @@ Json json_of(const Options& options, const SceneQuery& query, const Sums& sums, 
     return result;
 }
 
-std::string title_of(const Options& options, const SceneQuery& query) {
+std::string title_of(const CollideCommandOptions& options, const SceneQuery& query) {
     std::string text = query.scene.name + ": " + query.scene.bodies[query.a].name +
                        format(" (%zu triangles) and ", query.mesh(query.a).triangles.size()) +
                        query.scene.bodies[query.b].name +
@@ -116,14 +117,14 @@ std::string title_of(const Options& options, const SceneQuery& query) {
             query.options.overlap.threshold != OverlapOptions{}.threshold)
             text += format(", threshold %g", query.options.overlap.threshold);
     }
-    text += ", descent by " + options.query.descent;
+    text += ", descent by " + std::string(descent_rule_name(options.query.descent));
     text += build_text(query.build);
     if (query.options.stop_level >= 0)
         text += format("; pairs of nodes of level %d", query.options.stop_level);
     return text + "\n\n";
 }
 
-int run(const Options& options, const Console& console) {
+int run(const CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
@@ -182,7 +183,7 @@ int run(const Options& options, const Console& console) {
 void add_collide(const Command& program, const Console& console, Action& action) {
     const Command command =
         program.add_subcommand("collide", "Find the triangle pairs that intersect, with counts");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CollideCommandOptions>();
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);

@@ -6,9 +6,6 @@
 namespace scb::app {
 namespace {
 
-constexpr Mutation mutations[] = {Mutation::drop_node, Mutation::nudge_radius,
-                                  Mutation::flip_comparison, Mutation::swap_stages};
-
 void grow(Scb& volume, double by) { volume.r *= by; }
 void grow(Ball& volume, double by) { volume.radius *= by; }
 void grow(Obb& volume, double by) { volume.half *= by; }
@@ -21,28 +18,6 @@ std::size_t node_at(const Topology& topology, int depth) {
 }
 
 }  // namespace
-
-std::string_view mutation_name(Mutation mutation) {
-    switch (mutation) {
-        case Mutation::drop_node:
-            return "drop-node";
-        case Mutation::nudge_radius:
-            return "nudge-radius";
-        case Mutation::flip_comparison:
-            return "flip-comparison";
-        case Mutation::swap_stages:
-            return "swap-stages";
-        case Mutation::none:
-            break;
-    }
-    return "none";
-}
-
-std::optional<Mutation> mutation_of(std::string_view name) {
-    for (const Mutation mutation : mutations)
-        if (mutation_name(mutation) == name) return mutation;
-    return std::nullopt;
-}
 
 void mutate(Mutation mutation, AnyHierarchy& hierarchy) {
     if (mutation != Mutation::drop_node && mutation != Mutation::nudge_radius) return;

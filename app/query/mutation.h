@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/enum_names.h"
 #include "scb/any_collide.h"
 
 namespace scb::app {
@@ -18,9 +19,8 @@ enum class Mutation {
     swap_stages,      ///< rejections by A's slab are said to be by B's slab, and the reverse
 };
 
-/// "drop-node", ...
-std::string_view mutation_name(Mutation mutation);
-std::optional<Mutation> mutation_of(std::string_view name);
+inline constexpr EnumNames<Mutation, 5> mutation_names = {
+    {"none", "drop-node", "nudge-radius", "flip-comparison", "swap-stages"}};
 
 // What the mutation makes of each; nothing where it is one of something else.
 void mutate(Mutation mutation, AnyHierarchy& hierarchy);

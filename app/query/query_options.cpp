@@ -1,5 +1,6 @@
 #include "app/query/query_options.h"
 
+#include "app/cli/choice.h"
 #include "app/cli/validators.h"
 #include "app/query/level_list.h"
 
@@ -16,13 +17,6 @@ std::string test_names() {
     std::string names;
     for (const OverlapTest test : all_overlap_tests())
         names += (names.empty() ? "" : ", ") + std::string(overlap_test_name(test));
-    return names;
-}
-
-std::string rule_names() {
-    std::string names;
-    for (const DescentRule rule : all_descent_rules())
-        names += (names.empty() ? "" : ", ") + std::string(descent_rule_name(rule));
     return names;
 }
 
@@ -53,11 +47,7 @@ OverlapOptions QueryOptions::overlap() const {
 CollideOptions QueryOptions::collide() const {
     CollideOptions options;
     options.overlap = overlap();
-    const std::optional<DescentRule> rule = descent_rule_of(descent);
-    if (!rule)
-        throw InputError("--descent " + descent + ": unknown rule; give one of " + rule_names() +
-                         ".");
-    options.descent = *rule;
+    options.descent = descent;
     return options;
 }
 
@@ -114,12 +104,10 @@ void add_bodies_option(const Command& command, QueryOptions& options) {
 
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
     add_overlap_options(command, options, several_tests);
-    command
-        .add_option("--descent", options.descent,
-                    "Which of two nodes is divided, the larger or by turns: " + rule_names())
-        .check(has_name)
-        .type_name("RULE")
-        .show_default();
+    const std::vector<std::string_view> rules = words_of(all_descent_rules(), descent_rule_name);
+    add_choice(command, "--descent", options.descent, rules,
+               "Which of two nodes is divided, the larger or by turns: " + choices(rules))
+        .type_name("RULE");
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
         .check(has_name)

@@ -15,7 +15,7 @@ namespace scb::app {
 struct QueryOptions {
     std::string test{overlap_test_name(OverlapOptions{}.test)};
     double threshold = OverlapOptions{}.threshold;
-    std::string descent{descent_rule_name(CollideOptions{}.descent)};
+    DescentRule descent = CollideOptions{}.descent;
     std::string frames = "all";
     std::string bodies{};
 

@@ -24,13 +24,13 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.scene.names = header.source;
     recorded.scene.models_dir = given.models_dir;
     recorded.hierarchy.volumes = volume_kind_name(header.volume);
-    recorded.hierarchy.growth = ball_growth_name(header.growth);
+    recorded.hierarchy.growth = header.growth;
     recorded.hierarchy.margin = header.margin;
-    recorded.hierarchy.split = split_method_name(header.split);
+    recorded.hierarchy.split = header.split;
     recorded.query.test = overlap_test_name(header.options.overlap.test);
     recorded.query.frames = scenes::auto_frames;
     recorded.query.threshold = header.options.overlap.threshold;
-    recorded.query.descent = descent_rule_name(header.options.descent);
+    recorded.query.descent = header.options.descent;
     recorded.limits.max_pairs = static_cast<std::int64_t>(header.options.max_pairs);
     if (header.options.stop_level >= 0)
         recorded.limits.levels = std::to_string(header.options.stop_level);

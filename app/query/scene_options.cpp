@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/cli/choice.h"
 #include "app/cli/validators.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
@@ -80,16 +81,11 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
 
 BuildOptions HierarchyOptions::build() const {
     BuildOptions options;
-    if (growth == "radius")
-        options.fit.growth = BallGrowth::radius;
-    else if (growth != "ritter")
-        throw InputError("--growth " + growth + ": unknown rule; give 'ritter' or 'radius'.");
+    options.fit.growth = growth;
     if (!(margin >= 0 && margin <= 1))
         throw InputError(format("--margin %g: give a share of the radius from 0 to 1.", margin));
     options.fit.margin = margin + 0.0;  // -0 is 0
-    const std::optional<SplitMethod> method = split_method_of(split);
-    if (!method) throw InputError("--split " + split + ": unknown method; give 'paper' or 'cost'.");
-    options.split = *method;
+    options.split = split;
     return options;
 }
 
@@ -121,27 +117,19 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         .check(has_name)
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
-    command.add_option("--growth", options.growth, "How minimum balls are grown: ritter or radius")
-        .check(has_name)
-        .type_name("RULE")
-        .show_default();
-    command
-        .add_option(
-            "--split", options.split,
-            "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
-            "and less to query")
-        .check(has_name)
-        .type_name("METHOD")
-        .show_default();
-    command
-        .add_option_function(
-            "--mutation",
-            [&options](const std::string& name) {
-                const std::optional<Mutation> mutation = mutation_of(name);
-                if (!mutation) throw InputError("--mutation " + name + ": unknown error.");
-                options.mutation = *mutation;
-            },
-            "An error on purpose, for `scb golden selftest`")
+    const std::vector<std::string_view> growths = {ball_growth_name(BallGrowth::radius),
+                                                   ball_growth_name(BallGrowth::ritter)},
+                                        splits = {split_method_name(SplitMethod::section_3),
+                                                  split_method_name(SplitMethod::cost)};
+    add_choice(command, "--growth", options.growth, growths,
+               "How minimum balls are grown: ritter or radius")
+        .type_name("RULE");
+    add_choice(command, "--split", options.split, splits,
+               "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
+               "and less to query")
+        .type_name("METHOD");
+    add_choice(command, "--mutation", options.mutation, mutation_names.names,
+               "An error on purpose, for `scb golden selftest`")
         .hide();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
         .check(real_number)

@@ -33,9 +33,9 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
 /// How hierarchies are built.
 struct HierarchyOptions {
     std::string volumes = "scb";
-    std::string growth = "ritter";
+    BallGrowth growth = BallGrowth::ritter;
     double margin = 0;
-    std::string split = "paper";
+    SplitMethod split = SplitMethod::section_3;
     Mutation mutation = Mutation::none;
 
     BuildOptions build() const;

@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct BenchCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
     QueryOptions query;
@@ -58,7 +58,7 @@ bool is_mesh_file(const std::string& name) {
 }
 
 // Those named, two meshes as one; or all of Table 3 whose meshes are there.
-std::vector<Entry> entries(const Options& options, const Console& console) {
+std::vector<Entry> entries(const BenchCommandOptions& options, const Console& console) {
     SceneOptions one = options.scene;
     if (one.names.size() == 2 && is_mesh_file(one.names[0]) && is_mesh_file(one.names[1]))
         return {entry_of(one, options.query)};
@@ -86,7 +86,7 @@ std::vector<Entry> entries(const Options& options, const Console& console) {
     return result;
 }
 
-SimdLevel simd_level(const Options& options) {
+SimdLevel simd_level(const BenchCommandOptions& options) {
     std::string names;
     for (const SimdLevel level : available_simd_levels()) {
         if (simd_level_name(level) == options.simd) return level;
@@ -95,7 +95,7 @@ SimdLevel simd_level(const Options& options) {
     throw InputError("--simd " + options.simd + ": give one that this machine has, " + names + ".");
 }
 
-std::vector<BenchSubject> subjects(const Options& options) {
+std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
         if (kind != VolumeKind::scb) {
@@ -125,9 +125,9 @@ bool any_packed(const std::vector<BenchSubject>& subjects) {
 }
 
 /// Notes which options have no effect on what is measured, and what else may surprise.
-void note_surprises(const Options& options, const std::vector<BenchSubject>& subjects,
+void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
                     const Console& console) {
-    const Options defaults;
+    const BenchCommandOptions defaults;
     const auto note = [&console](const char* option, const char* why) {
         console.note("scb: " + std::string(option) + " has no effect: " + why);
     };
@@ -164,7 +164,7 @@ std::string simd_text(SimdLevel level) {
     return std::string(simd_level_name(level));
 }
 
-std::string conditions(const Options& options, const BenchOptions& bench) {
+std::string conditions(const BenchCommandOptions& options, const BenchOptions& bench) {
     const bool shared = bench.packed.threads > 1;
     const std::string built = build_sentence(options.hierarchy.build());
     return (built.empty() ? "" : built + " ") +
@@ -189,16 +189,17 @@ struct Report {
     Json scenes = Json::array();
     BenchCosts costs;
 
-    std::string json(const Options& options, const std::string& simd, bool complete) const {
+    std::string json(const BenchCommandOptions& options, const std::string& simd,
+                     bool complete) const {
         const Json document = {{"scenes", scenes},
                                {"complete", complete},
                                {"equation_1", costs.json()},
                                {"options",
                                 {{"threshold", options.query.threshold},
-                                 {"descent", options.query.descent},
-                                 {"growth", options.hierarchy.growth},
+                                 {"descent", descent_rule_name(options.query.descent)},
+                                 {"growth", ball_growth_name(options.hierarchy.growth)},
                                  {"margin", options.hierarchy.margin},
-                                 {"split", options.hierarchy.split},
+                                 {"split", split_method_name(options.hierarchy.split)},
                                  {"leaf", options.leaf_triangles},
                                  {"simd", simd},
                                  {"threads", options.threads},
@@ -211,7 +212,7 @@ struct Report {
     }
 };
 
-int run(const Options& options, const Console& console) {
+int run(const BenchCommandOptions& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
     QueryOptions one_test = options.query;
@@ -316,7 +317,7 @@ int run(const Options& options, const Console& console) {
 void add_bench(const Command& program, const Console& console, Action& action) {
     const Command command =
         program.add_subcommand("bench", "Time queries: Table 3 and Figure 11 of the paper");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchCommandOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE")
         .required(false)

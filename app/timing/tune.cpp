@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct TuneCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query{.frames = scenes::auto_frames};
@@ -40,7 +40,7 @@ std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& sce
     return frames;
 }
 
-TuneOptions tune_options(const Options& options) {
+TuneOptions tune_options(const TuneCommandOptions& options) {
     if (options.hierarchy.kind() != VolumeKind::scb)
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": only slab cut balls have overlap tests and a threshold to tune; leave "
@@ -56,7 +56,7 @@ TuneOptions tune_options(const Options& options) {
     return result;
 }
 
-std::string conditions(const Options& options) {
+std::string conditions(const TuneCommandOptions& options) {
     BuildOptions build = options.hierarchy.build();
     build.fit.growth = FitOptions{}.growth;  // each setting has its own
     const std::string built = build_sentence(build);
@@ -70,11 +70,11 @@ std::string conditions(const Options& options) {
            "to machine and from run to run; counts do not.";
 }
 
-std::string json_text(const Options& options, const SceneTuning& tuning) {
+std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuning) {
     Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
     document.update(tune_json(tuning));
     document["margin"] = options.hierarchy.margin;
-    document["split"] = options.hierarchy.split;
+    document["split"] = split_method_name(options.hierarchy.split);
     if (!options.no_time) {
         document["repeats"] = options.repeats;
         document["compiler"] = compiler_text();
@@ -84,8 +84,9 @@ std::string json_text(const Options& options, const SceneTuning& tuning) {
 
 std::string picture_name(const scenes::Scene& scene) { return scene.name + "_tune.png"; }
 
-void write_files(const Options& options, const scenes::Scene& scene, const SceneTuning& tuning,
-                 render::Renderer& renderer, const std::filesystem::path& folder) {
+void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
+                 const SceneTuning& tuning, render::Renderer& renderer,
+                 const std::filesystem::path& folder) {
     render::TuneFigure figure = tune_figure(tuning);
     figure.footnote = conditions(options);
     figure.theme = options.picture.theme();
@@ -99,7 +100,7 @@ void write_files(const Options& options, const scenes::Scene& scene, const Scene
     render::write_file_whole(folder / "tune.json", json_text(options, tuning));
 }
 
-int run(const Options& options, const Console& console) {
+int run(const TuneCommandOptions& options, const Console& console) {
     const TuneOptions asked = tune_options(options);
     options.picture.check();
     const scenes::Scene scene = options.scene.load();
@@ -153,7 +154,7 @@ int run(const Options& options, const Console& console) {
 void add_tune(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "tune", "Compare overlap tests, thresholds, descent and growth rules in a scene");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TuneCommandOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, or two mesh files");

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double ratio(double value, double by) { return by > 0 ? value / by : 1; }
+double over_base(double value, double by) { return by > 0 ? value / by : 1; }
 
 /// "symmetric, descent radius, growth ritter".
 std::string setting_text(const TuneSetting& setting) {
@@ -57,8 +57,8 @@ const char* group_title(Tuned tuned) {
 std::string table_row(const TuneRow& row, const TuneRow& base, bool timed) {
     std::string line =
         format("  %-46s %10.1f %9.1f %12.1f %6.2f", change_text(row.trial).c_str(), row.n_v,
-               row.n_p, row.operations, ratio(row.operations, base.operations));
-    if (timed) line += format(" %9.4f %6.2f", row.ms, ratio(row.ms, base.ms));
+               row.n_p, row.operations, over_base(row.operations, base.operations));
+    if (timed) line += format(" %9.4f %6.2f", row.ms, over_base(row.ms, base.ms));
     return line + (row.misses_pairs ? "  misses pairs\n" : "\n");
 }
 
@@ -67,7 +67,7 @@ std::string best_line(const char* what, const SceneTuning& tuning, std::size_t b
     const TuneRow &row = tuning.rows[best], &base = tuning.rows[0];
     std::string line = std::string(what) + ": " + setting_text(row.trial.setting);
     if (best == 0) return line + ", the base\n";
-    return line + format(", %.2f of the base's\n", ratio(row.*cost, base.*cost));
+    return line + format(", %.2f of the base's\n", over_base(row.*cost, base.*cost));
 }
 
 std::string bar_name(const SceneTuning& tuning, const TuneRow& row) {
@@ -112,7 +112,7 @@ Json tune_json(const SceneTuning& tuning) {
     Json settings = Json::array();
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& setting = row.trial.setting;
-        Json entry = {{"tuned", tuned_name(row.trial.tuned)},
+        Json entry = {{"tuned", tuned_names[row.trial.tuned]},
                       {"test", overlap_test_name(setting.overlap.test)}};
         if (has_threshold(setting.overlap.test)) entry["threshold"] = setting.overlap.threshold;
         entry["descent"] = descent_rule_name(setting.descent);
@@ -137,7 +137,7 @@ std::string tune_csv(const SceneTuning& tuning) {
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& setting = row.trial.setting;
         const bool threshold = has_threshold(setting.overlap.test);
-        text += std::string(tuned_name(row.trial.tuned)) + "," +
+        text += std::string(tuned_names[row.trial.tuned]) + "," +
                 std::string(overlap_test_name(setting.overlap.test)) + "," +
                 (threshold ? Json(setting.overlap.threshold).dump() : std::string()) + "," +
                 std::string(descent_rule_name(setting.descent)) + "," +
@@ -159,8 +159,8 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
     for (std::size_t i = 0; i < tuning.rows.size(); ++i) {
         const TuneRow& row = tuning.rows[i];
         render::TuneCosts costs{
-            ratio(row.n_v, base.n_v), ratio(row.operations, base.operations), {}};
-        if (tuning.timed) costs.time = ratio(row.ms, base.ms);
+            over_base(row.n_v, base.n_v), over_base(row.operations, base.operations), {}};
+        if (tuning.timed) costs.time = over_base(row.ms, base.ms);
         const TuneSetting& setting = row.trial.setting;
         if (setting.overlap.test == OverlapTest::corrected &&
             setting.descent == base.trial.setting.descent &&

@@ -4,18 +4,6 @@
 
 namespace scb {
 
-std::string_view pass_reason_name(PassReason reason) {
-    switch (reason) {
-        case PassReason::weak_test:
-            return "test";
-        case PassReason::loose_fit:
-            return "fit";
-        case PassReason::triangles_meet:
-            break;
-    }
-    return "true";
-}
-
 Work& Work::operator+=(const Work& other) {
     volume_tests += other.volume_tests;
     triangle_tests += other.triangle_tests;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/enum_names.h"
+
 namespace scb {
 
 /// Why a test let a pair of nodes pass.
@@ -15,8 +17,8 @@ enum class PassReason : std::uint8_t {
 };
 inline constexpr std::size_t pass_reason_count = 3;
 
-/// "test", "fit", "true".
-std::string_view pass_reason_name(PassReason reason);
+inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {
+    {"test", "fit", "true"}};
 
 /// What a query, or a part of it, did.
 struct Work {

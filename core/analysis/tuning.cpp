@@ -40,24 +40,6 @@ bool operator==(const TuneSetting& x, const TuneSetting& y) {
            x.descent == y.descent && x.growth == y.growth;
 }
 
-std::string_view tuned_name(Tuned tuned) {
-    switch (tuned) {
-        case Tuned::nothing:
-            return "base";
-        case Tuned::test:
-            return "test";
-        case Tuned::threshold:
-            return "threshold";
-        case Tuned::descent:
-            return "descent";
-        case Tuned::growth:
-            return "growth";
-        case Tuned::several:
-            break;
-    }
-    return "best";
-}
-
 std::vector<TuneTrial> tune_trials(const TuneSetting& base) {
     std::vector<TuneTrial> trials = {{base, Tuned::nothing}};
     TuneSetting setting = base;

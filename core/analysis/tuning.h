@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/enum_names.h"
 #include "scb/descent_rule.h"
 #include "scb/fit.h"
 #include "scb/overlap_options.h"
@@ -31,8 +32,8 @@ enum class Tuned {
     several,  ///< the best of each together
 };
 
-/// "base", "test", "threshold", "descent", "growth", "best".
-std::string_view tuned_name(Tuned tuned);
+inline constexpr EnumNames<Tuned, 6> tuned_names = {
+    {"base", "test", "threshold", "descent", "growth", "best"}};
 
 struct TuneTrial {
     TuneSetting setting;

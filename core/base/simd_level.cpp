@@ -1,3 +1,4 @@
+#include "core/base/enum_names.h"
 #include "core/base/simd_targets.h"
 
 // After the line above.
@@ -54,19 +55,7 @@ std::vector<SimdLevel> available_simd_levels() {
 #endif
 
 std::string_view simd_level_name(SimdLevel level) {
-    switch (level) {
-        case SimdLevel::base:
-            return "base";
-        case SimdLevel::sse4:
-            return "sse4";
-        case SimdLevel::avx2:
-            return "avx2";
-        case SimdLevel::avx512:
-            return "avx512";
-        case SimdLevel::best:
-            break;
-    }
-    return "best";
+    return EnumNames<SimdLevel, 5>{{"best", "base", "sse4", "avx2", "avx512"}}[level];
 }
 
 }  // namespace scb

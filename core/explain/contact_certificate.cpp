@@ -112,18 +112,6 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point) {
     return least - outside;
 }
 
-std::string_view contact_name(Contact contact) {
-    switch (contact) {
-        case Contact::disjoint:
-            return "disjoint";
-        case Contact::overlapping:
-            return "overlapping";
-        case Contact::touching:
-            break;
-    }
-    return "touching";
-}
-
 bool verify(const Scb& a, const Scb& b, const ContactCertificate& proof) {
     return verify_within(a, b, proof, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
 }

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "core/base/enum_names.h"
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
@@ -11,8 +12,7 @@ namespace scb {
 /// Touching: neither farther apart nor deeper in each other than a tolerance.
 enum class Contact { disjoint, overlapping, touching };
 
-/// "disjoint", "overlapping", "touching".
-std::string_view contact_name(Contact contact);
+inline constexpr EnumNames<Contact, 3> contact_names = {{"disjoint", "overlapping", "touching"}};
 
 /// What was found about two volumes of one frame, with what proves it.
 struct ContactCertificate {

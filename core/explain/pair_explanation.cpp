@@ -23,18 +23,6 @@ PairExplanation explained(const V& a, const V& b, const Placement& placed,
 
 }  // namespace
 
-std::string_view answer_name(Answer answer) {
-    switch (answer) {
-        case Answer::false_positive:
-            return "false positive";
-        case Answer::false_negative:
-            return "false negative";
-        case Answer::correct:
-            break;
-    }
-    return "correct";
-}
-
 std::string ending_words(Stage stage) {
     return stage == Stage::overlapping ? "passed" : "rejected at " + std::string(stage_name(stage));
 }

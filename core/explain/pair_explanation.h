@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/enum_names.h"
 #include "core/explain/exact_verdict.h"
 #include "core/explain/overlap_steps.h"
 
@@ -16,8 +17,8 @@ enum class Answer {
     false_negative,  ///< the test rejected volumes that overlap: it misses collisions
 };
 
-/// "correct", "false positive", "false negative".
-std::string_view answer_name(Answer answer);
+inline constexpr EnumNames<Answer, 3> answer_names = {
+    {"correct", "false positive", "false negative"}};
 
 /// How a test ended, in words: "rejected at slab-cylinder", "passed".
 std::string ending_words(Stage stage);

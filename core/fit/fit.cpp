@@ -55,6 +55,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <sstream>
 
+#include "core/base/enum_names.h"
 #include "scb/error.h"
 #include "scb/mesh.h"
 
@@ -65,7 +66,7 @@ HWY_EXPORT(fit_ball_list);
 HWY_EXPORT(fit_obb_list);
 
 std::string_view ball_growth_name(BallGrowth growth) {
-    return growth == BallGrowth::ritter ? "ritter" : "radius";
+    return EnumNames<BallGrowth, 2>{{"radius", "ritter"}}[growth];
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/enum_names.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/mesh_topology.h"
@@ -12,17 +13,12 @@ namespace {
 
 constexpr std::array all_kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
                                   VolumeKind::obb};
-constexpr std::array<std::string_view, all_kinds.size()> names = {"scb", "ball", "ritter", "obb"};
+constexpr EnumNames<VolumeKind, all_kinds.size()> names = {{"scb", "ball", "ritter", "obb"}};
 
 }  // namespace
 
-std::string_view volume_kind_name(VolumeKind kind) { return names[static_cast<std::size_t>(kind)]; }
-
-std::optional<VolumeKind> volume_kind_of(std::string_view name) {
-    for (const VolumeKind kind : all_kinds)
-        if (volume_kind_name(kind) == name) return kind;
-    return std::nullopt;
-}
+std::string_view volume_kind_name(VolumeKind kind) { return names[kind]; }
+std::optional<VolumeKind> volume_kind_of(std::string_view name) { return names.find(name); }
 
 std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/enum_names.h"
 #include "core/base/parallel_for.h"
 #include "core/base/random.h"
 #include "core/hierarchy/primitives.h"
@@ -127,10 +128,10 @@ Split split_by_section_3(Range range, std::uint32_t first, const Primitives& pri
 }  // namespace
 
 std::string_view split_rule_name(SplitRule rule) {
-    constexpr std::array<std::string_view, split_rule_count> names = {
-        "leaf",        "longest side", "second side", "third side",
-        "median of 7", "sorted",       "index",       "least cost"};
-    return names[static_cast<std::size_t>(rule)];
+    constexpr EnumNames<SplitRule, split_rule_count> names = {
+        {"leaf", "longest side", "second side", "third side", "median of 7", "sorted", "index",
+         "least cost"}};
+    return names[rule];
 }
 
 namespace {
@@ -203,16 +204,13 @@ class Builder {
     Topology topology_;
 };
 
+constexpr EnumNames<SplitMethod, 2> method_names = {{"paper", "cost"}};
+
 }  // namespace
 
-std::string_view split_method_name(SplitMethod method) {
-    return method == SplitMethod::cost ? "cost" : "paper";
-}
-
+std::string_view split_method_name(SplitMethod method) { return method_names[method]; }
 std::optional<SplitMethod> split_method_of(std::string_view name) {
-    for (const SplitMethod method : {SplitMethod::section_3, SplitMethod::cost})
-        if (split_method_name(method) == name) return method;
-    return std::nullopt;
+    return method_names.find(name);
 }
 
 Topology build_topology(const Mesh& mesh, const TopologyOptions& options) {

@@ -4,13 +4,15 @@
 
 #include <array>
 
+#include "core/base/enum_names.h"
+
 namespace scb {
 namespace {
 
 constexpr std::array tests = {OverlapTest::printed, OverlapTest::line8, OverlapTest::corrected,
                               OverlapTest::symmetric, OverlapTest::extents};
-constexpr std::array<std::string_view, tests.size()> names = {"printed", "line8", "corrected",
-                                                              "symmetric", "extents"};
+constexpr EnumNames<OverlapTest, tests.size()> names = {
+    {"printed", "line8", "corrected", "symmetric", "extents"}};
 
 constexpr std::array table_1 = {Stage::ball_ball, Stage::slab_ball, Stage::ball_slab,
                                 Stage::slab_cylinder, Stage::cylinder_slab};
@@ -22,15 +24,8 @@ constexpr std::array axes = {
 
 }  // namespace
 
-std::string_view overlap_test_name(OverlapTest test) {
-    return names[static_cast<std::size_t>(test)];
-}
-
-std::optional<OverlapTest> overlap_test_of(std::string_view name) {
-    for (const OverlapTest test : tests)
-        if (overlap_test_name(test) == name) return test;
-    return std::nullopt;
-}
+std::string_view overlap_test_name(OverlapTest test) { return names[test]; }
+std::optional<OverlapTest> overlap_test_of(std::string_view name) { return names.find(name); }
 
 std::span<const OverlapTest> all_overlap_tests() { return tests; }
 

@@ -63,7 +63,7 @@ Json pictures_json(const ResultPictures& pictures) {
 
 Json case_json(const CaseResult& result) {
     return {{"name", result.name},
-            {"verdict", verdict_name(result.verdict)},
+            {"verdict", verdict_names[result.verdict]},
             {"message", result.message},
             {"lines", result.lines},
             {"counts", list_json(result.counts, count_json)},

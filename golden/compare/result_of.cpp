@@ -96,7 +96,7 @@ ResultPictures pictures_at(const scenes::JsonPlace& place) {
 }
 
 Verdict verdict_at(const scenes::JsonPlace& place) {
-    const std::optional<Verdict> verdict = verdict_of(scenes::read_text(place));
+    const std::optional<Verdict> verdict = verdict_names.find(scenes::read_text(place));
     if (!verdict) scenes::refuse_value(place, "a verdict");
     return *verdict;
 }

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/enum_names.h"
+
 namespace scb::golden {
 
 /// What the comparison of a case with its baseline came to.
@@ -16,10 +18,9 @@ enum class Verdict {
     skipped,           ///< what it needs (meshes) is not here
 };
 
-/// "same", "different", "size differs", "missing baseline", "new output", "could not run",
-/// "skipped".
-std::string_view verdict_name(Verdict verdict);
-std::optional<Verdict> verdict_of(std::string_view name);
+inline constexpr EnumNames<Verdict, 7> verdict_names = {{"same", "different", "size differs",
+                                                         "missing baseline", "new output",
+                                                         "could not run", "skipped"}};
 
 /// Whether a run with such a case fails: all but same and skipped.
 bool is_failure(Verdict verdict);

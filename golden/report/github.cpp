@@ -73,7 +73,7 @@ std::string lines_text(const CaseResult& result, std::size_t most) {
 
 std::string annotation_of(const CaseResult& result) {
     return annotation(
-        result.name + " (" + std::string(verdict_name(result.verdict)) + ")",
+        result.name + " (" + std::string(verdict_names[result.verdict]) + ")",
         shortened(plain_text(result.message)) + lines_text(result, most_annotated_lines));
 }
 
@@ -100,7 +100,7 @@ std::string code_block(std::string_view language, std::string_view text) {
 
 std::string section_of(const CaseResult& result) {
     std::string section = "### " + markdown(result.name, longest_name) + "\n\n**" +
-                          std::string(verdict_name(result.verdict)) +
+                          std::string(verdict_names[result.verdict]) +
                           "**: " + markdown(result.message, longest_sentence) + "\n\n";
     const std::string lines = lines_text(result, most_summary_lines);
     if (!lines.empty()) section += code_block("", lines.substr(1) + "\n");
@@ -116,7 +116,7 @@ std::string verdict_table(const SuiteResult& result) {
     std::string table = "| verdict | cases |\n| --- | ---: |\n";
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (counts[i] > 0)
-            table += "| " + std::string(verdict_name(static_cast<Verdict>(i))) + " | " +
+            table += "| " + std::string(verdict_names[static_cast<Verdict>(i)]) + " | " +
                      std::to_string(counts[i]) + " |\n";
     return table + "\n";
 }

@@ -85,7 +85,7 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     data values;
     values["name"] = result.name;
     values["anchor"] = anchor_of(result.name, anchors);
-    values["verdict"] = std::string(verdict_name(result.verdict));
+    values["verdict"] = std::string(verdict_names[result.verdict]);
     values["message"] = result.message;
     values["has_message"] = flag(!result.message.empty());
     values["seconds"] = seconds_text(result.seconds);
@@ -158,7 +158,7 @@ void set_header(data& values, const SuiteResult& result, std::size_t failures) {
                                      [&](const CaseResult& c) { return c.verdict == verdict; });
         if (n == 0) continue;
         data chip;
-        chip["verdict"] = std::string(verdict_name(verdict));
+        chip["verdict"] = std::string(verdict_names[verdict]);
         chip["n"] = grouped(static_cast<std::uint64_t>(n));
         chips << chip;
     }

@@ -51,7 +51,7 @@ data case_of(const CaseResult& result) {
     data outcome;
     outcome["element"] = element_of(result.verdict);
     outcome["message"] = xml_text(result.message);
-    outcome["verdict"] = std::string(verdict_name(result.verdict));
+    outcome["verdict"] = std::string(verdict_names[result.verdict]);
     outcome["lines"] = xml_text(lines_of(result));
     values.set("outcome", outcome);
     return values;

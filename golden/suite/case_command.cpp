@@ -49,7 +49,7 @@ std::string argument_from_here(const std::string& word, const fs::path& folder) 
 }  // namespace
 
 std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& folder) {
-    const std::string name(golden_run_name(golden.run));
+    const std::string name(golden_run_names[golden.run]);
     std::vector<std::string> command;
     if (golden.run != GoldenRun::inspect && golden.run != GoldenRun::collide)
         command.emplace_back("render");

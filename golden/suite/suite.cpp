@@ -13,11 +13,6 @@
 namespace scb::golden {
 namespace {
 
-constexpr std::pair<GoldenRun, std::string_view> runs[] = {
-    {GoldenRun::levels, "levels"},         {GoldenRun::pairs, "pairs"},
-    {GoldenRun::rejections, "rejections"}, {GoldenRun::traversal, "traversal"},
-    {GoldenRun::inspect, "inspect"},       {GoldenRun::collide, "collide"}};
-
 /// Larger pictures make large repositories.
 constexpr int largest_side = 512;
 
@@ -30,17 +25,13 @@ constexpr std::string_view refused_arguments[] = {
     "--pairs-out", "--samples", "--quiet",    "--color", "--gl",      "--models",
     "--frame",     "--frames",  "--volume",   "--test",  "--size",    "--top"};
 
-std::string list_of_runs() {
-    std::string list;
-    for (const auto& [run, name] : runs) list += (list.empty() ? "" : ", ") + std::string(name);
-    return list;
-}
-
 GoldenRun read_run(const scenes::JsonPlace& place) {
-    const std::string text = scenes::read_text(place);
-    for (const auto& [run, name] : runs)
-        if (name == text) return run;
-    scenes::refuse_value(place, "one of " + list_of_runs());
+    const std::optional<GoldenRun> run = golden_run_names.find(scenes::read_text(place));
+    if (run) return *run;
+    std::string list;
+    for (const std::string_view name : golden_run_names.names)
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    scenes::refuse_value(place, "one of " + list);
 }
 
 std::string read_size(const scenes::JsonPlace& place) {
@@ -180,7 +171,7 @@ class Reader {
     /// What the run cannot make is not compared, and must not be asked for.
     static void check_what_is_made(const scenes::JsonPlace& place, GoldenCase& golden,
                                    const std::set<std::string>& given) {
-        const std::string run(golden_run_name(golden.run));
+        const std::string run(golden_run_names[golden.run]);
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)
@@ -250,12 +241,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string_view golden_run_name(GoldenRun run) {
-    for (const auto& [r, name] : runs)
-        if (r == run) return name;
-    return "";
-}
 
 bool has_picture(GoldenRun run) { return run != GoldenRun::collide; }
 

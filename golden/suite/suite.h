@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/enum_names.h"
 #include "golden/suite/color_tolerance.h"
 
 namespace scb::golden {
@@ -13,8 +14,8 @@ namespace scb::golden {
 /// What a case makes: the commands of scb.
 enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide };
 
-/// "levels", "pairs", ...
-std::string_view golden_run_name(GoldenRun run);
+inline constexpr EnumNames<GoldenRun, 6> golden_run_names = {
+    {"levels", "pairs", "rejections", "traversal", "inspect", "collide"}};
 
 /// Whether it makes a picture; whether that has ids.
 bool has_picture(GoldenRun run);

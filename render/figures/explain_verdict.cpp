@@ -61,7 +61,7 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
                          ? std::nullopt
                          : std::optional(ending_color(rejected_at(stage), theme))});
     lines.push_back({"exact:  " + exact_words(found.proof), theme.text, FontWeight::bold});
-    std::string answer(answer_name(found.answer));
+    std::string answer(answer_names[found.answer]);
     if (found.answer == Answer::correct)
         answer = "the test is right" + (figure.but.empty() ? "" : ", but " + figure.but);
     else

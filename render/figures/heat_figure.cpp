@@ -5,20 +5,6 @@
 #include "render/view/palette.h"
 
 namespace scb::render {
-namespace {
-
-constexpr std::array<std::string_view, 2> heat_names = {"volumes", "triangles"};
-
-}  // namespace
-
-std::string_view heat_of_name(HeatOf of) { return heat_names[static_cast<std::size_t>(of)]; }
-
-std::optional<HeatOf> heat_of_of(std::string_view name) {
-    for (std::size_t i = 0; i < heat_names.size(); ++i)
-        if (heat_names[i] == name) return static_cast<HeatOf>(i);
-    return std::nullopt;
-}
-
 Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
              std::optional<std::uint32_t> scale_end) {
     Heat heat;

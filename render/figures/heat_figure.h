@@ -6,14 +6,14 @@
 
 #include "core/analysis/trace.h"
 #include "core/analysis/triangle_heat.h"
+#include "core/base/enum_names.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
 #include "render/plots/plot_axis.h"
 
 namespace scb::render {
 
-std::string_view heat_of_name(HeatOf of);
-std::optional<HeatOf> heat_of_of(std::string_view name);
+inline constexpr EnumNames<HeatOf, 2> heat_names = {{"volumes", "triangles"}};
 
 /// In how many tests each triangle of both bodies took part, and the scale of its colors.
 struct Heat {

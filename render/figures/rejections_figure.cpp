@@ -7,17 +7,15 @@
 namespace scb::render {
 namespace {
 
-constexpr std::array<std::string_view, 4> color_names = {"first", "last", "dominant", "share"};
-
-Rgba8 color_of(const EndedPaths& node, FrontColor by, const Theme& theme) {
+Rgba8 color_of(const EndedPaths& node, EndingChoice by, const Theme& theme) {
     switch (by) {
-        case FrontColor::first:
+        case EndingChoice::first:
             return ending_color(node.first, theme);
-        case FrontColor::last:
+        case EndingChoice::last:
             return ending_color(node.last, theme);
-        case FrontColor::dominant:
+        case EndingChoice::dominant:
             return ending_color(node.dominant, theme);
-        case FrontColor::share:
+        case EndingChoice::share:
             break;
     }
     return viridis(static_cast<double>(node.rejected) / node.tested);
@@ -31,33 +29,23 @@ double opacity_of(Rgba8 color, const RejectionsStyle& style) {
 
 }  // namespace
 
-std::string_view front_color_name(FrontColor color) {
-    return color_names[static_cast<std::size_t>(color)];
-}
-
-std::optional<FrontColor> front_color_of(std::string_view name) {
-    for (std::size_t i = 0; i < color_names.size(); ++i)
-        if (color_names[i] == name) return static_cast<FrontColor>(i);
-    return std::nullopt;
-}
-
-Fronts fronts_of(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
-                 const RejectionsStyle& style) {
-    Fronts fronts;
+EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
+                       const TraversalTree& tree, const RejectionsStyle& style) {
+    EndedNodes ended;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!style.sides[side]) continue;
-        fronts[side] = ended_paths(frame, tree, side, style.filter);
+        ended[side] = ended_paths(frame, tree, side, style.filter);
         if (!style.nested)
-            fronts[side] = innermost(fronts[side], topology_of(*bodies[side].hierarchy));
+            ended[side] = innermost(ended[side], topology_of(*bodies[side].hierarchy));
     }
-    return fronts;
+    return ended;
 }
 
-Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
+Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
                      const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side)
-        for (const EndedPaths& node : fronts[side]) {
+        for (const EndedPaths& node : ended[side]) {
             const Rgba8 color = color_of(node, style.by, *style.theme);
             pane.volumes.push_back({volume_of(bodies[side], node.node),
                                     with_opacity(color, opacity_of(color, style)),
@@ -66,13 +54,13 @@ Pane rejections_pane(const QueryBodies& bodies, const Fronts& fronts,
     return pane;
 }
 
-PanelItem front_color_key(const RejectionsStyle& style) {
-    if (style.by == FrontColor::share)
+PanelItem ending_choice_key(const RejectionsStyle& style) {
+    if (style.by == EndingChoice::share)
         return PanelScale{"color: share of a node's tests rejected",
                           {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
     return PanelNote{"a node's " +
-                     std::string(style.by == FrontColor::dominant ? "most frequent"
-                                                                  : front_color_name(style.by)) +
+                     std::string(style.by == EndingChoice::dominant ? "most frequent"
+                                                                    : ending_choices[style.by]) +
                      " ending" + (style.nested ? "" : "; those that hold others are left out")};
 }
 
@@ -95,22 +83,22 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
 
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
                                         const TraceFrame& frame, const TraversalTree& tree,
-                                        const Fronts& fronts, const RejectionsStyle& style) {
+                                        const EndedNodes& ended, const RejectionsStyle& style) {
     const EndingCounts counts = ending_counts(frame, tree);
-    const std::uint64_t ended = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    const std::uint64_t paths = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     std::vector<PanelItem> items;
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
-    items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - ended)}});
+    items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
     for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(
             PanelRow{"volumes of " + bodies[side].name,
-                     {style.sides[side] ? count_text(fronts[side].size()) : std::string("–")}});
-    items.push_back(front_color_key(style));
+                     {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
+    items.push_back(ending_choice_key(style));
     return items;
 }
 

@@ -10,8 +10,6 @@
 namespace scb::render {
 namespace {
 
-constexpr std::array<std::string_view, 4> color_by_names = {"body", "depth", "radius", "thickness"};
-
 // Lighter or darker by up to a tenth, the same for a node in every picture.
 Rgba8 varied(Rgba8 color, std::uint32_t node) {
     const double t = static_cast<double>((node * 2654435761u) >> 16) / 65535.0 * 2 - 1;
@@ -19,14 +17,6 @@ Rgba8 varied(Rgba8 color, std::uint32_t node) {
 }
 
 }  // namespace
-
-std::string_view color_by_name(ColorBy by) { return color_by_names[static_cast<std::size_t>(by)]; }
-
-std::optional<ColorBy> color_by_of(std::string_view name) {
-    for (std::size_t i = 0; i < color_by_names.size(); ++i)
-        if (color_by_names[i] == name) return static_cast<ColorBy>(i);
-    return std::nullopt;
-}
 
 template <Volume V>
 double color_magnitude(const ColorScale& scale, const V& volume, int depth) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/enum_names.h"
 #include "render/overlay/side_panel.h"
 #include "render/view/palette.h"
 #include "scb/any_hierarchy.h"
@@ -20,8 +21,7 @@ enum class ColorBy {
                 ///< ball), on a square-root scale
 };
 
-std::string_view color_by_name(ColorBy by);
-std::optional<ColorBy> color_by_of(std::string_view name);
+inline constexpr EnumNames<ColorBy, 4> color_by_names = {{"body", "depth", "radius", "thickness"}};
 
 /// The scale that the pictures of a run share.
 struct ColorScale {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/depth_matrix.h"
+#include "core/base/enum_names.h"
 #include "render/overlay/scales.h"
 
 namespace scb::render {
@@ -10,6 +11,7 @@ enum class MatrixMeasure {
     tests,  ///< how many volume tests; logarithmic, from 1 to a power of ten
     share,  ///< which share of them was rejected; linear, from 0 to 1
 };
+inline constexpr EnumNames<MatrixMeasure, 2> matrix_measure_names = {{"tests", "share"}};
 
 /// Draws the cells as far as the rectangle allows, the depth of A from left to right and that of B
 /// from top to bottom, with the depths beside them and the scale of colors below. Cells without

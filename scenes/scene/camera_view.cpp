@@ -88,7 +88,7 @@ CameraView parse_camera(std::string_view text) {
     return parse_camera_json(read_text_file(file), file);
 }
 
-std::string camera_json(const CameraView& camera) {
+nlohmann::ordered_json camera_json(const CameraView& camera) {
     nlohmann::ordered_json json = {{"azimuth", camera.azimuth}, {"elevation", camera.elevation}};
     if (camera.distance) json["distance"] = *camera.distance;
     if (camera.target) json["target"] = array_of(*camera.target);
@@ -99,7 +99,7 @@ std::string camera_json(const CameraView& camera) {
     if (camera.inset)
         json["inset"] = {{"center", array_of(camera.inset->center)},
                          {"radius", camera.inset->radius}};
-    return json.dump();
+    return json;
 }
 
 }  // namespace scb::scenes

@@ -43,9 +43,9 @@ CameraView parse_camera(std::string_view text);
 /// (InputError).
 CameraView parse_camera_json(std::string_view json_text, const std::string& file);
 
-/// The camera object of a scene file, as JSON text: what parse_camera_json reads back to the same
+/// The camera object of a scene file, as JSON: what parse_camera_json reads back to the same
 /// values.
-std::string camera_json(const CameraView& camera);
+nlohmann::ordered_json camera_json(const CameraView& camera);
 
 /// The camera object that stands at `place`. Throws InputError, naming file and place.
 CameraView read_camera(const JsonPlace& place);

@@ -98,9 +98,9 @@ void describe(render::SceneFigure& figure, What what, const render::QueryBodies&
     }
     const render::RejectionsStyle style;
     const TraversalTree tree = traversal_tree(header, frame);
-    const render::Fronts fronts = render::fronts_of(bodies, frame, tree, style);
-    figure.pane = render::rejections_pane(bodies, fronts, style);
-    figure.panel = render::rejections_panel(bodies, header, frame, tree, fronts, style);
+    const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
+    figure.pane = render::rejections_pane(bodies, ended, style);
+    figure.panel = render::rejections_panel(bodies, header, frame, tree, ended, style);
     figure.chart = render::endings_chart(header, frame, tree, *style.theme);
 }
 
@@ -201,12 +201,12 @@ void sequence(benchmark::State& state, What what) {
         handles.push_back(renderer.upload(named.mesh));
     const std::vector<render::AnyVolume> held = held_volumes(spheres, frames);
     const render::Support support = render::support_of(held);
-    const scenes::CameraView spec = spheres.scene.camera.value_or(scenes::CameraView{});
+    const scenes::CameraView wish = spheres.scene.camera.value_or(scenes::CameraView{});
     render::CameraFit fit;
     fit.aspect = render::aspect_of(render::figure_layout(width, height).view);
-    fit.vertical_fov = spec.field_of_view;
+    fit.vertical_fov = wish.field_of_view;
     const render::Camera camera =
-        render::fit_camera(render::orbit_axes(spec.azimuth, spec.elevation), support, fit);
+        render::fit_camera(render::orbit_axes(wish.azimuth, wish.elevation), support, fit);
     const Vec3 center = render::center_of(support);
 
     for (auto _ : state) {

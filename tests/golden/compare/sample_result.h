@@ -47,7 +47,7 @@ inline SuiteResult sample_result() {
         CaseResult plain;
         plain.name = "case-" + std::to_string(static_cast<int>(verdict));
         plain.verdict = verdict;
-        plain.message = "The verdict is " + std::string(verdict_name(verdict)) + ".";
+        plain.message = "The verdict is " + std::string(verdict_names[verdict]) + ".";
         plain.seconds = 1.0 / 3;
         result.cases.push_back(plain);
     }

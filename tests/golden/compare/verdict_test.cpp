@@ -10,17 +10,18 @@ constexpr Verdict all[] = {
     Verdict::new_output, Verdict::could_not_run, Verdict::skipped};
 
 TEST(Verdicts, AreFoundByTheirNames) {
-    for (const Verdict verdict : all) EXPECT_EQ(verdict_of(verdict_name(verdict)), verdict);
-    EXPECT_EQ(verdict_name(Verdict::missing_baseline), "missing baseline");
-    EXPECT_EQ(verdict_name(Verdict::skipped), "skipped");
-    EXPECT_EQ(verdict_of("Same"), std::nullopt);
-    EXPECT_EQ(verdict_of(""), std::nullopt);
+    for (const Verdict verdict : all)
+        EXPECT_EQ(verdict_names.find(verdict_names[verdict]), verdict);
+    EXPECT_EQ(verdict_names[Verdict::missing_baseline], "missing baseline");
+    EXPECT_EQ(verdict_names[Verdict::skipped], "skipped");
+    EXPECT_EQ(verdict_names.find("Same"), std::nullopt);
+    EXPECT_EQ(verdict_names.find(""), std::nullopt);
 }
 
 TEST(Verdicts, AllButSameAndSkippedFail) {
     for (const Verdict verdict : all)
         EXPECT_EQ(is_failure(verdict), verdict != Verdict::same && verdict != Verdict::skipped)
-            << verdict_name(verdict);
+            << verdict_names[verdict];
 }
 
 }  // namespace

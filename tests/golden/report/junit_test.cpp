@@ -71,7 +71,7 @@ TEST(JUnit, TellsEveryVerdict) {
         const XmlElement& outcome = cases[i].children[0];
         EXPECT_EQ(outcome.name, elements[i]);
         EXPECT_EQ(outcome.attributes.at("message"), result.cases[i].message);
-        EXPECT_EQ(outcome.attributes.at("type"), verdict_name(result.cases[i].verdict));
+        EXPECT_EQ(outcome.attributes.at("type"), verdict_names[result.cases[i].verdict]);
     }
     EXPECT_EQ(cases[7].attributes.at("name"), "the whole run");
     EXPECT_EQ(cases[7].children.at(0).name, "error");

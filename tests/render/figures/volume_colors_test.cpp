@@ -9,8 +9,8 @@ namespace {
 
 TEST(VolumeColors, NamesAreReadBack) {
     for (const ColorBy by : {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness})
-        EXPECT_EQ(color_by_of(color_by_name(by)), by);
-    EXPECT_FALSE(color_by_of("mood"));
+        EXPECT_EQ(color_by_names.find(color_by_names[by]), by);
+    EXPECT_FALSE(color_by_names.find("mood"));
 }
 
 TEST(VolumeColors, MagnitudesFollowTheirScales) {

@@ -268,11 +268,11 @@ TEST(Attribution, VerdictsAreThoseOfTheExplanation) {
                     continue;
                 }
                 ++verdicts[explained];
-                EXPECT_EQ(contact_name(query.result.passed[0].exact), contact_name(explained))
+                EXPECT_EQ(contact_names[query.result.passed[0].exact], contact_names[explained])
                     << volume_kind_name(kind) << " at " << away << ", " << i;
             }
     for (const Contact contact : {Contact::disjoint, Contact::overlapping, Contact::touching})
-        EXPECT_GT(verdicts[contact], 0) << contact_name(contact);
+        EXPECT_GT(verdicts[contact], 0) << contact_names[contact];
 }
 
 TEST(Attribution, TrianglesAsFarApartAsRoundingTouch) {

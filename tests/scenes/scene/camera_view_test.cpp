@@ -37,7 +37,7 @@ TEST(CameraJson, ComesBackAsItWasWritten) {
     camera.orthographic = true;
     camera.view_height = 4;
     camera.inset = Inset{{-0.025, 0, 0}, 0.12};
-    const CameraView again = parse_camera_json(camera_json(camera), "again");
+    const CameraView again = parse_camera_json(camera_json(camera).dump(), "again");
     EXPECT_EQ(camera_json(again), camera_json(camera));
     EXPECT_EQ(again.azimuth, 0.1);
     EXPECT_EQ(again.distance, 1.0 / 3);
