@@ -18,13 +18,13 @@
 namespace scb::app {
 namespace {
 
-struct Options : GoldenOptions {
+struct CheckOptions : GoldenOptions {
     std::string shard;
     ResultFiles files;
     bool trace = false;
 };
 
-std::vector<golden::GoldenCase> cases_of(const Options& options, const golden::Suite& suite) {
+std::vector<golden::GoldenCase> cases_of(const CheckOptions& options, const golden::Suite& suite) {
     std::vector<golden::GoldenCase> cases = options.chosen(suite);
     if (cases.empty())
         throw InputError(options.suite +
@@ -38,7 +38,7 @@ std::vector<golden::GoldenCase> cases_of(const Options& options, const golden::S
     return mine;
 }
 
-int run(const Options& options, const Console& console) {
+int run(const CheckOptions& options, const Console& console) {
     options.check();
     if (options.trace && options.files.report.empty())
         throw InputError(
@@ -94,7 +94,7 @@ int run(const Options& options, const Console& console) {
 void add_golden_check(const Command& golden, const Console& console, Action& action) {
     const Command command =
         golden.add_subcommand("check", "Run the cases and compare them with their baselines");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CheckOptions>();
     add_golden_options(command, *options);
     command
         .add_option("--shard", options->shard,

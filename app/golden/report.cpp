@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReportOptions {
     std::vector<std::string> from;
     ResultFiles files;
 };
@@ -36,7 +36,7 @@ void gather(const golden::CaseResult& result, const fs::path& folder, const fs::
     }
 }
 
-int run(const Options& options, const Console& console) {
+int run(const ReportOptions& options, const Console& console) {
     const golden::GoldenWork work;
     std::vector<golden::ResultPart> parts;
     for (const std::string& file : options.from)
@@ -61,7 +61,7 @@ int run(const Options& options, const Console& console) {
 void add_golden_report(const Command& golden, const Console& console, Action& action) {
     const Command command = golden.add_subcommand(
         "report", "Make one report of the results of one run or of several shards");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReportOptions>();
     command
         .add_option("--from", options->from,
                     "results.json of each shard, with the pictures beside it")

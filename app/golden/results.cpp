@@ -137,7 +137,7 @@ std::string results_text(const golden::SuiteResult& result) {
         ++counts[c.verdict];
         tolerated += golden::is_tolerated(c);
         if (c.verdict == golden::Verdict::same) continue;
-        text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_name(c.verdict)) +
+        text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_names[c.verdict]) +
                 ". " + golden::plain_text(c.message) + "\n";
         for (const std::string& line : golden::result_lines(c)) text += "    " + line + "\n";
         if (!c.reproduce.empty()) text += "    " + golden::plain_text(c.reproduce) + "\n";
@@ -152,7 +152,7 @@ std::string results_text(const golden::SuiteResult& result) {
     const char* separator = ": ";
     for (const auto& [verdict, count] : counts) {
         text +=
-            separator + std::to_string(count) + " " + std::string(golden::verdict_name(verdict));
+            separator + std::to_string(count) + " " + std::string(golden::verdict_names[verdict]);
         if (verdict == golden::Verdict::same && tolerated > 0)
             text += " (" + std::to_string(tolerated) + " within the tolerance)";
         separator = ", ";

@@ -29,7 +29,7 @@ constexpr const char *a_query = "`collide` of slab cut balls and many frames",
                      *rejections = "`rejections` of slab cut balls";
 
 golden::RunMutation of_hierarchy_or_query(Mutation mutation) {
-    return {{"--mutation", std::string(mutation_name(mutation))}};
+    return {{"--mutation", std::string(mutation_names[mutation])}};
 }
 
 const Expected expectations[] = {

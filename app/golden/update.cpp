@@ -18,7 +18,7 @@
 namespace scb::app {
 namespace {
 
-struct Options : GoldenOptions {
+struct UpdateOptions : GoldenOptions {
     bool failing = false, missing = false, all = false;
 
     void check() const;
@@ -26,7 +26,7 @@ struct Options : GoldenOptions {
     bool takes(golden::Verdict verdict) const;
 };
 
-void Options::check() const {
+void UpdateOptions::check() const {
     GoldenOptions::check();
     const char* ci = std::getenv("CI");
     if (ci != nullptr && *ci != '\0')
@@ -37,7 +37,7 @@ void Options::check() const {
         throw InputError("which baselines? Give names of cases, or --failing, --missing or --all.");
 }
 
-bool Options::takes(golden::Verdict verdict) const {
+bool UpdateOptions::takes(golden::Verdict verdict) const {
     if (verdict == golden::Verdict::could_not_run || verdict == golden::Verdict::skipped)
         return false;
     if (missing) return verdict == golden::Verdict::missing_baseline;
@@ -52,7 +52,7 @@ struct Updated {
 };
 
 /// Updates the baseline of a case that came to `result`, where that is asked for.
-void update_case(const Options& options, const golden::GoldenCheck& check,
+void update_case(const UpdateOptions& options, const golden::GoldenCheck& check,
                  const golden::GoldenCase& golden, const golden::CaseResult& result,
                  Updated& updated) {
     const auto fail = [&](const std::string& sentence) {
@@ -84,7 +84,7 @@ void print(const Updated& updated, std::size_t cases) {
                  golden::words::counted(cases, "case", "cases") + " updated\n");
 }
 
-int run(const Options& options, const Console& console) {
+int run(const UpdateOptions& options, const Console& console) {
     options.check();
     const golden::Suite suite = golden::load_suite(options.suite);
     const golden::GoldenWork work;
@@ -133,7 +133,7 @@ int run(const Options& options, const Console& console) {
 void add_golden_update(const Command& golden, const Console& console, Action& action) {
     const Command command =
         golden.add_subcommand("update", "Run cases and make what they give their baselines");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<UpdateOptions>();
     add_golden_options(command, *options);
     command.get_option("NAME").description("Cases");
     command.add_flag("--failing", options->failing, "All cases that differ or have no baseline");

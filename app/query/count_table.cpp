@@ -13,8 +13,6 @@ std::uint64_t tests_at(const Collision& found, Stage stage) {
     return found.stages[static_cast<std::size_t>(stage)];
 }
 
-unsigned long long wide(std::uint64_t value) { return value; }
-
 }  // namespace
 
 std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options) {

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct DiffOptions {
     std::string a, b;
     bool json = false;
 };
@@ -31,7 +31,7 @@ Json counts_json(const TraceCounts& a, const TraceCounts& b) {
     return result;
 }
 
-Json json_of(const Options& options, const TraceDiff& d) {
+Json json_of(const DiffOptions& options, const TraceDiff& d) {
     Json asked = Json::array(), frames = Json::array(), first;
     for (const FieldDifference& field : d.asked)
         asked.push_back({{"field", field.name}, {"a", field.a}, {"b", field.b}});
@@ -69,7 +69,7 @@ Json json_of(const Options& options, const TraceDiff& d) {
             {"first", first}};
 }
 
-int run(const Options& options) {
+int run(const DiffOptions& options) {
     scenes::TraceInput a(options.a), b(options.b);
     const TraceDiff d = diff(
         a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
@@ -87,7 +87,7 @@ int run(const Options& options) {
 void add_diff(const Command& program, Action& action) {
     const Command command = program.add_subcommand(
         "diff", "Compare two traces: equal, or the first test at which they part");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->a, "A trace, see `scb trace`").required().type_name("");
     command.add_option("B", options->b, "Another trace").required().type_name("");
     command.add_flag("--json", options->json, "Print JSON instead of text");

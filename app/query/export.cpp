@@ -21,7 +21,7 @@ namespace {
 // Viewers choke on more, and so does a 32-bit index.
 constexpr std::size_t most_triangles = 40'000'000;
 
-struct Options {
+struct ExportOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     std::string levels;
@@ -39,7 +39,7 @@ void append(Mesh& mesh, const Mesh& part) {
                          " triangles; give a coarser level or fewer --segments.");
 }
 
-int run(const Options& options, const Console& console) {
+int run(const ExportOptions& options, const Console& console) {
     if (options.segments < 3 || options.segments > 1024)
         throw InputError("--segments " + std::to_string(options.segments) +
                          ": give 3 to 1024 corners per circle.");
@@ -91,7 +91,7 @@ int run(const Options& options, const Console& console) {
 void add_export(const Command& program, const Console& console, Action& action) {
     const Command command =
         program.add_subcommand("export", "Write a level as a mesh, for other viewers");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ExportOptions>();
     add_scene_options(command, options->scene, true);
     add_hierarchy_options(command, options->hierarchy);
     command.add_option("--levels,--level", options->levels, "The level: a number, or 'leaves'")

@@ -26,7 +26,7 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-struct Options {
+struct StatsOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     std::string layouts = layout_names(",");
@@ -43,7 +43,7 @@ struct Packed {
 };
 
 /// Those of --layout.
-std::vector<PackedLayout> packed_layouts(const Options& options) {
+std::vector<PackedLayout> packed_layouts(const StatsOptions& options) {
     std::vector<PackedLayout> result;
     for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
         if (!layout)
@@ -72,7 +72,7 @@ struct Measured {
 };
 
 void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& mesh,
-                const Options& options) {
+                const StatsOptions& options) {
     const auto* scbs = std::get_if<Hierarchy<Scb>>(&hierarchy);
     if (scbs == nullptr) return;
     for (const PackedLayout& layout : packed_layouts(options)) {
@@ -90,9 +90,9 @@ void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& m
 }
 
 /// The value over that of the level above.
-double ratio(double value, double above) { return above > 0 ? value / above : 0; }
+double over_parent(double value, double above) { return above > 0 ? value / above : 0; }
 
-std::vector<Measured> measure(const Options& options) {
+std::vector<Measured> measure(const StatsOptions& options) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     BuildOptions build = options.hierarchy.build();
     check_threads(options.threads);
@@ -156,7 +156,7 @@ std::string table(const Measured& m) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
         const auto ratio_text = [i](double value, double before) {
-            return i == 0 ? std::string("        ") : format(" %7.3f", ratio(value, before));
+            return i == 0 ? std::string("        ") : format(" %7.3f", over_parent(value, before));
         };
         text += format("%5zu %8u %8u %8u %9.4g %9.4g", i, l.volumes, l.leaves, l.cover,
                        l.mean_diameter(), l.max_diameter) +
@@ -197,8 +197,10 @@ Json json_of(const Measured& m) {
                       {"area", l.area},
                       {"volume", l.volume}};
         if (i > 0) {
-            level["diameter_ratio"] = ratio(l.mean_diameter(), m.levels[i - 1].mean_diameter());
-            level["thickness_ratio"] = ratio(l.mean_thickness(), m.levels[i - 1].mean_thickness());
+            level["diameter_ratio"] =
+                over_parent(l.mean_diameter(), m.levels[i - 1].mean_diameter());
+            level["thickness_ratio"] =
+                over_parent(l.mean_thickness(), m.levels[i - 1].mean_thickness());
         }
         for (std::size_t r = 0; r < split_rule_count; ++r)
             level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
@@ -232,9 +234,9 @@ Json json_of(const Measured& m) {
     return result;
 }
 
-int run(const Options& options, const Console& console) {
+int run(const StatsOptions& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    const Options defaults;
+    const StatsOptions defaults;
     if (std::find(kinds.begin(), kinds.end(), VolumeKind::scb) == kinds.end())
         for (const auto& [option, given] :
              {std::pair("--layout", options.layouts != defaults.layouts),
@@ -260,7 +262,7 @@ int run(const Options& options, const Console& console) {
 
 void add_stats(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand("stats", "Hierarchy quality, level by level");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StatsOptions>();
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy);
     command.add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")

@@ -21,7 +21,7 @@
 namespace scb::app {
 namespace {
 
-struct Options {
+struct TraceOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
@@ -30,7 +30,7 @@ struct Options {
     std::string output;
 };
 
-int record(const Options& options, const Console& console) {
+int record(const TraceOptions& options, const Console& console) {
     if (options.output.empty()) {
         options.scene.load();  // may say that there is no such scene
         throw InputError("there is nowhere to write the trace; give -o FILE.scbtrace.");
@@ -75,7 +75,7 @@ int record(const Options& options, const Console& console) {
 }
 
 /// `given`: options on the command line that only recording has a use for.
-int print(const Options& options, const std::vector<std::string>& given) {
+int print(const TraceOptions& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
     refuse_for_trace(given, path);
     if (!options.output.empty())
@@ -125,7 +125,7 @@ int print(const Options& options, const std::vector<std::string>& given) {
 void add_trace(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "trace", "Record every test of collision queries to a file, or print such a file");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TraceOptions>();
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);

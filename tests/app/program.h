@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/temporary_folder.h"
 
@@ -34,6 +35,7 @@ inline const std::string interrupted = interrupted_by("INT");
 std::string file_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 
+std::vector<std::string> lines(const std::string& text);
 std::size_t lines_of(const std::string& text);
 std::size_t files_in(const std::filesystem::path& folder);
 

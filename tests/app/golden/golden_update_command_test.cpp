@@ -44,8 +44,8 @@ TEST_F(GoldenCommandUpdate, ThatIsKilledLeavesEveryFileOldOrNew) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "after"))
         after[entry.path().filename().string()] = file_text(entry.path());
     int status = -1;
-    for (double seconds = 0.01; status != 0 && seconds < 100; seconds *= 1.25) {
-        const std::string limit = std::to_string(seconds);
+    for (double after_seconds = 0.01; status != 0 && after_seconds < 100; after_seconds *= 1.25) {
+        const std::string limit = std::to_string(after_seconds);
         status = golden("update --all", "env -u CI timeout -s KILL " + limit).status;
         for (const auto& [name, text] : before) {
             ASSERT_TRUE(fs::is_regular_file(baseline(name))) << name << " after " << limit;

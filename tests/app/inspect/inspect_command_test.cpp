@@ -135,13 +135,6 @@ std::vector<std::string> all_between(const std::string& text, const std::string&
     return found;
 }
 
-std::vector<std::string> lines(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     const TemporaryFolder folder;
     const std::string arguments = "spheres-l1 --frames 60,100 --top 2 --test corrected";

@@ -15,13 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> lines(const std::string& text) {
-    std::vector<std::string> result;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) result.push_back(line);
-    return result;
-}
-
 Collision query(const std::string& name, int frame, VolumeKind kind) {
     const scenes::Scene scene = scenes::load_scene({name});
     std::vector<AnyHierarchy> h;
@@ -123,7 +116,7 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --volume scb,ball", "one of scb,ball,ritter,obb at a time"},
              {"spheres-l1 --threshold 2", "give a cosine from 0 to 1"},
              {"spheres-l1 --threshold nan", "give a cosine from 0 to 1"},
-             {"spheres-l1 --descent up", "unknown rule"},
+             {"spheres-l1 --descent up", "--descent up: give radius, area, volume or alternating"},
              {"spheres-l1 --bodies A", "give two bodies"},
              {"spheres-l1 --bodies A,A", "give two bodies"},
              {"spheres-l1 --bodies A,C", "is not a body"},

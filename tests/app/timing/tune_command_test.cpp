@@ -146,8 +146,8 @@ TEST(TuneCommand, RefusesWhatMakesNoSense) {
           {"cone --test nonsense", "not an overlap test"},
           {"cone --test corrected,extents", "one overlap test"},
           {"cone --threshold 1.5", "0 to 1"},
-          {"cone --descent nonsense", "unknown rule"},
-          {"cone --growth nonsense", "unknown rule"},
+          {"cone --descent nonsense", "give radius, area, volume or alternating"},
+          {"cone --growth nonsense", "give radius or ritter"},
           {"cone --repeat 0", "1 to 1000"},
           {"cone --size 10x10 -o out", "--size"},
           {"nonsense", "nonsense"}}) {

@@ -13,9 +13,9 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr int many = 2000;
+constexpr int many_scbs = 2000;
 #else
-constexpr int many = 112000;
+constexpr int many_scbs = 112000;
 #endif
 
 // Narrower than what counts as touching by default: what the search can tell.
@@ -128,7 +128,7 @@ TEST(ExactScbOverlap, ProvesNearlyEveryPair) {
     long undecided = 0, pairs = 0;
     for (const ScbPairFamily& family : scb_pair_families) {
         Random random(7);
-        for (int i = 0; i < many; ++i, ++pairs) {
+        for (int i = 0; i < many_scbs; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
             const ContactCertificate proof = exact_overlap(p.a, p.b, strict);
             if (proof.contact == Contact::touching) {
@@ -153,7 +153,7 @@ TEST(ExactScbOverlap, AgreesWithSamples) {
     Random random(8);
     long common = 0, separated = 0;
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < std::max(many / 500, 40); ++i) {
+        for (int i = 0; i < std::max(many_scbs / 500, 40); ++i) {
             const FramedPair p = random_pair(random, family);
             const Contact found = exact_overlap(p.a, p.b, strict).contact;
             for (int k = 0; k < 200; ++k) {
@@ -183,7 +183,7 @@ TEST(ExactScbOverlap, IsInvariant) {
     Random random(9);
     long changed = 0, pairs = 0;
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < many / 20; ++i, ++pairs) {
+        for (int i = 0; i < many_scbs / 20; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
             const Pose pose = random_pose(random);
             const double factor = log_uniform(random, 1e-6, 1e6);
@@ -206,7 +206,7 @@ TEST(ExactScbOverlap, IsInvariant) {
 TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
     Random random(10);
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < many / 100; ++i) {
+        for (int i = 0; i < many_scbs / 100; ++i) {
             const FramedPair p = random_pair(random, family);
             // A wider tolerance asks for a deeper point.
             const ContactCertificate proof = exact_overlap(p.a, p.b, 1e-4);
@@ -229,7 +229,7 @@ TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
 TEST(ScbContactProof, GapHoldsForEveryPoint) {
     Random random(11);
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < many / 500; ++i) {
+        for (int i = 0; i < many_scbs / 500; ++i) {
             const FramedPair p = random_pair(random, family);
             const Vec3 d = random_unit_vector(random);
             const auto bound = [](const Scb& s, const Vec3& direction, double m) {
@@ -291,7 +291,7 @@ TEST(ScbContactProof, IsRefusedOfLengthsThatAreTooSmall) {
 TEST(RandomScbPairs, AreWellFormedAndCloseToContact) {
     Random random(12);
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < many / 20; ++i) {
+        for (int i = 0; i < many_scbs / 20; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             ASSERT_TRUE(is_well_formed(pair.a)) << family.name << " pair " << i;
             ASSERT_TRUE(is_well_formed(pair.b)) << family.name << " pair " << i;

@@ -13,9 +13,9 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr int many = 2000;
+constexpr int many_pairs = 2000;
 #else
-constexpr int many = 50000;
+constexpr int many_pairs = 50000;
 #endif
 
 Obb random_box(Random& random) {
@@ -69,7 +69,7 @@ void expect_proven(const V& a, const V& b) {
 template <class V>
 void expect_all_proven(Random random, V (*random_volume)(Random&), double farthest) {
     int counts[3] = {};
-    for (int i = 0; i < many; ++i) {
+    for (int i = 0; i < many_pairs; ++i) {
         const V a = random_volume(random);
         V b = random_volume(random);
         b.center = a.center + farthest * random.uniform() * (b.center - a.center);
@@ -81,8 +81,8 @@ void expect_all_proven(Random random, V (*random_volume)(Random&), double farthe
         ++counts[static_cast<int>(exact_overlap(a, b).contact)];
     }
     for (const Contact contact : {Contact::disjoint, Contact::overlapping})
-        EXPECT_GT(counts[static_cast<int>(contact)], many / 10);
-    EXPECT_LT(counts[static_cast<int>(Contact::touching)], many / 20);
+        EXPECT_GT(counts[static_cast<int>(contact)], many_pairs / 10);
+    EXPECT_LT(counts[static_cast<int>(Contact::touching)], many_pairs / 20);
 }
 
 TEST(ExactOverlap, OfBoxesAgreesWithTheFifteenAxesAndProvesIt) {
@@ -133,7 +133,7 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
     Random random(5);
     int scbs = 0, boxes = 0;
     for (const ScbPairFamily& family : scb_pair_families)
-        for (int i = 0; i < many / 500; ++i) {
+        for (int i = 0; i < many_pairs / 500; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             const Scb b = placed(pair.b, pair.b_to_a);
             const ContactCertificate proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
@@ -142,7 +142,7 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
             EXPECT_TRUE(check_certificate(pair.a, b, proof)) << family.name << " " << i;
             ++scbs;
         }
-    for (int i = 0; i < many / 100; ++i) {
+    for (int i = 0; i < many_pairs / 100; ++i) {
         const Obb a = random_box(random);
         Obb b = random_box(random);
         b.center = a.center + random.uniform() * (b.center - a.center);
@@ -152,8 +152,8 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
         EXPECT_TRUE(check_certificate(a, b, proof)) << i;
         ++boxes;
     }
-    EXPECT_GT(scbs, many / 1000);
-    EXPECT_GT(boxes, many / 1000);
+    EXPECT_GT(scbs, many_pairs / 1000);
+    EXPECT_GT(boxes, many_pairs / 1000);
 }
 
 // Whole balls, of which gap and depth are known.

@@ -14,12 +14,12 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr int many = 2000;
+constexpr int many_steps = 2000;
 #else
-constexpr int many = 100000;
+constexpr int many_steps = 100000;
 #endif
 // All axes of two boxes decide in some pair.
-constexpr int many_boxes = std::max(many, 20000);
+constexpr int many_boxes = std::max(many_steps, 20000);
 
 /// Steps of one pair, after the checks that hold for every one.
 template <class V>
@@ -45,7 +45,7 @@ void expect_consistent(const OverlapStep& step, const Vec3& c, double margin, do
     EXPECT_TRUE(std::abs(rest) <= rounding || step.separates == (rest > 0)) << step.formula;
 }
 
-Obb random_box(Random& random) {
+Obb random_wide_box(Random& random) {
     const Pose pose = random_pose(random);
     Obb box{pose.translation, pose.rotation, Vec3::Zero()};
     for (int i = 0; i < 3; ++i)
@@ -59,7 +59,7 @@ TEST_P(StepsOfTest, EndAtTheStageThatTheTestReturns) {
     Random random(17);
     std::array<int, stage_count> ended{};
     int skipped = 0;
-    for (int i = 0; i < many; ++i) {
+    for (int i = 0; i < many_steps; ++i) {
         const auto& family =
             scb_pair_families[static_cast<std::size_t>(i) % scb_pair_families.size()];
         const VolumePair<Scb> pair = i % 4 == 3 ? random_scb_pair(random)
@@ -81,7 +81,7 @@ TEST_P(StepsOfTest, EndAtTheStageThatTheTestReturns) {
 TEST_P(StepsOfTest, HaveTheSlackThatTheirReachesLeave) {
     Random random(18);
     int cylinders = 0;
-    for (int i = 0; i < many / 10; ++i) {
+    for (int i = 0; i < many_steps / 10; ++i) {
         const ScbPair pair = random_scb_pair(
             random, scb_pair_families[static_cast<std::size_t>(i) % scb_pair_families.size()]);
         const OverlapSteps steps = checked_steps(pair.a, pair.b, pair.b_to_a, {GetParam(), 0.7});
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(All, StepsOfTest,
 TEST(Steps, OfBallsEndAtTheStageThatTheTestReturns) {
     Random random(19);
     int rejected_pairs = 0;
-    for (int i = 0; i < many; ++i) {
+    for (int i = 0; i < many_steps; ++i) {
         const Ball a{random_point(random), random.uniform()};
         Ball b{random_point(random), random.uniform()};
         const Pose pose = random_pose(random);
@@ -128,14 +128,14 @@ TEST(Steps, OfBallsEndAtTheStageThatTheTestReturns) {
         expect_consistent(steps.steps[0], c, steps.margin, 1e-14);
         rejected_pairs += steps.stage() != Stage::overlapping;
     }
-    EXPECT_GT(rejected_pairs, many / 20);
+    EXPECT_GT(rejected_pairs, many_steps / 20);
 }
 
 TEST(Steps, OfBoxesEndAtTheStageThatTheTestReturns) {
     Random random(20);
     std::array<int, stage_count> ended{};
     for (int i = 0; i < many_boxes; ++i) {
-        const Obb a = random_box(random), b = random_box(random);
+        const Obb a = random_wide_box(random), b = random_wide_box(random);
         Pose pose = random_pose(random);
         if (i % 5 == 0) pose.rotation = (a.axes * b.axes.transpose()).eval();  // parallel edges
         const OverlapSteps steps = checked_steps(a, b, pose, {});

@@ -11,9 +11,9 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr int many = 50;
+constexpr int many_explained = 50;
 #else
-constexpr int many = 2000;
+constexpr int many_explained = 2000;
 #endif
 
 TEST(Judged, ByWhatIsSo) {
@@ -28,7 +28,7 @@ TEST(Judged, ByWhatIsSo) {
 TEST(PairExplanation, OnlyThePrintedTestMissesWhatOverlaps) {
     Random random(3);
     std::array<int, 5> missed{};
-    for (int i = 0; i < many; ++i) {
+    for (int i = 0; i < many_explained; ++i) {
         const ScbPair pair = random_scb_pair(
             random, scb_pair_families[static_cast<std::size_t>(i) % scb_pair_families.size()]);
         const Placement placed = placement(pair.b_to_a, reach(pair.a), reach(pair.b));
@@ -50,7 +50,7 @@ TEST(PairExplanation, OnlyThePrintedTestMissesWhatOverlaps) {
 // Where rounding decides, far from the origin, no verdict is claimed against the test.
 TEST(PairExplanation, FarFromTheOriginClosePairsTouch) {
     Random random(4);
-    for (int i = 0; i < many; ++i) {
+    for (int i = 0; i < many_explained; ++i) {
         const ScbPair pair =
             touching_scb_pair(random, scb_pair_families[static_cast<std::size_t>(i) % 6], 1e9);
         const Placement placed = placement(pair.b_to_a, reach(pair.a), reach(pair.b));

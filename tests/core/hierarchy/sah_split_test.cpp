@@ -9,16 +9,12 @@
 #include "tests/core/collide/brute_force.h"
 #include "tests/core/collide/small_scenes.h"
 #include "tests/core/fit/point_sets.h"
+#include "tests/core/hierarchy/depth_of.h"
 
 namespace scb {
 namespace {
 
 Topology by_cost(const Mesh& mesh) { return build_topology(mesh, {.split = SplitMethod::cost}); }
-
-int depth_of(const Topology& topology) {
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    return *std::max_element(depths.begin(), depths.end());
-}
 
 // What a query is thought to take: squared diagonals of all nodes' boxes.
 double cost_of(const Topology& topology, const Mesh& mesh) {

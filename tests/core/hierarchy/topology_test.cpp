@@ -7,14 +7,10 @@
 
 #include "scb/hierarchy.h"
 #include "tests/core/fit/point_sets.h"
+#include "tests/core/hierarchy/depth_of.h"
 
 namespace scb {
 namespace {
-
-int depth_of(const Topology& topology) {
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    return *std::max_element(depths.begin(), depths.end());
-}
 
 std::array<std::size_t, split_rule_count> rules_of(const Topology& topology) {
     std::array<std::size_t, split_rule_count> counts{};

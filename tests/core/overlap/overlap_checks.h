@@ -10,6 +10,8 @@
 
 namespace scb {
 
+inline const Vec3 unit_x = Vec3::UnitX(), unit_z = Vec3::UnitZ();
+
 /// The tests that never reject what overlaps; and those of them that measure slabs by cylinders.
 inline constexpr std::array sound_tests = {OverlapTest::line8, OverlapTest::corrected,
                                            OverlapTest::symmetric, OverlapTest::extents};

@@ -9,8 +9,6 @@
 namespace scb {
 namespace {
 
-const Vec3 z = Vec3::UnitZ();
-
 // How many of the random pairs get another verdict from `change`.
 template <class Verdict, class Change>
 int verdicts_changed(Verdict verdict, Change change) {
@@ -89,7 +87,7 @@ TEST(OverlapVerdict, OfFigure8RejectsMoreTheLowerTheThreshold) {
 
 TEST(Figure8, MakesCylinderTestsOnlyBeyondTheThreshold) {
     const double cosine = 0.8, sine = 0.6;
-    const Scb a = slab_at({0, 0, 0}, 0.1, z, 0.01, -0.01);
+    const Scb a = slab_at({0, 0, 0}, 0.1, unit_z, 0.01, -0.01);
     for (const double sign : {-1.0, 1.0}) {
         const Scb b = slab_at({0, 0, 0.0995}, 0.1, sign * Vec3(sine, 0, cosine), 0.01, -0.01);
         expect_stage(a, b, Stage::slab_cylinder, OverlapTest::corrected, 0.79);

@@ -8,8 +8,6 @@
 namespace scb {
 namespace {
 
-const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
-
 // The farthest point of a slab cut ball in a direction.
 Vec3 farthest_point(const Scb& s, const Vec3& d) {
     const double h = s.r * dot(s.n, d);
@@ -31,19 +29,22 @@ TEST(ClosedScbs, OverlapWhereTheyTouchByHand) {
             expect_stage(a, flipped(b), Stage::overlapping, test);
         }
     };
-    const Scb plate = slab_at({0, 0, 0}, 1, z, 0.25, -0.25);
-    expect_touching(whole_ball_at({0, 0, 0}, 1), whole_ball_at({0, 3, 4}, 4));  // balls
-    expect_touching(plate, slab_at({2, 0, 0}, 1, z, 0.25, -0.25));              // zones
-    expect_touching(plate, whole_ball_at({0.5, 0, 1.25}, 1));                   // plane, ball
-    expect_touching(plate, whole_ball_at({0.5, 0, -1.25}, 1));                  //
-    expect_touching(plate, slab_at({0.5, 0.5, 0.5}, 1, z, 0.25, -0.25));        // planes
-    expect_touching(plate, slab_at({0.5, 0.5, -0.5}, 1, -z, 0.25, -0.25));      //
-    expect_touching(plate, slab_at({0.5, 0, 1.25}, 1, x, 0.5, -0.25));          // plane, zone
-    expect_touching(slab_at({0, 0, 0}, 5, z, 3, -1), slab_at({8, 0, 6}, 5, z, 0, -3));  // rims
-    expect_touching(slab_at({0, 0, 0}, 1, z, 0, 0), slab_at({2, 0, 0}, 1, z, 0, 0));    // discs
-    expect_touching(whole_ball_at({0, 0, 0}, 0), whole_ball_at({0, 0, 0}, 0));          // points
-    expect_touching(slab_at({0, 0, 0}, 1, z, 1, 1), slab_at({0, 0, 2}, 1, z, -1, -1));
-    expect_touching(slab_at({0, 0, 0}, 1, z, 0.5, 0.25), slab_at({0, 0, 0}, 1, z, 0.25, -1));
+    const Scb plate = slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.25);
+    expect_touching(whole_ball_at({0, 0, 0}, 1), whole_ball_at({0, 3, 4}, 4));   // balls
+    expect_touching(plate, slab_at({2, 0, 0}, 1, unit_z, 0.25, -0.25));          // zones
+    expect_touching(plate, whole_ball_at({0.5, 0, 1.25}, 1));                    // plane, ball
+    expect_touching(plate, whole_ball_at({0.5, 0, -1.25}, 1));                   //
+    expect_touching(plate, slab_at({0.5, 0.5, 0.5}, 1, unit_z, 0.25, -0.25));    // planes
+    expect_touching(plate, slab_at({0.5, 0.5, -0.5}, 1, -unit_z, 0.25, -0.25));  //
+    expect_touching(plate, slab_at({0.5, 0, 1.25}, 1, unit_x, 0.5, -0.25));      // plane, zone
+    expect_touching(slab_at({0, 0, 0}, 5, unit_z, 3, -1),
+                    slab_at({8, 0, 6}, 5, unit_z, 0, -3));  // rims
+    expect_touching(slab_at({0, 0, 0}, 1, unit_z, 0, 0),
+                    slab_at({2, 0, 0}, 1, unit_z, 0, 0));                       // discs
+    expect_touching(whole_ball_at({0, 0, 0}, 0), whole_ball_at({0, 0, 0}, 0));  // points
+    expect_touching(slab_at({0, 0, 0}, 1, unit_z, 1, 1), slab_at({0, 0, 2}, 1, unit_z, -1, -1));
+    expect_touching(slab_at({0, 0, 0}, 1, unit_z, 0.5, 0.25),
+                    slab_at({0, 0, 0}, 1, unit_z, 0.25, -1));
 }
 
 // B is made to touch A in one point and to lie on the other side of a plane there.
@@ -126,14 +127,15 @@ TEST(Placement, LeavesAMarginOfSome1eMinus14OfTheLengths) {
 
 TEST(Overlap, RejectsWhatIsApartByMuchLessThanItsSize) {
     for (const double gap : {1e-12, 1e-6}) {
-        const Scb a = slab_at({0, 0, 0}, 1, z, 0.25, -0.25);
-        const Scb b = slab_at({0.1, 0, 0.5 + gap}, 1, z, 0.25, -0.25);
+        const Scb a = slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.25);
+        const Scb b = slab_at({0.1, 0, 0.5 + gap}, 1, unit_z, 0.25, -0.25);
         // The bound of the sine of parallel normals is 6e-8, so a gap below it is not seen.
         for (const OverlapTest test : slab_cylinder_tests)
             expect_stage(a, b, gap > 1e-7 ? Stage::slab_cylinder : Stage::overlapping, test);
         expect_stage(Ball{{0, 0, 0}, 1}, Ball{{2 + gap, 0, 0}, 1}, Stage::ball_ball);
-        expect_stage(whole_ball_at({0, 0, 1.25 + gap}, 1), slab_at({0, 0, 0}, 1, z, 0.25, -0.25),
-                     Stage::ball_slab, OverlapTest::symmetric);
+        expect_stage(whole_ball_at({0, 0, 1.25 + gap}, 1),
+                     slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.25), Stage::ball_slab,
+                     OverlapTest::symmetric);
         Obb p{{0, 0, 0}, Mat3::Identity(), {1, 1, 1}}, q = p;
         q.center[0] = 2 + gap;
         expect_stage(p, q, Stage::axis_a0);

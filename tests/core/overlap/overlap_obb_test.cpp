@@ -10,8 +10,6 @@
 namespace scb {
 namespace {
 
-const Vec3 z = Vec3::UnitZ();
-
 Stage axis(Stage first, int i) { return static_cast<Stage>(static_cast<int>(first) + i); }
 
 TEST(Overlap, OfBoxesEndsAtEachFaceNormal) {
@@ -53,9 +51,9 @@ TEST(Overlap, OfBoxesEndsAtEachPairOfEdges) {
                 b.axes.col((j + 1) % 3) = Vec3(h, 0, h);
                 b.axes.col((j + 2) % 3) = Vec3(h, 0, -h);
                 ASSERT_TRUE(is_well_formed(a) && is_well_formed(b));
-                b.center = side * (4 * h + 0.01) * z;
+                b.center = side * (4 * h + 0.01) * unit_z;
                 expect_stage(a, b, axis(Stage::axis_a0_b0, 3 * i + j));
-                b.center = side * (4 * h - 0.01) * z;
+                b.center = side * (4 * h - 0.01) * unit_z;
                 expect_stage(a, b, Stage::overlapping);
             }
 }

@@ -5,18 +5,16 @@
 namespace scb {
 namespace {
 
-const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
-
 TEST(Overlap, OfScbsWithOneCenterIsDecidedByTheirSlabs) {
     const Vec3 c(0.5, -0.25, 2);
     for (const OverlapTest test : sound_tests) {
-        expect_stage(slab_at(c, 1, z, 0.1, -0.1), slab_at(c, 2, x, 0.1, -0.1), Stage::overlapping,
-                     test);
+        expect_stage(slab_at(c, 1, unit_z, 0.1, -0.1), slab_at(c, 2, unit_x, 0.1, -0.1),
+                     Stage::overlapping, test);
         expect_stage(whole_ball_at(c, 1), whole_ball_at(c, 1), Stage::overlapping, test);
         expect_stage(whole_ball_at(c, 0), whole_ball_at(c, 0), Stage::overlapping, test);
     }
     // Caps on either side of the center that they share.
-    const Scb upper = slab_at(c, 1, z, 0.6, 0.5), lower = slab_at(c, 1, z, -0.5, -0.6);
+    const Scb upper = slab_at(c, 1, unit_z, 0.6, 0.5), lower = slab_at(c, 1, unit_z, -0.5, -0.6);
     for (const Scb& a : {upper, flipped(upper)})
         for (const Scb& b : {lower, flipped(lower)}) {
             expect_stage(a, b, Stage::slab_cylinder, OverlapTest::symmetric);
@@ -27,8 +25,8 @@ TEST(Overlap, OfScbsWithOneCenterIsDecidedByTheirSlabs) {
 }
 
 TEST(Overlap, TakesPointsForScbsOfRadiusZero) {
-    const Scb s = slab_at({0, 0, 0}, 1, z, 0.25, -0.5);
-    const auto point = [](const Vec3& p) { return slab_at(p, 0, x, 0, 0); };
+    const Scb s = slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.5);
+    const auto point = [](const Vec3& p) { return slab_at(p, 0, unit_x, 0, 0); };
     for (const OverlapTest test : sound_tests) {
         for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.25), Vec3(0, 0, -0.5), Vec3(1, 0, 0)})
             expect_stage(s, point(p), Stage::overlapping, test);
@@ -40,27 +38,27 @@ TEST(Overlap, TakesPointsForScbsOfRadiusZero) {
 }
 
 TEST(Overlap, TakesDiscsForScbsOfThicknessZero) {
-    const Scb disc = slab_at({0, 0, 0}, 1, z, 0, 0);
+    const Scb disc = slab_at({0, 0, 0}, 1, unit_z, 0, 0);
     for (const OverlapTest test : sound_tests) {
-        expect_stage(disc, slab_at({0.5, 0, 0.001}, 1, z, 0, 0),
+        expect_stage(disc, slab_at({0.5, 0, 0.001}, 1, unit_z, 0, 0),
                      test == OverlapTest::extents ? Stage::slab_a : Stage::slab_cylinder, test);
-        expect_stage(disc, slab_at({0.5, 0, 0}, 1, z, 0, 0), Stage::overlapping, test);
-        expect_stage(disc, slab_at({0.5, 0, 0}, 1, x, 0, 0), Stage::overlapping, test);
+        expect_stage(disc, slab_at({0.5, 0, 0}, 1, unit_z, 0, 0), Stage::overlapping, test);
+        expect_stage(disc, slab_at({0.5, 0, 0}, 1, unit_x, 0, 0), Stage::overlapping, test);
     }
 }
 
 // A slab that leaves the center out: the two caps face each other though the centers do not.
 TEST(Overlap, HoldsForSlabsThatLeaveTheCenterOut) {
-    const Scb cap = slab_at({0, 0, 0}, 1, z, 1, 0.75);
+    const Scb cap = slab_at({0, 0, 0}, 1, unit_z, 1, 0.75);
     for (const OverlapTest test : {OverlapTest::symmetric, OverlapTest::extents}) {
         const Stage stage = test == OverlapTest::extents ? Stage::slab_a : Stage::slab_cylinder;
-        expect_stage(cap, slab_at({0, 0, 0.5}, 1, z, 0, -1), stage, test);
-        expect_stage(cap, slab_at({0, 0, 0.5}, 1, z, 0.5, -1), Stage::overlapping, test);
+        expect_stage(cap, slab_at({0, 0, 0.5}, 1, unit_z, 0, -1), stage, test);
+        expect_stage(cap, slab_at({0, 0, 0.5}, 1, unit_z, 0.5, -1), Stage::overlapping, test);
     }
     for (const OverlapTest test : sound_tests) {
         // Crossed: B's center is below A's slab, its slab above its center.
-        expect_stage(cap, slab_at({0, 0, -0.5}, 1.5, z, 1.5, 1.3), Stage::overlapping, test);
-        expect_stage(cap, slab_at({0, 0, 2}, 1, -z, 1, 0.75), Stage::overlapping, test);
+        expect_stage(cap, slab_at({0, 0, -0.5}, 1.5, unit_z, 1.5, 1.3), Stage::overlapping, test);
+        expect_stage(cap, slab_at({0, 0, 2}, 1, -unit_z, 1, 0.75), Stage::overlapping, test);
     }
 }
 

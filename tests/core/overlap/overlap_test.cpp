@@ -11,8 +11,6 @@
 namespace scb {
 namespace {
 
-const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
-
 TEST(Overlap, OfTwoBallsEndsAtTheirDistance) {
     expect_stage(Ball{Vec3(0, 0, 0), 1}, Ball{Vec3(0, 3, 4), 3.9}, Stage::ball_ball);
     expect_stage(Ball{Vec3(0, 0, 0), 1}, Ball{Vec3(0, 3, 4), 4.1}, Stage::overlapping);
@@ -22,15 +20,15 @@ TEST(Overlap, OfTwoBallsEndsAtTheirDistance) {
 TEST(Overlap, OfScbsEndsWhereTheBallsAreApart) {
     for (const OverlapTest test : all_overlap_tests())
         for (const Vec3& c : {Vec3(2.01, 0, 0), Vec3(0, 0, -2.01)}) {
-            expect_stage(slab_at({0, 0, 0}, 1, z, 0.25, -0.25), whole_ball_at(c, 1),
+            expect_stage(slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.25), whole_ball_at(c, 1),
                          Stage::ball_ball, test);
-            expect_stage(whole_ball_at(c, 1), slab_at({0, 0, 0}, 1, x, 0.25, -0.25),
+            expect_stage(whole_ball_at(c, 1), slab_at({0, 0, 0}, 1, unit_x, 0.25, -0.25),
                          Stage::ball_ball, test);
         }
 }
 
 TEST(Overlap, OfScbsEndsWhereABallIsAboveOrBelowASlab) {
-    const Scb slab = slab_at({0, 0, 0}, 1, z, 0.25, -0.5);
+    const Scb slab = slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.5);
     for (const Scb& ball : {whole_ball_at({0.3, 0, 1.3}, 1), whole_ball_at({0.3, 0, -1.55}, 1)}) {
         for (const OverlapTest test : all_overlap_tests()) {
             if (test == OverlapTest::extents) continue;
@@ -39,7 +37,7 @@ TEST(Overlap, OfScbsEndsWhereABallIsAboveOrBelowASlab) {
         }
         expect_stage(slab, ball, Stage::slab_a, OverlapTest::extents);
         Scb turned = ball;
-        turned.n = x;
+        turned.n = unit_x;
         expect_stage(turned, slab, Stage::slab_b, OverlapTest::extents);
     }
     for (const OverlapTest test : sound_tests) {
@@ -51,10 +49,10 @@ TEST(Overlap, OfScbsEndsWhereABallIsAboveOrBelowASlab) {
 // A large ball with a slab high above its center, a small ball in it: its own radius must not be
 // taken for the other's, as line 8 does in print.
 TEST(Overlap, MeasuresTheBallOfAAgainstTheSlabOfBByTheRadiusOfA) {
-    const Scb a = whole_ball_at({0, 0, 0}, 2), b = slab_at({0, 0, -0.5}, 1, z, 1, 0.9);
+    const Scb a = whole_ball_at({0, 0, 0}, 2), b = slab_at({0, 0, -0.5}, 1, unit_z, 1, 0.9);
     // A point of both.
     EXPECT_TRUE(contains(a, Vec3(0, 0, 0.45)) && contains(b, Vec3(0, 0, 0.45)));
-    const Scb low = slab_at({0, 0, 1}, 0.5, z, 0.5, 0.1);
+    const Scb low = slab_at({0, 0, 1}, 0.5, unit_z, 0.5, 0.1);
     EXPECT_TRUE(contains(a, Vec3(0, 0, 1.2)) && contains(low, Vec3(0, 0, 1.2)));
     for (const OverlapTest test : sound_tests) {
         expect_stage(a, b, Stage::overlapping, test);
@@ -64,10 +62,11 @@ TEST(Overlap, MeasuresTheBallOfAAgainstTheSlabOfBByTheRadiusOfA) {
 }
 
 TEST(Overlap, OfScbsEndsWhereTwoParallelSlabsAreApart) {
-    const Scb a = slab_at({0, 0, 0}, 1, z, 0.25, -0.25);
+    const Scb a = slab_at({0, 0, 0}, 1, unit_z, 0.25, -0.25);
     for (const double side : {-1.0, 1.0})
         for (const bool opposed : {false, true}) {
-            const Scb b = slab_at({0.1, 0, side * 0.6}, 1, opposed ? Vec3(-z) : z, 0.25, -0.25);
+            const Scb b =
+                slab_at({0.1, 0, side * 0.6}, 1, opposed ? Vec3(-unit_z) : unit_z, 0.25, -0.25);
             const Scb near = slab_at({0.1, 0, side * 0.45}, 1, b.n, 0.25, -0.25);
             for (const OverlapTest test : slab_cylinder_tests) {
                 expect_stage(a, b, Stage::slab_cylinder, test);
@@ -88,7 +87,7 @@ TEST(Overlap, OfScbsEndsWhereATiltedCylinderIsOffASlab) {
             const bool opposed = sign < 0;
             const Scb a =
                 slab_at({0, 0, side * 0.25}, 0.2, sign * Vec3(sine, 0, cosine), 0.05, -0.05);
-            const Scb b = slab_at({0, 0, 0}, 1, z, 0.1, -0.1);
+            const Scb b = slab_at({0, 0, 0}, 1, unit_z, 0.1, -0.1);
             expect_stage(a, b, Stage::cylinder_slab, OverlapTest::corrected);
             expect_stage(a, b, Stage::cylinder_slab, OverlapTest::symmetric);
             expect_stage(a, b, Stage::slab_b, OverlapTest::extents);

@@ -12,7 +12,7 @@
 namespace scb::render {
 namespace {
 
-constexpr std::size_t width = 300;
+constexpr std::size_t target_width = 300;
 
 std::vector<std::uint32_t> random_words(std::size_t count) {
     Random random(7);
@@ -33,15 +33,15 @@ std::array<std::uint8_t, 4> bytes(std::uint32_t word) {
 TEST(Resolve, ColorsAreTheRoundedMeanOfTheirSamplesAndOpaque) {
     for (const int scale : {1, 2}) {
         const auto step = static_cast<std::size_t>(scale);
-        const std::vector<std::uint32_t> samples = random_words(step * step * width);
-        std::vector<std::uint32_t> row(width);
+        const std::vector<std::uint32_t> samples = random_words(step * step * target_width);
+        std::vector<std::uint32_t> row(target_width);
         resolve_colors(samples.data(), scale, row);
-        for (std::size_t x = 0; x < width; ++x)
+        for (std::size_t x = 0; x < target_width; ++x)
             for (std::size_t channel = 0; channel < 4; ++channel) {
                 std::uint32_t sum = 0;
                 for (std::size_t i = 0; i < step; ++i)
                     for (std::size_t k = 0; k < step; ++k)
-                        sum += bytes(samples[i * step * width + step * x + k])[channel];
+                        sum += bytes(samples[i * step * target_width + step * x + k])[channel];
                 const std::uint32_t count = scale == 1 ? 1 : 4;
                 ASSERT_EQ(bytes(row[x])[channel], channel == 3 ? 255 : (sum + count / 2) / count)
                     << x;
@@ -50,12 +50,13 @@ TEST(Resolve, ColorsAreTheRoundedMeanOfTheirSamplesAndOpaque) {
 }
 
 TEST(Resolve, AnIdIsThatOfOneSample) {
-    const std::vector<std::uint32_t> samples = random_words(4 * width);
-    std::vector<std::uint32_t> row(width);
+    const std::vector<std::uint32_t> samples = random_words(4 * target_width);
+    std::vector<std::uint32_t> row(target_width);
     resolve_ids(samples.data(), 1, row);
     EXPECT_TRUE(std::equal(row.begin(), row.end(), samples.begin()));
     resolve_ids(samples.data(), 2, row);
-    for (std::size_t x = 0; x < width; ++x) ASSERT_EQ(row[x], samples[2 * width + 2 * x]);
+    for (std::size_t x = 0; x < target_width; ++x)
+        ASSERT_EQ(row[x], samples[2 * target_width + 2 * x]);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace scb::render {
 namespace {
 
-constexpr Rgba8 red{255, 0, 0}, green{0, 255, 0};
+constexpr Rgba8 pure_red{255, 0, 0}, pure_green{0, 255, 0};
 
 VolumeInstance ball(std::uint32_t id, Rgba8 color) { return {Ball{Vec3::Zero(), 1}, color, id}; }
 
@@ -15,8 +15,8 @@ using Ids = std::vector<std::uint32_t>;
 
 TEST(PaneDifference, IsWhatOnlyOneHasOrHasInAnotherColor) {
     Pane a, b;
-    a.volumes = {ball(9, red), ball(2, red), ball(4, red), ball(0, red)};
-    b.volumes = {ball(4, green), ball(9, red), ball(7, red), ball(0, green)};
+    a.volumes = {ball(9, pure_red), ball(2, pure_red), ball(4, pure_red), ball(0, pure_red)};
+    b.volumes = {ball(4, pure_green), ball(9, pure_red), ball(7, pure_red), ball(0, pure_green)};
     EXPECT_EQ(differing_ids(a, b), (Ids{2, 4, 7}));
     EXPECT_EQ(differing_ids(b, a), (Ids{2, 4, 7}));
     EXPECT_EQ(differing_ids(a, a), Ids{});
@@ -27,11 +27,11 @@ TEST(PaneDifference, SeesTrianglesOfMeshes) {
     for (Pane* pane : {&a, &b}) {
         MeshDraw mesh;
         mesh.first_id = 100;
-        mesh.triangle_colors = {red, red, green};
+        mesh.triangle_colors = {pure_red, pure_red, pure_green};
         pane->meshes.push_back(mesh);
     }
     EXPECT_EQ(differing_ids(a, b), Ids{});
-    b.meshes[0].triangle_colors[2] = with_opacity(green, 0.5);
+    b.meshes[0].triangle_colors[2] = with_opacity(pure_green, 0.5);
     EXPECT_EQ(differing_ids(a, b), Ids{102});
 }
 

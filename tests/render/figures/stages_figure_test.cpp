@@ -9,7 +9,7 @@
 namespace scb::render {
 namespace {
 
-constexpr int width = 800, height = 500;
+constexpr int figure_width = 800, figure_height = 500;
 
 StagesFigure figure_of(const std::vector<int>& frames) {
     StagesFigure figure;
@@ -33,11 +33,11 @@ std::uint32_t key(Rgba8 color) {
 std::map<std::uint32_t, int> pixels_of(const StagesFigure& figure) {
     Drawing drawing;
     Overlay overlay;
-    const Picture picture = compose(figure, width, height, overlay);
+    const Picture picture = compose(figure, figure_width, figure_height, overlay);
     const Image image = drawing.renderer.draw(picture, &overlay).image;
     std::map<std::uint32_t, int> pixels;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width / 2; ++x) ++pixels[key(pixel(image, x, y))];
+    for (int y = 0; y < figure_height; ++y)
+        for (int x = 0; x < figure_width / 2; ++x) ++pixels[key(pixel(image, x, y))];
     return pixels;
 }
 

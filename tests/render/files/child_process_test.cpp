@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <thread>
+#include "tests/render/files/children.h"
 
 namespace scb::render {
 namespace {
@@ -29,8 +30,6 @@ struct ChildProcessTest : testing::Test {
         return ChildProcess({"sh", "-c", script}, output, seconds(60)).wait(most);
     }
 };
-
-bool no_child_is_left() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
 /// Whether it becomes true in half a minute.
 bool soon(const std::function<bool()>& condition) {

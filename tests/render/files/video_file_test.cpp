@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "render/files/output_file.h"
+#include "tests/render/files/children.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::render {
@@ -20,10 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::seconds;
 
-constexpr int width = 320, height = 240;
+constexpr int frame_width = 320, frame_height = 240;
 
 Image picture(int i) {
-    Image image{width, height, std::vector<std::uint8_t>(4 * width * height, 255)};
+    Image image{frame_width, frame_height,
+                std::vector<std::uint8_t>(4 * frame_width * frame_height, 255)};
     for (std::size_t at = 0; at < image.rgba.size(); at += 4)
         image.rgba[at] = static_cast<std::uint8_t>(8 * i);
     return image;
@@ -42,8 +44,6 @@ struct FakeProgram {
     std::string path_before;
 };
 
-bool no_child_is_left() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
-
 struct VideoFileTest : testing::Test {
     TemporaryFolder folder;
     std::string path = folder / "v.mp4";
@@ -52,7 +52,7 @@ struct VideoFileTest : testing::Test {
     std::string failure(seconds patience) {
         std::string sentence;
         try {
-            VideoFile video(path, width, height, 25, {}, patience);
+            VideoFile video(path, frame_width, frame_height, 25, {}, patience);
             for (int i = 0; i < 40; ++i) video.push(picture(i));
             video.finish();
         } catch (const OutputError& error) {
@@ -72,7 +72,7 @@ TEST_F(VideoFileTest, IsTheSameBytesTwice) {
     if (!is_on_path(video_program)) GTEST_SKIP() << "the package ffmpeg is not installed";
     std::string first;
     for (int run = 0; run < 2; ++run) {
-        VideoFile video(path, width, height, 25, {});
+        VideoFile video(path, frame_width, frame_height, 25, {});
         for (int i = 0; i < 30; ++i) video.push(picture(i));
         video.finish();
         EXPECT_EQ(video.frames(), 30u);
@@ -89,7 +89,7 @@ TEST_F(VideoFileTest, IsNotWrittenUnlessFinished) {
         const FakeProgram fake(script);
         const Clock::time_point start = Clock::now();
         {
-            VideoFile video(path, width, height, 25, {});
+            VideoFile video(path, frame_width, frame_height, 25, {});
             for (int i = 0; i < 3; ++i) video.push(picture(i));
         }
         EXPECT_LT(Clock::now() - start, seconds(20)) << script;

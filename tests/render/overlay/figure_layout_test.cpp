@@ -4,6 +4,7 @@
 
 #include "render/figures/level_sheet.h"
 #include "render/view/fit_camera.h"
+#include "tests/render/overlay/rects.h"
 
 namespace scb::render {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 bool inside(const PixelRect& inner, int width, int height) {
     return inner.x >= 0 && inner.y >= 0 && inner.width > 0 && inner.height > 0 &&
            inner.x + inner.width <= width && inner.y + inner.height <= height;
-}
-
-bool apart(const PixelRect& a, const PixelRect& b) {
-    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y ||
-           b.y + b.height <= a.y;
 }
 
 TEST(FigureLayout, PartsAreInsideAndApartAtEverySize) {

@@ -12,6 +12,7 @@
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
+#include "tests/render/overlay/rects.h"
 
 namespace scb::render {
 namespace {
@@ -170,11 +171,6 @@ bool within(const PixelRect& inner, const PixelRect& outer) {
     return inner.x >= outer.x && inner.y >= outer.y &&
            inner.x + inner.width <= outer.x + outer.width &&
            inner.y + inner.height <= outer.y + outer.height;
-}
-
-bool apart(const PixelRect& p, const PixelRect& q) {
-    return p.x + p.width <= q.x || q.x + q.width <= p.x || p.y + p.height <= q.y ||
-           q.y + q.height <= p.y;
 }
 
 TEST(ExplainLayout, PartsLieInThePictureAndApart) {

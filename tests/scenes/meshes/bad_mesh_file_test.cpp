@@ -20,7 +20,7 @@ std::string ply(const std::string& vertices, const std::string& faces, const std
 const char* const three = "0 0 0\n1 0 0\n0 1 0\n";
 
 /// Loads bytes under a name; the refusal must name the file and be one line.
-std::string refused(const std::string& name, const std::string& bytes) {
+std::string refused_file(const std::string& name, const std::string& bytes) {
     const TemporaryFolder folder;
     const std::string file = folder.write(name, bytes);
     const std::string sentence = refusal([&] { load_mesh(file); });
@@ -42,7 +42,7 @@ TEST(BadMeshFile, ThatIsMissingOrNoFileIsNamed) {
 TEST(BadMeshFile, OfAnUnknownFormatIsToldTheFormats) {
     expect_in(
         "the format is not known; give a mesh as OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX",
-        refused("notes.xyz", "this is not a mesh\n"));
+        refused_file("notes.xyz", "this is not a mesh\n"));
 }
 
 TEST(BadMeshFile, ThatIsEmptyOrRandomIsRefusedInEveryFormat) {
@@ -50,44 +50,44 @@ TEST(BadMeshFile, ThatIsEmptyOrRandomIsRefusedInEveryFormat) {
                                   "x", "ase", "lwo", "ac", "md2"}) {
         SCOPED_TRACE(extension);
         const std::string name = std::string("bad.") + extension;
-        expect_in("the file is empty", refused(name, ""));
-        refused(name, "this is not a mesh\nnot 1 2 3\n");
+        expect_in("the file is empty", refused_file(name, ""));
+        refused_file(name, "this is not a mesh\nnot 1 2 3\n");
         Random random(42);
         std::string noise;
         for (int i = 0; i < 3000; ++i) noise += static_cast<char>(random.next() & 255);
-        refused(name, noise);
+        refused_file(name, noise);
     }
 }
 
 TEST(BadMeshFile, WithNoTriangleIsRefused) {
-    expect_in("no triangles", refused("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
-    expect_in("no triangles", refused("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"));
-    expect_in("no triangles", refused("none.ply", ply("0", "0", "")));
-    expect_in("no triangles", refused("points.ply", ply("3", "0", three)));
-    expect_in("no triangles", refused("none.off", "OFF\n3 0 0\n" + std::string(three)));
+    expect_in("no triangles", refused_file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+    expect_in("no triangles", refused_file("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"));
+    expect_in("no triangles", refused_file("none.ply", ply("0", "0", "")));
+    expect_in("no triangles", refused_file("points.ply", ply("3", "0", three)));
+    expect_in("no triangles", refused_file("none.off", "OFF\n3 0 0\n" + std::string(three)));
 }
 
 TEST(BadMeshFile, WithAnIndexOutOfRangeNamesIt) {
     expect_in("face 0 names vertex 7, but there are 3 vertices",
-              refused("a.ply", ply("3", "1", three + std::string("3 0 1 7\n"))));
+              refused_file("a.ply", ply("3", "1", three + std::string("3 0 1 7\n"))));
     expect_in("face 1 names vertex -1",
-              refused("b.ply", ply("3", "2", three + std::string("3 0 1 2\n3 0 1 -1\n"))));
+              refused_file("b.ply", ply("3", "2", three + std::string("3 0 1 2\n3 0 1 -1\n"))));
     expect_in("face 0 names vertex 3, but there are 3 vertices",
-              refused("a.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 3\n"));
+              refused_file("a.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 3\n"));
     expect_in("face 0 names vertex -1",
-              refused("b.off", "OFF 3 1 0\n" + std::string(three) + "3 0 1 -1\n"));
+              refused_file("b.off", "OFF 3 1 0\n" + std::string(three) + "3 0 1 -1\n"));
     for (const char* face : {"1 2 9", "0 1 2", "-1 -2 -9", "1 2 99999999999999"})
-        expect_in("index", refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf " +
-                                                std::string(face) + "\n"));
+        expect_in("index", refused_file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf " +
+                                                     std::string(face) + "\n"));
 }
 
 TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
     const std::string nan_line = "0 0 0\nnan 0 0\n0 1 0\n";
     expect_in("vertex 1 of triangle 0 has the coordinate x = nan",
-              refused("a.ply", ply("3", "1", nan_line + "3 0 1 2\n")));
-    expect_in("x = nan", refused("a.off", "OFF\n3 1 0\n" + nan_line + "3 0 1 2\n"));
-    expect_in("x = nan", refused("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"));
-    expect_in("x = inf", refused("b.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
+              refused_file("a.ply", ply("3", "1", nan_line + "3 0 1 2\n")));
+    expect_in("x = nan", refused_file("a.off", "OFF\n3 1 0\n" + nan_line + "3 0 1 2\n"));
+    expect_in("x = nan", refused_file("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"));
+    expect_in("x = inf", refused_file("b.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
     std::string body;
     for (int i = 0; i < 9; ++i) {
         const float value =
@@ -98,62 +98,64 @@ TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
     for (const std::int32_t index : {0, 1, 2})
         body.append(reinterpret_cast<const char*>(&index), sizeof index);
     expect_in("vertex 1 of triangle 0 has the coordinate z = nan",
-              refused("b.ply", ply("3", "1", body, "binary_little_endian")));
+              refused_file("b.ply", ply("3", "1", body, "binary_little_endian")));
 }
 
 TEST(BadMeshFile, WhosePlyHeaderLiesIsRefusedBeforeMemoryIsSpent) {
-    expect_in("vertex 3 of the 4000000000", refused("a.ply", ply("4000000000", "1", three)));
+    expect_in("vertex 3 of the 4000000000", refused_file("a.ply", ply("4000000000", "1", three)));
     expect_in("face 1 of the 4000000000",
-              refused("b.ply", ply("3", "4000000000", three + std::string("3 0 1 2\n"))));
-    expect_in("vertex 2 of the 4000000000",
-              refused("c.ply", ply("4000000000", "1", std::string(30, 'x'), "binary_big_endian")));
+              refused_file("b.ply", ply("3", "4000000000", three + std::string("3 0 1 2\n"))));
+    expect_in(
+        "vertex 2 of the 4000000000",
+        refused_file("c.ply", ply("4000000000", "1", std::string(30, 'x'), "binary_big_endian")));
     expect_in("header line 3: element vertex needs a count",
-              refused("d.ply", ply("-3", "1", three)));
+              refused_file("d.ply", ply("-3", "1", three)));
     expect_in("header line 3: element vertex needs a count",
-              refused("e.ply", ply("99999999999999999999999", "1", three)));
-    expect_in("face 0", refused("f.ply", ply("3", "1", three + std::string("200 0 1 2\n"))));
+              refused_file("e.ply", ply("99999999999999999999999", "1", three)));
+    expect_in("face 0", refused_file("f.ply", ply("3", "1", three + std::string("200 0 1 2\n"))));
     expect_in("face 0 has a list with a length",
-              refused("g.ply", ply("3", "1", three + std::string("-3 0 1 2\n"))));
+              refused_file("g.ply", ply("3", "1", three + std::string("-3 0 1 2\n"))));
     expect_in("vertex 3 of the 4000000000",
-              refused("a.off", "OFF\n4000000000 1 0\n" + std::string(three)));
+              refused_file("a.off", "OFF\n4000000000 1 0\n" + std::string(three)));
 }
 
 TEST(BadMeshFile, WhosePlyHeaderIsBrokenNamesTheLine) {
-    expect_in("header line 2: the file ends before end_header", refused("a.ply", "ply\n"));
-    expect_in("header line 1: a PLY file starts", refused("b.ply", "plx\nend_header\n"));
+    expect_in("header line 2: the file ends before end_header", refused_file("a.ply", "ply\n"));
+    expect_in("header line 1: a PLY file starts", refused_file("b.ply", "plx\nend_header\n"));
     expect_in("header line 2: the format must be",
-              refused("c.ply", "ply\nformat utf 1.0\nend_header\n"));
+              refused_file("c.ply", "ply\nformat utf 1.0\nend_header\n"));
     expect_in("header line 3: a property stands before",
-              refused("d.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n"));
+              refused_file("d.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n"));
     expect_in(
         "the type \"floa\" is not",
-        refused("e.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty floa x\nend_header\n"));
+        refused_file("e.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty floa x\nend_header\n"));
     expect_in(
         "no property y",
-        refused("f.ply",
-                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"));
+        refused_file("f.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"));
     expect_in(
         "without any property",
-        refused("g.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n1\n"));
+        refused_file("g.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n1\n"));
 }
 
 TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {
     const std::string text = ply("3", "2", three + std::string("3 0 1 2\n3 2 1 0\n"));
     for (std::size_t length = 1; length + 3 < text.size(); length += 3)
-        refused("cut.ply", text.substr(0, length));
+        refused_file("cut.ply", text.substr(0, length));
     std::string bytes = ply("3", "2", "", "binary_little_endian") + std::string(36, '\0');
     for (int face = 0; face < 2; ++face) bytes += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
     const TemporaryFolder folder;
     EXPECT_EQ(load_mesh(folder.write("whole.ply", bytes)).triangles.size(), 2u);
     for (std::size_t length = 1; length < bytes.size(); length += 3)
-        refused("cut.ply", bytes.substr(0, length));
+        refused_file("cut.ply", bytes.substr(0, length));
     const std::string off = "OFF\n3 2 0\n" + std::string(three) + "3 0 1 2\n3 2 1 0\n";
     for (std::size_t length = 1; length + 3 < off.size(); length += 3)
-        refused("cut.off", off.substr(0, length));
+        refused_file("cut.off", off.substr(0, length));
     const std::string stl =
         std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, '\0');
     for (std::size_t length = 1; length < stl.size(); length += 7)
-        refused("cut.stl", stl.substr(0, length));
+        refused_file("cut.stl", stl.substr(0, length));
 }
 
 TEST(Trial, TellsWhetherAnActionComesToItsEnd) {
