@@ -52,29 +52,62 @@ std::string joined(std::initializer_list<std::string_view> names) {
     return text;
 }
 
+/// What the parser itself lets pass: values that are nested too deeply, and fields that stand twice
+/// in one object. A pass of its own, since json::parse with a callback takes quadratic time.
+class StrictReader : public nlohmann::json_sax<json> {
+  public:
+    explicit StrictReader(const std::string& file) : file_(file) {}
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        if (fields_.back().insert(name).second) return true;
+        throw InputError(file_ + ": the field " + shown(json(name)) +
+                         " stands twice in one object; keep one of them.");
+    }
+    /// json::parse says what is wrong.
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+        return false;
+    }
+
+  private:
+    bool open() {
+        // Printing a value takes stack for every level.
+        if (fields_.size() >= max_json_depth)
+            throw InputError(file_ + ": values are nested more than " +
+                             std::to_string(max_json_depth) + " deep; no file here needs that.");
+        fields_.emplace_back();
+        return true;
+    }
+    bool close() {
+        fields_.pop_back();
+        return true;
+    }
+
+    const std::string& file_;
+    std::vector<std::set<std::string>> fields_;  ///< of the objects and arrays that are open
+};
+
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& file) {
-    std::vector<std::set<std::string>> open_objects;
-    const auto check_event = [&](int depth, json::parse_event_t event, json& parsed) {
-        // Printing a value takes stack for every level.
-        if (depth > max_json_depth)
-            throw InputError(file + ": values are nested more than " +
-                             std::to_string(max_json_depth) + " deep; no file here needs that.");
-        if (event == json::parse_event_t::object_start) open_objects.emplace_back();
-        if (event == json::parse_event_t::object_end) open_objects.pop_back();
-        if (event == json::parse_event_t::key &&
-            !open_objects.back().insert(parsed.get<std::string>()).second)
-            throw InputError(file + ": the field " + parsed.dump() +
-                             " stands twice in one object; keep one of them.");
-        return true;
-    };
     // The parser takes one for the end.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         throw InputError(file + ": " + line_and_column(text, zero + 1) +
                          ": not valid JSON: a zero byte; correct it there.");
     try {
-        return json::parse(text.begin(), text.end(), check_event);
+        StrictReader strict(file);
+        json::sax_parse(text.begin(), text.end(), &strict);
+        return json::parse(text.begin(), text.end());
     } catch (const json::parse_error& error) {
         throw InputError(file + ": " + line_and_column(text, error.byte) +
                          ": not valid JSON: " + plain_reason(error.what()) + "; correct it there.");
