@@ -11,6 +11,7 @@
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
+#include "scenes/meshes/mesh_reader.h"
 
 namespace scb::app {
 namespace {
@@ -179,5 +180,8 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     // Whoever started this program may ignore it, and then nobody learns how a child of it ended.
     std::signal(SIGCHLD, SIG_DFL);
+    if (argc == 3 && std::strcmp(argv[1], scb::scenes::mesh_reader_command) == 0)
+        return scb::scenes::run_mesh_reader(argv[2]);
+    scb::scenes::set_mesh_reader("/proc/self/exe");
     return scb::app::run(argc, argv);
 }

@@ -17,8 +17,7 @@
 namespace scb::app {
 
 /// The pictures of one run of a command: drawn one after the other, encoded and written beside the
-/// drawing, and listed in index.json at the end. Load meshes first: some of their readers are tried
-/// in a child process, which must not inherit a context or threads.
+/// drawing, and listed in index.json at the end.
 class PictureRun {
   public:
     /// Makes the folder and removes from it what would describe other pictures should this run not

@@ -85,8 +85,6 @@ std::vector<render::LevelBody> bodies_of(const scenes::Scene& scene, int frame,
 
 int run(const LevelOptions& options, const Console& console) {
     options.check();
-    // Meshes first: some readers are tried in a child process, which must not inherit a context or
-    // threads.
     const scenes::Scene scene = options.scene.load();
     const int frame = options.scene.frame_of(scene);
     const scenes::CameraView wish = camera_view_for(options.camera, scene);

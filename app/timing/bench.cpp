@@ -229,7 +229,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
     bench_options.repeats = options.repeats;
     options.picture.check();
-    // Meshes first, see render_levels.cpp; and nothing is measured if one of them is refused.
+    // Nothing is measured if one of them is refused.
     const std::vector<Entry> all = entries(options, console);
     // Two names are two bodies only where they are meshes.
     if (all.size() == 1) note_same_pose(options.scene, console);

@@ -71,7 +71,6 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
     for_each_in_threads(
         check.cases.size(), check.jobs,
         [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
-    // Not in the threads: meshes may be read for it, which is tried in a forked process first.
     CheckedCases all;
     for (std::size_t i = 0; i < done.size(); ++i) {
         if (!done[i]) continue;

@@ -7,7 +7,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/gltf_check.h"
-#include "scenes/meshes/isolated_run.h"
+#include "scenes/meshes/mesh_reader.h"
 #include "scenes/meshes/off_check.h"
 #include "scenes/meshes/ply_check.h"
 #include "scenes/text/file_bytes.h"
@@ -54,16 +54,13 @@ Mesh load_mesh(const fs::path& path) {
     const std::string name = path.string();
     check_file(path);
     try {
-        // Readers of other formats have been seen to crash on broken files: they are tried
-        // elsewhere first.
-        if (!check_content(path) && !survives([&] { assimp_mesh(name); }))
-            throw InputError(name +
-                             ": its reader crashed or did not come to an end, so the file is "
-                             "broken; repair it or export it again.");
-        Mesh mesh = assimp_mesh(name);
+        // assimp's readers of other formats have been seen to crash on broken files.
+        Mesh mesh = check_content(path) ? assimp_mesh(name) : isolated_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {
+        throw;
+    } catch (const fs::filesystem_error&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw InputError(

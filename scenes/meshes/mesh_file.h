@@ -25,8 +25,8 @@ namespace scb::scenes {
 /// it. Lengths are in the file's unit, but for COLLADA, whose unit is applied. The up axis of a
 /// COLLADA file is left alone; 3DS comes out with y up.
 ///
-/// Formats other than PLY are read twice, first in a child process, since assimp's readers of them
-/// can crash on broken files; call this before the program starts threads that must not be forked.
+/// Formats other than PLY are read in another process, see isolated_mesh, since assimp's readers of
+/// them can crash on broken files.
 ///
 /// Throws InputError with one sentence that names the file, the place where known, and what to do:
 /// the file is missing, a directory, empty, of a format that nothing reads, or broken; an index is

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "core/base/random.h"
-#include "scenes/meshes/isolated_run.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/scenes/support.h"
 
@@ -156,13 +155,6 @@ TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {
         std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, '\0');
     for (std::size_t length = 1; length < stl.size(); length += 7)
         refused_file("cut.stl", stl.substr(0, length));
-}
-
-TEST(Trial, TellsWhetherAnActionComesToItsEnd) {
-    EXPECT_TRUE(survives([] {}));
-    EXPECT_TRUE(survives([] { throw InputError("refused."); }));
-    EXPECT_FALSE(survives([] { std::abort(); }));
-    EXPECT_FALSE(survives([] { std::raise(SIGSEGV); }));
 }
 
 TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
