@@ -91,8 +91,7 @@ void add_explain(const Command& program, const Console& console, Action& action)
     add_explain_options(command, *options);
     command.footer(
         "A step that separates has a positive slack: by that much; the first one made decides. "
-        "Then what is so, exactly,\nwith what proves it, and what the other tests say. Exit status "
-        "1 "
+        "Then the exact answer\nwith its certificate, and what the other tests say. Exit status 1 "
         "where the test rejected volumes that overlap.\n\n"
         "FILE.json is a list of pairs, or one: {\"a\": VOLUME, \"b\": VOLUME, \"pose\": [12 "
         "numbers, [R|t] row by row, B in A's\nframe; may be left out]}, where VOLUME is one of\n"

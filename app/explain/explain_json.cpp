@@ -66,18 +66,18 @@ Json steps_json(const OverlapSteps& steps) {
     return list;
 }
 
-Json proof_json(const ExplainedPair& pair) {
-    const ContactCertificate& proof = pair.found.proof;
-    if (proof.contact == Contact::touching) return nullptr;
+Json certificate_json(const ExplainedPair& pair) {
+    const ContactCertificate& certificate = pair.found.certificate;
+    if (certificate.contact == Contact::touching) return nullptr;
     Json result;
-    if (proof.contact == Contact::disjoint) {
-        result["direction"] = json_of(proof.direction);
-        result["gap"] = proof.margin;
+    if (certificate.contact == Contact::disjoint) {
+        result["direction"] = json_of(certificate.direction);
+        result["gap"] = certificate.margin;
     } else {
-        result["point"] = json_of(Vec3(render::center(pair.a) + proof.point));
-        result["depth"] = proof.margin;
+        result["point"] = json_of(Vec3(render::center(pair.a) + certificate.point));
+        result["depth"] = certificate.margin;
     }
-    result["verified"] = pair.found.proven;
+    result["verified"] = pair.found.verified;
     return result;
 }
 
@@ -105,10 +105,10 @@ Json explanation_json(const ExplainedPair& pair) {
         pair.kind == VolumeKind::scb ? std::string(overlap_test_name(pair.options.test)) : kind;
     if (pair.kind == VolumeKind::scb) result["threshold"] = pair.options.threshold;
     result["stage"] = std::move(stages);
-    result["exact"] = contact_names[found.proof.contact];
+    result["exact"] = contact_names[found.certificate.contact];
     result["answer"] = answer_names[found.answer];
     result["answers"] = std::move(answers);
-    result["proof"] = proof_json(pair);
+    result["certificate"] = certificate_json(pair);
     result["a"] = json_of(pair.a);
     result["b"] = json_of(pair.b);
     result["pose"] = json_of(pair.placed.b_to_a);

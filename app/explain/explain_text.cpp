@@ -125,15 +125,15 @@ std::string steps_text(const OverlapSteps& steps) {
 }
 
 std::string exact_text(const ExplainedPair& pair) {
-    const ContactCertificate& proof = pair.found.proof;
-    const std::string checked = pair.found.proven ? ", verified" : "";
-    switch (proof.contact) {
+    const ContactCertificate& certificate = pair.found.certificate;
+    const std::string checked = pair.found.verified ? ", verified" : "";
+    switch (certificate.contact) {
         case Contact::disjoint:
-            return "disjoint: at least " + number(proof.margin) + " apart along " +
-                   point(proof.direction) + checked;
+            return "disjoint: at least " + number(certificate.margin) + " apart along " +
+                   point(certificate.direction) + checked;
         case Contact::overlapping:
-            return "overlapping: " + point(Vec3(render::center(pair.a) + proof.point)) +
-                   " is in both, and B is at least " + number(proof.margin) + " deep in A" +
+            return "overlapping: " + point(Vec3(render::center(pair.a) + certificate.point)) +
+                   " is in both, and B is at least " + number(certificate.margin) + " deep in A" +
                    checked;
         case Contact::touching:
             break;

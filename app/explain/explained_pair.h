@@ -20,7 +20,7 @@ struct ExplainedNode {
     std::uint32_t triangles = 0;  ///< below it
 };
 
-/// Two volumes, what an overlap test says of them step by step, and what is so.
+/// Two volumes, what an overlap test says of them step by step, and the exact answer.
 struct ExplainedPair {
     VolumeKind kind{};
     render::AnyVolume a, b;  ///< of one type, each in its own frame

@@ -42,8 +42,8 @@ golden::GoldenRunSettings GoldenOptions::settings() const {
     std::error_code error;
     settings.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
     if (error)
-        throw InputError("/proc/self/exe cannot be read (" + error.message() +
-                         "), by which cases are run; mount /proc.");
+        throw InputError("/proc/self/exe, the program that runs the cases, cannot be read (" +
+                         error.message() + "); mount /proc.");
     settings.folder = std::filesystem::absolute(suite).parent_path().string();
     if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
     settings.gl = gl;

@@ -235,7 +235,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "meet, but no triangles do (fit: the volumes are too loose); or not even the volumes meet "
         "(test: too weak).\n"
         "What it led to is wasted but in the first case. The volumes are decided exactly, each "
-        "verdict with a proof.\n"
+        "verdict with its certificate.\n"
         "Exit status 1 where the test rejected volumes that meet, as --test printed does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"

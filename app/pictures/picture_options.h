@@ -27,7 +27,7 @@ struct PictureOptions {
     bool ids = false;
     bool json = false;
     bool shift_color = false;             ///< see shifted_colors
-    std::optional<PixelPosition> pick{};  ///< the pixel of which is told what it shows
+    std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};
 
     /// Throws InputError where one of them makes no sense.

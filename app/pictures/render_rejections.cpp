@@ -63,7 +63,8 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
             const std::optional<Outcome> ending = ending_of(name);
             if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())
                 throw InputError("--stages " + options.stages + ": '" + name +
-                                 "' is none here; give some of " + names_of(known) + ".");
+                                 "' is not an ending of these queries; give some of " +
+                                 names_of(known) + ".");
             style.filter.endings.push_back(*ending);
         }
     if (!options.depths.empty())

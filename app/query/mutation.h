@@ -8,8 +8,8 @@
 
 namespace scb::app {
 
-/// An error on purpose, by which `scb golden selftest` proves that a suite can fail. It is made of
-/// what the core library was given or gave; the library itself knows nothing of it.
+/// An error on purpose. With it `scb golden selftest` shows that a suite can fail. The program
+/// makes it, from what the core library takes or returns; the library knows nothing of it.
 enum class Mutation {
     none,
     drop_node,        ///< a node's volume is gone

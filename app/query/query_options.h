@@ -32,8 +32,8 @@ struct QueryLimits {
     std::int64_t max_pairs = 100'000'000;
     std::string levels{};  ///< one level; empty: none
 
-    /// Sets CollideOptions::max_pairs and stop_level; throws InputError where the number of pairs
-    /// or the level is none. `deepest_level` is the scene's.
+    /// Sets CollideOptions::max_pairs and stop_level. Throws InputError where the number of pairs
+    /// is below 1, or there is no such level. `deepest_level` is the scene's.
     void apply(CollideOptions& options, int deepest_level) const;
 };
 

@@ -59,7 +59,7 @@ struct BenchOptions {
 
 /// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
 /// `step` is called after each query and ends the measurement by returning false; then there is no
-/// result. Throws InputError where a mesh is none for a layout, or a query finds more than
+/// result. Throws InputError where a layout cannot hold a mesh, or a query finds more than
 /// max_pairs.
 std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,

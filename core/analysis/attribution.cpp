@@ -77,26 +77,26 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
     const Placement placed = query_placement(a, b, frame.b_to_a);
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const IndexPair nodes = tests[i].nodes;
-        const ContactCertificate proof =
+        const ContactCertificate certificate =
             exact_verdict(a.volumes[nodes.a], b.volumes[nodes.b], placed);
         if (tests[i].stage != Stage::overlapping) {
-            if (proof.contact == Contact::overlapping || contacts[i] > 0)
-                result.wrongly_rejected.push_back({i, contacts[i], proof.contact});
+            if (certificate.contact == Contact::overlapping || contacts[i] > 0)
+                result.wrongly_rejected.push_back({i, contacts[i], certificate.contact});
             continue;
         }
         PassedPair pair;
         pair.test = i;
-        pair.exact = proof.contact;
+        pair.exact = certificate.contact;
         pair.leaves = a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf();
         if (contacts[i] > 0) {
             pair.reason = PassReason::triangles_meet;
-        } else if (proof.contact == Contact::disjoint) {
+        } else if (certificate.contact == Contact::disjoint) {
             pair.reason = PassReason::weak_test;
-            pair.gap = proof.margin;
+            pair.gap = certificate.margin;
         } else {
             pair.reason = PassReason::loose_fit;
         }
-        result.counts.touching += proof.contact == Contact::touching;
+        result.counts.touching += certificate.contact == Contact::touching;
         result.passed.push_back(pair);
     }
 }

@@ -26,9 +26,9 @@ struct EndedPathsFilter {
     int least_depth = 0, most_depth = std::numeric_limits<int>::max();  ///< of the node
 };
 
-/// The front of a traversal on one side: every node of A (`side` 0) or B (1) in whose pair tests
-/// paths ended, ascending. A node may be in the front and below another one that is, since it met
-/// other nodes of the other body.
+/// Where the paths of a traversal ended, on one side: every node of A (`side` 0) or B (1) in whose
+/// pair tests paths ended, ascending. A node may be in the front and below another one that is,
+/// since it met other nodes of the other body.
 std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
                                     std::size_t side, const EndedPathsFilter& filter = {});
 

@@ -48,7 +48,7 @@ void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& 
             const auto& of_b = std::get<Hierarchy<V>>(b);
             return explain(of_a.volumes[pair.test.nodes.a], of_b.volumes[pair.test.nodes.b],
                            query_placement(of_a, of_b, b_to_a), {})
-                .proof.margin;
+                .certificate.margin;
         },
         a);
 }

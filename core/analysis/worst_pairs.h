@@ -13,7 +13,7 @@ struct FalsePair {
         0;  ///< as of ContactCertificate: gap or depth of the volumes, see sharpen_margin
 };
 
-/// Raises the margin to what the sharpened proof says, as explain() does.
+/// Raises the margin to what the sharpened certificate says, as explain() does.
 void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
                     const Pose& b_to_a);
 

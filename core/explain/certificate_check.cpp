@@ -37,14 +37,14 @@ void add_directions(std::vector<Vec3>& to, const Obb& box) {
 }
 
 template <class V>
-bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate& proof) {
+bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate& certificate) {
     const double rounding = 1e-13 * std::max({diameter(a), diameter(b), to_b.norm()});
     const auto reach_of_a = [&](const Vec3& d) { return dot(d, farthest(a, d)); };
     const auto end_of_b = [&](const Vec3& d) { return dot(d, Vec3(to_b + farthest(b, -d))); };
-    if (proof.contact == Contact::touching) return false;
-    if (proof.contact == Contact::disjoint) {
-        const Vec3& d = proof.direction;
-        return end_of_b(d) - reach_of_a(d) >= proof.margin - rounding;
+    if (certificate.contact == Contact::touching) return false;
+    if (certificate.contact == Contact::disjoint) {
+        const Vec3& d = certificate.direction;
+        return end_of_b(d) - reach_of_a(d) >= certificate.margin - rounding;
     }
     std::vector<Vec3> directions;
     add_directions(directions, a);
@@ -55,9 +55,9 @@ bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate
             for (int k = -1; k <= 1; ++k)
                 if (9 * i + 3 * j + k > 0) directions.push_back(Vec3(i, j, k).normalized());
     const auto holds_along = [&](const Vec3& d) {
-        const double at = dot(d, proof.point);
+        const double at = dot(d, certificate.point);
         return at <= reach_of_a(d) + rounding && at >= end_of_b(d) - rounding &&
-               reach_of_a(d) - end_of_b(d) >= proof.margin - rounding;
+               reach_of_a(d) - end_of_b(d) >= certificate.margin - rounding;
     };
     return std::all_of(directions.begin(), directions.end(),
                        [&](const Vec3& d) { return holds_along(d) && holds_along(-d); });
@@ -65,16 +65,16 @@ bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate
 
 }  // namespace
 
-bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& proof) {
-    return bear_out(a, b, b.c - a.c, proof);
+bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return bear_out(a, b, b.c - a.c, certificate);
 }
 
-bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& proof) {
-    return bear_out(a, b, b.center - a.center, proof);
+bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
+    return bear_out(a, b, b.center - a.center, certificate);
 }
 
-bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& proof) {
-    return bear_out(a, b, b.center - a.center, proof);
+bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
+    return bear_out(a, b, b.center - a.center, certificate);
 }
 
 }  // namespace scb

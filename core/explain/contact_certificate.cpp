@@ -35,17 +35,17 @@ double reach(const Surroundings& s, double cosine, double sine) {
 
 /// `size`: the largest of the lengths that meet.
 template <class V>
-bool verify_within(const V& a, const V& b, const ContactCertificate& proof, double size) {
+bool verify_within(const V& a, const V& b, const ContactCertificate& certificate, double size) {
     // Squares of shorter lengths lose digits, or vanish, and those of longer ones overflow.
     if (!(size > 1e-140 && size < 1e140)) return false;
     const double rounding = 1e-14 * size;
-    if (!(proof.margin > rounding)) return false;
-    switch (proof.contact) {
+    if (!(certificate.margin > rounding)) return false;
+    switch (certificate.contact) {
         case Contact::disjoint:
-            return std::abs(proof.direction.norm() - 1) <= 1e-9 &&
-                   proven_gap(a, b, proof.direction) >= proof.margin - rounding;
+            return std::abs(certificate.direction.norm() - 1) <= 1e-9 &&
+                   proven_gap(a, b, certificate.direction) >= certificate.margin - rounding;
         case Contact::overlapping:
-            return proven_depth(a, b, proof.point) >= proof.margin - rounding;
+            return proven_depth(a, b, certificate.point) >= certificate.margin - rounding;
         case Contact::touching:
             break;
     }
@@ -112,18 +112,18 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point) {
     return least - outside;
 }
 
-bool verify(const Scb& a, const Scb& b, const ContactCertificate& proof) {
-    return verify_within(a, b, proof, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
+bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return verify_within(a, b, certificate, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
 }
 
-bool verify(const Ball& a, const Ball& b, const ContactCertificate& proof) {
-    return verify_within(a, b, proof,
+bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
+    return verify_within(a, b, certificate,
                          std::max({a.radius, b.radius, (b.center - a.center).stableNorm()}));
 }
 
-bool verify(const Obb& a, const Obb& b, const ContactCertificate& proof) {
+bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
     return verify_within(
-        a, b, proof,
+        a, b, certificate,
         std::max({a.half.stableNorm(), b.half.stableNorm(), (b.center - a.center).stableNorm()}));
 }
 

@@ -20,7 +20,7 @@ struct ContactCertificate {
     /// Disjoint: the unit direction from A to B along which the two are `margin` apart.
     Vec3 direction = Vec3::Zero();
     /// Overlapping: a point of both, from the center of A. B must be moved by `margin` or more, in
-    /// whatever direction, to be rid of A.
+    /// whatever direction, until it no longer overlaps A.
     Vec3 point = Vec3::Zero();
     /// A proven lower bound of the gap or depth. Zero where the two touch.
     double margin = 0;
@@ -31,8 +31,8 @@ double proven_gap(const Scb& a, const Scb& b, const Vec3& direction);
 double proven_gap(const Ball& a, const Ball& b, const Vec3& direction);
 double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
 
-/// How far B must be moved, at least, to be rid of A, as far as the surroundings of a common point
-/// show (`point` is from the center of A). Positive only for overlapping ones.
+/// How far B must be moved at least, until it no longer overlaps A, as far as the surroundings of a
+/// common point show (`point` is from the center of A). Positive only for overlapping ones.
 ///
 /// Of SCBs: A holds the ball about the point with the point's distance to the sphere as its radius,
 /// cut by a slab about the point with its distance to the nearer plane as half the thickness; B
@@ -54,8 +54,8 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 /// these two it says no more than that; see check_certificate. `touching` claims nothing and is
 /// never verified, nor are lengths whose squares are no normal numbers, or a direction that is no
 /// unit vector.
-bool verify(const Scb& a, const Scb& b, const ContactCertificate& proof);
-bool verify(const Ball& a, const Ball& b, const ContactCertificate& proof);
-bool verify(const Obb& a, const Obb& b, const ContactCertificate& proof);
+bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate);
+bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate);
+bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate);
 
 }  // namespace scb

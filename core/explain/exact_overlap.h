@@ -48,8 +48,8 @@ ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance = 
 /// The same verdict with a margin as great as a search finds, which climbs on proven_gap or
 /// proven_depth: close to the distance, or the depth of a deep common point; less where two thin
 /// volumes are nearly parallel and nearly touch. For people to look at.
-ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& proof);
-ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& proof);
-ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& proof);
+ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate);
+ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate);
+ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate);
 
 }  // namespace scb

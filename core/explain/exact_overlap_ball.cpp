@@ -11,16 +11,16 @@ ContactCertificate exact_overlap(const Ball& a, const Ball& b, double tolerance)
     const double distance = std::sqrt(squared_norm(to_b)), gap = distance - a.radius - b.radius;
     // Of balls with one center any direction is as good.
     const Vec3 direction = distance > 0 ? Vec3(to_b / distance) : Vec3::UnitX();
-    ContactCertificate proof;
+    ContactCertificate certificate;
     if (gap > least) {
-        proof = {Contact::disjoint, direction, Vec3::Zero(), gap};
+        certificate = {Contact::disjoint, direction, Vec3::Zero(), gap};
     } else if (-gap > least) {
         // On the line of centers, between where the balls end on it.
         const double from = std::max(-a.radius, distance - b.radius),
                      to = std::min(a.radius, distance + b.radius);
-        proof = {Contact::overlapping, Vec3::Zero(), 0.5 * (from + to) * direction, -gap};
+        certificate = {Contact::overlapping, Vec3::Zero(), 0.5 * (from + to) * direction, -gap};
     }
-    return proof;
+    return certificate;
 }
 
 }  // namespace scb

@@ -88,36 +88,36 @@ double depth_at(const Obb& a, const Obb& b, const Vec3& point) {
 ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance) {
     const double larger = std::max(diameter(a), diameter(b)) / 2, least = tolerance * larger;
     const Vec3 to_b = b.center - a.center;
-    ContactCertificate proof;
+    ContactCertificate certificate;
     double gap = -HUGE_VAL;
     visit_directions(a, b, [&](const Vec3& d) {
         const double distance = dot(d, to_b),
                      g = std::abs(distance) - support(a, d) - support(b, d);
         if (g > gap) {
             gap = g;
-            proof.direction = distance < 0 ? Vec3(-d) : d;
+            certificate.direction = distance < 0 ? Vec3(-d) : d;
         }
     });
     if (gap > least) {
-        proof.contact = Contact::disjoint;
-        proof.margin = gap;
-        return proof;
+        certificate.contact = Contact::disjoint;
+        certificate.margin = gap;
+        return certificate;
     }
-    proof.direction = Vec3::Zero();
+    certificate.direction = Vec3::Zero();
     CornerSum corners;
     const double slop = 1e-14 * larger;
     corners.add_edges(a, b, -to_b, to_b, slop);
     corners.add_edges(b, a, to_b, Vec3::Zero(), slop);
-    if (corners.count == 0) return proof;
-    proof.point = corners.sum / corners.count;
-    const double depth = depth_at(a, b, proof.point);
+    if (corners.count == 0) return certificate;
+    certificate.point = corners.sum / corners.count;
+    const double depth = depth_at(a, b, certificate.point);
     if (depth > least) {
-        proof.contact = Contact::overlapping;
-        proof.margin = depth;
+        certificate.contact = Contact::overlapping;
+        certificate.margin = depth;
     } else {
-        proof.point = Vec3::Zero();
+        certificate.point = Vec3::Zero();
     }
-    return proof;
+    return certificate;
 }
 
 }  // namespace scb

@@ -216,23 +216,23 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     pair.a.c = Vec3::Zero();
     pair.b.c = b.c - a.c;
 
-    ContactCertificate proof;
+    ContactCertificate certificate;
     Separation separation{pair};
     try_closed_forms(pair, separation);
     const auto conclude_disjoint = [&] {
-        proof.contact = Contact::disjoint;
-        proof.direction = separation.direction;
-        proof.margin = separation.gap;
-        return proof;
+        certificate.contact = Contact::disjoint;
+        certificate.direction = separation.direction;
+        certificate.margin = separation.gap;
+        return certificate;
     };
     if (separation.gap > least) return conclude_disjoint();
 
     const Crossing crossing(a.n, b.n);
     const Pair inner = cores(pair, crossing, 2 * least);
-    if (least > 0 && find_common_point(inner, crossing, 1e-14 * larger, proof.point)) {
-        proof.contact = Contact::overlapping;
-        proof.margin = least;
-        return proof;
+    if (least > 0 && find_common_point(inner, crossing, 1e-14 * larger, certificate.point)) {
+        certificate.contact = Contact::overlapping;
+        certificate.margin = least;
+        return certificate;
     }
 
     try_corners(pair, crossing, separation);
@@ -248,7 +248,7 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     try_wider_slabs(exchanged, missed, backward);
     separation.try_direction(-backward.direction);
     if (separation.gap > least) return conclude_disjoint();
-    return proof;
+    return certificate;
 }
 
 }  // namespace scb

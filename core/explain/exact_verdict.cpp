@@ -15,10 +15,11 @@ ContactCertificate verdict(const V& a, const V& b, const Placement& placed) {
     const double size = std::max(diameter(a), diameter(b)) / 2;
     const double tolerance =
         size > 0 ? std::max(contact_tolerance, placed.margin / size) : contact_tolerance;
-    const ContactCertificate proof = exact_overlap(a, seen_from_a(b, placed), tolerance);
+    const ContactCertificate certificate = exact_overlap(a, seen_from_a(b, placed), tolerance);
     // Points, which have no size, are disjoint at any distance.
-    const bool lost = proof.contact == Contact::disjoint && !(proof.margin > placed.margin);
-    return lost ? ContactCertificate{} : proof;
+    const bool lost =
+        certificate.contact == Contact::disjoint && !(certificate.margin > placed.margin);
+    return lost ? ContactCertificate{} : certificate;
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 
 namespace scb {
 
-/// What is so of A, in its own frame, and B, in the one that `placed` says where it is: the proof
-/// of exact_overlap, in A's frame. Where gap or depth is within the placement's margin, where the
-/// overlap tests themselves cannot tell, the two touch. What a test is worth is judged by this.
+/// The exact verdict on A, in its own frame, and B, in the frame that `placed` places: the
+/// certificate of exact_overlap, in A's frame. Where gap or depth is within the placement's margin,
+/// the overlap tests themselves cannot tell, and the verdict is that the two touch. An overlap test
+/// is judged by this verdict.
 ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed);
 ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
 ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed);

@@ -15,8 +15,8 @@ PairExplanation explained(const V& a, const V& b, const Placement& placed,
     result.steps = overlap_steps(a, b, placed, options);
     const ContactCertificate verdict = exact_verdict(a, b, placed);
     const V in_a = seen_from_a(b, placed);
-    result.proof = sharpened(a, in_a, verdict);
-    result.proven = verify(a, in_a, verdict) && check_certificate(a, in_a, result.proof);
+    result.certificate = sharpened(a, in_a, verdict);
+    result.verified = verify(a, in_a, verdict) && check_certificate(a, in_a, result.certificate);
     result.answer = judged(result.steps.stage(), verdict.contact);
     return result;
 }
@@ -40,7 +40,7 @@ PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
     for (const OverlapTest test : all_overlap_tests()) {
         const Stage stage = with_overlap_test<Scb>({test, options.threshold},
                                                    [&](const auto& t) { return t(a, b, placed); });
-        result.tests.push_back({test, stage, judged(stage, result.proof.contact)});
+        result.tests.push_back({test, stage, judged(stage, result.certificate.contact)});
     }
     return result;
 }

@@ -23,7 +23,7 @@ inline constexpr EnumNames<Answer, 3> answer_names = {
 /// How a test ended, in words: "rejected at slab-cylinder", "passed".
 std::string ending_words(Stage stage);
 
-/// Judges the stage at which a test ended by what is so.
+/// Judges the stage at which a test ended by the exact contact of the two volumes.
 Answer judged(Stage stage, Contact contact);
 
 /// How one of the tests for slab cut balls ends.
@@ -39,10 +39,10 @@ struct PairExplanation {
     Answer answer{};                ///< that test's
     std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
     /// That of exact_verdict, sharpened; in A's frame.
-    ContactCertificate proof;
+    ContactCertificate certificate;
     /// What `verify` says of the verdict before it was sharpened, and check_certificate of the
-    /// proof.
-    bool proven = false;
+    /// certificate.
+    bool verified = false;
 };
 
 /// Explains the test that the options name, for A in its own frame and B in the one that `placed`

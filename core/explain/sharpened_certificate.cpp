@@ -86,40 +86,41 @@ double outside(const Obb& a, const Obb& b, const Vec3& point) {
 }
 
 template <class V>
-ContactCertificate sharpened_proof(const V& a, const V& b, ContactCertificate proof) {
-    if (proof.contact == Contact::disjoint)
+ContactCertificate sharpened_certificate(const V& a, const V& b, ContactCertificate certificate) {
+    if (certificate.contact == Contact::disjoint)
         climb(
-            proof.direction, proof.margin, 0.5, [&](const Vec3& d) { return proven_gap(a, b, d); },
+            certificate.direction, certificate.margin, 0.5,
+            [&](const Vec3& d) { return proven_gap(a, b, d); },
             [](const Vec3& d, const Vec3& s) {
                 const Vec3 moved = d + s;
                 const double length = std::sqrt(squared_norm(moved));
                 return length > 0.1 ? Vec3(moved / length) : d;
             });
-    if (proof.contact == Contact::overlapping) {
+    if (certificate.contact == Contact::overlapping) {
         // The point stays one of both, though proven_depth would bear with another.
         const double slop = 1e-13 * std::max(diameter(a), diameter(b));
         climb(
-            proof.point, proof.margin, std::min(diameter(a), diameter(b)) / 4,
+            certificate.point, certificate.margin, std::min(diameter(a), diameter(b)) / 4,
             [&](const Vec3& p) {
                 return outside(a, b, p) <= slop ? proven_depth(a, b, p) : -HUGE_VAL;
             },
             [&](const Vec3& p, const Vec3& s) { return pulled_in(a, b, p + s, slop); });
     }
-    return proof;
+    return certificate;
 }
 
 }  // namespace
 
-ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& proof) {
-    return sharpened_proof(a, b, proof);
+ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return sharpened_certificate(a, b, certificate);
 }
 
-ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& proof) {
-    return sharpened_proof(a, b, proof);
+ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
+    return sharpened_certificate(a, b, certificate);
 }
 
-ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& proof) {
-    return sharpened_proof(a, b, proof);
+ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
+    return sharpened_certificate(a, b, certificate);
 }
 
 }  // namespace scb

@@ -26,7 +26,7 @@ struct Png {
     int width = 0, height = 0;
 };
 
-/// The bytes of a PNG file, or nothing where it is none.
+/// The bytes of a PNG file, or nothing where the file is no PNG.
 std::optional<Png> png_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     Png png;

@@ -23,28 +23,28 @@ double radius_of(const AnyVolume& volume) {
 
 /// The disc of the plane between two disjoint volumes, in A's frame, beside the smaller one.
 Scb separating_disc(const ExplainFigure& figure) {
-    const ContactCertificate& proof = figure.found->proof;
-    const Vec3 a = center(figure.a), b = center(figure.b), d = proof.direction;
+    const ContactCertificate& certificate = figure.found->certificate;
+    const Vec3 a = center(figure.a), b = center(figure.b), d = certificate.direction;
     const double radius_a = radius_of(figure.a), radius_b = radius_of(figure.b),
-                 height = reach(figure.a, d) + proof.margin / 2;
+                 height = reach(figure.a, d) + certificate.margin / 2;
     const Vec3 beside = radius_a < radius_b ? a : b,
                middle = beside + (height - dot(d, beside)) * d;
     const double radius = 1.2 * std::min(radius_a, radius_b);
-    return {middle, radius > 0 ? radius : proof.margin / 4, d, 0, 0};
+    return {middle, radius > 0 ? radius : certificate.margin / 4, d, 0, 0};
 }
 
 /// What the camera has to hold, in the world.
 std::vector<AnyVolume> held(const ExplainFigure& figure) {
     std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
                                       placed(figure.b, figure.to_world)};
-    if (figure.found->proof.contact == Contact::disjoint)
+    if (figure.found->certificate.contact == Contact::disjoint)
         volumes.emplace_back(placed(separating_disc(figure), figure.to_world));
     return volumes;
 }
 
 Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect& view, int unit) {
     const Theme& theme = *figure.theme;
-    const ContactCertificate& proof = figure.found->proof;
+    const ContactCertificate& certificate = figure.found->certificate;
     Pane pane;
     pane.viewport = view;
     pane.camera = camera;
@@ -58,10 +58,10 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
         pane.meshes[1].color = body_b_color;
         for (MeshDraw& mesh : pane.meshes) mesh.edges = true;
     }
-    if (proof.contact == Contact::disjoint) {
+    if (certificate.contact == Contact::disjoint) {
         pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
         const Scb& disc = std::get<Scb>(volumes[2]);
-        const Vec3 half_gap = proof.margin / 2 * disc.n;
+        const Vec3 half_gap = certificate.margin / 2 * disc.n;
         pane.segments.push_back({disc.c - half_gap, disc.c + half_gap, theme.accent, 3,
                                  std::max(3.0, unit / 6.0), true});
     }
@@ -69,18 +69,19 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
 }
 
 SectionPlane plane_of(const ExplainFigure& figure) {
-    const ContactCertificate& proof = figure.found->proof;
-    return section_plane(
-        figure.a, figure.b, shown_step(figure),
-        proof.contact == Contact::overlapping ? std::optional(proof.point) : std::nullopt);
+    const ContactCertificate& certificate = figure.found->certificate;
+    return section_plane(figure.a, figure.b, shown_step(figure),
+                         certificate.contact == Contact::overlapping
+                             ? std::optional(certificate.point)
+                             : std::nullopt);
 }
 
 /// The point of both, also where something hides it.
 void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
                        const PixelRect& view, int unit) {
-    const ContactCertificate& proof = figure.found->proof;
-    if (proof.contact != Contact::overlapping) return;
-    const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + proof.point)),
+    const ContactCertificate& certificate = figure.found->certificate;
+    if (certificate.contact != Contact::overlapping) return;
+    const Vec3 point = transform_point(figure.to_world, Vec3(center(figure.a) + certificate.point)),
                at = project(camera, point, view.width, view.height);
     const ScreenPosition position{view.x + at[0], view.y + at[1]};
     const int reach = unit / 2;
@@ -124,7 +125,7 @@ void draw_caption(Overlay& overlay, const PixelRect& box, const std::string& tex
 void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
     const Theme& theme = *figure.theme;
     const OverlapStep& step = shown_step(figure);
-    const ContactCertificate& proof = figure.found->proof;
+    const ContactCertificate& certificate = figure.found->certificate;
     const bool wrong = figure.found->answer == Answer::false_negative;
     SectionPlot plot;
     plot.a = figure.a;
@@ -132,7 +133,7 @@ void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLa
     plot.step = step;
     plot.plane = plane_of(figure);
     plot.gap_color = wrong ? theme.warning : step.separates ? theme.accent : theme.faint_text;
-    if (proof.contact == Contact::overlapping) plot.common_point = proof.point;
+    if (certificate.contact == Contact::overlapping) plot.common_point = certificate.point;
     const int caption = layout.caption_height();
     PixelRect box = layout.section;
     box.y += caption;
@@ -176,12 +177,12 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
     heading.unit = layout.unit;
     heading.heading = layout.heading;
     draw_heading(overlay, heading, theme, figure.title, figure.subtitle);
-    const ContactCertificate& proof = figure.found->proof;
-    draw_caption(overlay, layout.view, "exact: " + exact_words(proof), theme.text,
-                 proof.contact == Contact::disjoint
+    const ContactCertificate& certificate = figure.found->certificate;
+    draw_caption(overlay, layout.view, "exact: " + exact_words(certificate), theme.text,
+                 certificate.contact == Contact::disjoint
                      ? "the disc is between the two; across it, the gap"
-                 : proof.contact == Contact::overlapping ? "the dot is a point of both"
-                                                         : "neither apart nor in each other",
+                 : certificate.contact == Contact::overlapping ? "the dot is a point of both"
+                                                               : "neither apart nor in each other",
                  theme, layout.unit);
     // Below the view, where the subject never is.
     draw_scale_bar(overlay, layout.view.x + layout.unit / 2, layout.view.y + layout.view.height,

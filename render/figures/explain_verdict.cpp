@@ -28,12 +28,12 @@ const OverlapStep& shown_step(const ExplainFigure& figure) {
     return steps.steps[steps.closest()];
 }
 
-std::string exact_words(const ContactCertificate& proof) {
-    switch (proof.contact) {
+std::string exact_words(const ContactCertificate& certificate) {
+    switch (certificate.contact) {
         case Contact::disjoint:
-            return "disjoint, " + number_text(proof.margin) + " apart";
+            return "disjoint, " + number_text(certificate.margin) + " apart";
         case Contact::overlapping:
-            return "overlapping, " + number_text(proof.margin) + " deep";
+            return "overlapping, " + number_text(certificate.margin) + " deep";
         case Contact::touching:
             break;
     }
@@ -60,7 +60,7 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
                      stage == Stage::overlapping
                          ? std::nullopt
                          : std::optional(ending_color(rejected_at(stage), theme))});
-    lines.push_back({"exact:  " + exact_words(found.proof), theme.text, FontWeight::bold});
+    lines.push_back({"exact:  " + exact_words(found.certificate), theme.text, FontWeight::bold});
     std::string answer(answer_names[found.answer]);
     if (found.answer == Answer::correct)
         answer = "the test is right" + (figure.but.empty() ? "" : ", but " + figure.but);

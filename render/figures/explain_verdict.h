@@ -13,7 +13,7 @@ namespace scb::render {
 const OverlapStep& shown_step(const ExplainFigure& figure);
 
 /// "disjoint, 0.0123 apart".
-std::string exact_words(const ContactCertificate& proof);
+std::string exact_words(const ContactCertificate& certificate);
 
 /// A line of what a figure concludes.
 struct VerdictLine {
@@ -23,7 +23,8 @@ struct VerdictLine {
     std::optional<Rgba8> swatch{};
 };
 
-/// How the test ended, what is so, what the answer is worth; the two volumes; the other tests.
+/// How the test ended, the exact answer, what the test's answer is worth; the two volumes; the
+/// other tests.
 std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure);
 
 /// Draws them into the rectangle, wrapped; what does not fit is left out.

@@ -95,9 +95,9 @@ TEST_F(ExplainCommand, GivesEveryStepAndTheProof) {
     const json found = explained("--test corrected --pairs " + file_of({pair_of(0.75)}))[0];
     EXPECT_EQ(found["stage"]["corrected"], "slab-cylinder");
     EXPECT_EQ(found["exact"], "disjoint");
-    EXPECT_NEAR(found["proof"]["gap"], 0.25, 1e-9);
-    EXPECT_NEAR(found["proof"]["direction"][2], 1, 1e-9);
-    EXPECT_EQ(found["proof"]["verified"], true);
+    EXPECT_NEAR(found["certificate"]["gap"], 0.25, 1e-9);
+    EXPECT_NEAR(found["certificate"]["direction"][2], 1, 1e-9);
+    EXPECT_EQ(found["certificate"]["verified"], true);
     EXPECT_EQ(found["b_in_a"]["center"], json({0.1, 0.0, 0.75}));
     EXPECT_EQ(found["pose"].size(), 12u);
     const json steps = found["steps"];
@@ -111,11 +111,11 @@ TEST_F(ExplainCommand, GivesEveryStepAndTheProof) {
 
     const json deep = explained("--pairs " + file_of({pair_of(0.25)}))[0];
     EXPECT_EQ(deep["exact"], "overlapping");
-    EXPECT_NEAR(deep["proof"]["depth"], 0.25, 1e-9);
-    EXPECT_EQ(deep["proof"]["point"].size(), 3u);
+    EXPECT_NEAR(deep["certificate"]["depth"], 0.25, 1e-9);
+    EXPECT_EQ(deep["certificate"]["point"].size(), 3u);
     const json touching = explained("--pairs " + file_of({pair_of(0.5)}))[0];
     EXPECT_EQ(touching["exact"], "touching");
-    EXPECT_TRUE(touching["proof"].is_null());
+    EXPECT_TRUE(touching["certificate"].is_null());
     EXPECT_EQ(touching["answer"], "correct");
 }
 

@@ -232,7 +232,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs spheres-l1 --heat volumes --heat-end 1", "give at least 2");
     refused("rejections spheres-l1 --depth 0:99", "levels 0 to");
     refused("rejections spheres-l1 --depth 5:2", "--depth");
-    refused("rejections spheres-l1 --stage slab-a", "'slab-a' is none here");
+    refused("rejections spheres-l1 --stage slab-a", "'slab-a' is not an ending of these queries");
     refused("rejections spheres-l1 --stage gjk", "ball-ball, slab-ball");
     refused("rejections spheres-l1 --body C", "the bodies are A and B");
     refused("rejections spheres-l1 --by mean", "--by mean");

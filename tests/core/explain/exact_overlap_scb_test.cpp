@@ -25,9 +25,10 @@ Scb ball(const Vec3& c, double r) { return {c, r, Vec3::UnitZ(), r, -r}; }
 Scb disc(const Vec3& c, double r, const Vec3& n) { return {c, r, n, 0, 0}; }
 
 Contact verdict(const Scb& a, const Scb& b) {
-    const ContactCertificate proof = exact_overlap(a, b, strict);
-    EXPECT_TRUE(proof.contact == Contact::touching || verify(a, b, proof)) << proof.margin;
-    return proof.contact;
+    const ContactCertificate certificate = exact_overlap(a, b, strict);
+    EXPECT_TRUE(certificate.contact == Contact::touching || verify(a, b, certificate))
+        << certificate.margin;
+    return certificate.contact;
 }
 
 // The second SCB is moved along the direction until the two have the gap, which is 0 at `contact`.
@@ -130,16 +131,16 @@ TEST(ExactScbOverlap, ProvesNearlyEveryPair) {
         Random random(7);
         for (int i = 0; i < many_scbs; ++i, ++pairs) {
             const FramedPair p = random_pair(random, family);
-            const ContactCertificate proof = exact_overlap(p.a, p.b, strict);
-            if (proof.contact == Contact::touching) {
+            const ContactCertificate certificate = exact_overlap(p.a, p.b, strict);
+            if (certificate.contact == Contact::touching) {
                 ++undecided;
                 continue;
             }
-            ASSERT_TRUE(verify(p.a, p.b, proof)) << family.name << " pair " << i;
+            ASSERT_TRUE(verify(p.a, p.b, certificate)) << family.name << " pair " << i;
             if (!family.near_contact) continue;
             if (p.gap > 0) {
-                ASSERT_EQ(proof.contact, Contact::disjoint) << family.name << " pair " << i;
-                ASSERT_LE(proof.margin, p.gap + 1e-14) << family.name << " pair " << i;
+                ASSERT_EQ(certificate.contact, Contact::disjoint) << family.name << " pair " << i;
+                ASSERT_LE(certificate.margin, p.gap + 1e-14) << family.name << " pair " << i;
             }
         }
     }
@@ -209,10 +210,10 @@ TEST(ScbContactProof, DepthIsHowFarBMustBeMoved) {
         for (int i = 0; i < many_scbs / 100; ++i) {
             const FramedPair p = random_pair(random, family);
             // A wider tolerance asks for a deeper point.
-            const ContactCertificate proof = exact_overlap(p.a, p.b, 1e-4);
-            if (proof.contact != Contact::overlapping) continue;
-            const double depth = proven_depth(p.a, p.b, proof.point);
-            ASSERT_GE(depth, proof.margin * (1 - 1e-9));
+            const ContactCertificate certificate = exact_overlap(p.a, p.b, 1e-4);
+            if (certificate.contact != Contact::overlapping) continue;
+            const double depth = proven_depth(p.a, p.b, certificate.point);
+            ASSERT_GE(depth, certificate.margin * (1 - 1e-9));
             for (const Vec3& d : {p.a.n, p.b.n, random_unit_vector(random),
                                   random_unit_vector(random), random_unit_vector(random)})
                 for (const double side : {-1.0, 1.0}) {

@@ -68,27 +68,28 @@ std::string to_text(const Scb& a, const Scb& b) {
 
 Agreement compare(const Scb& a, const Scb& b) {
     const double larger = std::max(a.r, b.r);
-    const ContactCertificate proof = exact_overlap(a, b);
+    const ContactCertificate certificate = exact_overlap(a, b);
     const SupportBounds shown = search_supports(a, b, clearly_apart * larger,
                                                 {clearly_deep * larger, least_depth * larger});
     Agreement result;
     result.pairs = 1;
-    result.unproven = proof.contact != Contact::touching && !verify(a, b, proof);
+    result.unproven = certificate.contact != Contact::touching && !verify(a, b, certificate);
     if (shown.lower > least_gap * larger) {
         result.apart = 1;
-        result.contrary = proof.contact == Contact::overlapping;
+        result.contrary = certificate.contact == Contact::overlapping;
         result.touching = result.touching_apart =
-            proof.contact == Contact::touching && shown.lower > clearly_apart * larger;
+            certificate.contact == Contact::touching && shown.lower > clearly_apart * larger;
     } else if (shown.depth > 0) {
         result.meeting = 1;
-        result.contrary = proof.contact == Contact::disjoint;
+        result.contrary = certificate.contact == Contact::disjoint;
         result.touching =
-            proof.contact == Contact::touching && shown.depth >= clearly_deep * larger;
+            certificate.contact == Contact::touching && shown.depth >= clearly_deep * larger;
     } else {
         result.open = 1;
     }
     // Whatever was shown, a plane and a point of both exclude each other.
-    result.contrary |= proof.contact == Contact::disjoint && proof.margin > shown.upper + 1e-13;
+    result.contrary |=
+        certificate.contact == Contact::disjoint && certificate.margin > shown.upper + 1e-13;
     if (result.unproven + result.contrary > 0) result.first = to_text(a, b);
     return result;
 }
@@ -145,11 +146,11 @@ TEST(ExactScbOverlap, KnowsDiscsWhosePlanesTouchTheOther) {
     EXPECT_NEAR(shown.lower, 0.0316745, 1e-7);
     EXPECT_NEAR(shown.upper, 0.0316745, 1e-7);
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
-        const ContactCertificate proof = exact_overlap(first, second);
-        EXPECT_EQ(proof.contact, Contact::disjoint);
-        EXPECT_TRUE(verify(first, second, proof));
-        EXPECT_GT(proof.margin, 0.01);
-        EXPECT_NEAR(sharpened(first, second, proof).margin, 0.0316745, 1e-6);
+        const ContactCertificate certificate = exact_overlap(first, second);
+        EXPECT_EQ(certificate.contact, Contact::disjoint);
+        EXPECT_TRUE(verify(first, second, certificate));
+        EXPECT_GT(certificate.margin, 0.01);
+        EXPECT_NEAR(sharpened(first, second, certificate).margin, 0.0316745, 1e-6);
     }
 }
 

@@ -42,9 +42,10 @@ V moved_to_contact(const V& a, V b, double gap) {
     // A step along the separating direction changes the gap by the step at most, so a few come
     // close to where the two touch.
     for (int i = 0; i < 30; ++i) {
-        const ContactCertificate proof = exact_overlap(a, b);
-        if (proof.contact == Contact::disjoint) b.center -= proof.margin * proof.direction;
-        if (proof.contact != Contact::disjoint) break;
+        const ContactCertificate certificate = exact_overlap(a, b);
+        if (certificate.contact == Contact::disjoint)
+            b.center -= certificate.margin * certificate.direction;
+        if (certificate.contact != Contact::disjoint) break;
     }
     const Vec3 direction = (b.center - a.center).normalized();
     b.center += gap * direction;
@@ -53,13 +54,13 @@ V moved_to_contact(const V& a, V b, double gap) {
 
 template <class V>
 void expect_proven(const V& a, const V& b) {
-    const ContactCertificate proof = exact_overlap(a, b);
+    const ContactCertificate certificate = exact_overlap(a, b);
     const Stage stage = overlap(a, b, Pose{});
-    if (proof.contact == Contact::disjoint) {
-        EXPECT_TRUE(verify(a, b, proof));
+    if (certificate.contact == Contact::disjoint) {
+        EXPECT_TRUE(verify(a, b, certificate));
         EXPECT_NE(stage, Stage::overlapping) << "the test of these volumes is exact";
-    } else if (proof.contact == Contact::overlapping) {
-        EXPECT_TRUE(verify(a, b, proof));
+    } else if (certificate.contact == Contact::overlapping) {
+        EXPECT_TRUE(verify(a, b, certificate));
         EXPECT_EQ(stage, Stage::overlapping) << "the test of these volumes is exact";
     }
 }
@@ -105,9 +106,9 @@ TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
     // Two flat boxes that cross, though no ball fits into either.
     const Obb flat{Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0)},
         upright{Vec3::Zero(), Mat3::Identity(), Vec3(0, 0.5, 0.5)};
-    const ContactCertificate proof = exact_overlap(flat, upright);
-    EXPECT_EQ(proof.contact, Contact::overlapping);
-    EXPECT_TRUE(verify(flat, upright, proof));
+    const ContactCertificate certificate = exact_overlap(flat, upright);
+    EXPECT_EQ(certificate.contact, Contact::overlapping);
+    EXPECT_TRUE(verify(flat, upright, certificate));
 }
 
 /// How far B has to go along the best direction of a random search to be rid of A: no depth is
@@ -136,20 +137,20 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
         for (int i = 0; i < many_pairs / 500; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             const Scb b = placed(pair.b, pair.b_to_a);
-            const ContactCertificate proof = sharpened(pair.a, b, exact_overlap(pair.a, b));
-            if (proof.contact != Contact::overlapping) continue;
-            EXPECT_LE(proof.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
-            EXPECT_TRUE(check_certificate(pair.a, b, proof)) << family.name << " " << i;
+            const ContactCertificate certificate = sharpened(pair.a, b, exact_overlap(pair.a, b));
+            if (certificate.contact != Contact::overlapping) continue;
+            EXPECT_LE(certificate.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
+            EXPECT_TRUE(check_certificate(pair.a, b, certificate)) << family.name << " " << i;
             ++scbs;
         }
     for (int i = 0; i < many_pairs / 100; ++i) {
         const Obb a = random_box(random);
         Obb b = random_box(random);
         b.center = a.center + random.uniform() * (b.center - a.center);
-        const ContactCertificate proof = sharpened(a, b, exact_overlap(a, b));
-        if (proof.contact != Contact::overlapping) continue;
-        EXPECT_LE(proof.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
-        EXPECT_TRUE(check_certificate(a, b, proof)) << i;
+        const ContactCertificate certificate = sharpened(a, b, exact_overlap(a, b));
+        if (certificate.contact != Contact::overlapping) continue;
+        EXPECT_LE(certificate.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
+        EXPECT_TRUE(check_certificate(a, b, certificate)) << i;
         ++boxes;
     }
     EXPECT_GT(scbs, many_pairs / 1000);
@@ -208,20 +209,20 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
         for (int i = 0; i < 30; ++i) {
             const ScbPair pair = random_scb_pair(random, family);
             const Scb b = placed(pair.b, pair.b_to_a);
-            const ContactCertificate proof = exact_overlap(pair.a, b),
-                                     better = sharpened(pair.a, b, proof);
-            EXPECT_EQ(better.contact, proof.contact);
-            if (proof.contact == Contact::touching) continue;
-            EXPECT_GE(better.margin, proof.margin);
+            const ContactCertificate certificate = exact_overlap(pair.a, b),
+                                     better = sharpened(pair.a, b, certificate);
+            EXPECT_EQ(better.contact, certificate.contact);
+            if (certificate.contact == Contact::touching) continue;
+            EXPECT_GE(better.margin, certificate.margin);
             EXPECT_TRUE(verify(pair.a, b, better)) << family.name << " " << i;
             EXPECT_TRUE(check_certificate(pair.a, b, better)) << family.name << " " << i;
-            if (proof.contact == Contact::overlapping) {
+            if (certificate.contact == Contact::overlapping) {
                 // Still a point of both.
                 const Vec3 in_b = better.point - (b.c - pair.a.c);
                 EXPECT_TRUE(contains(grown(at_origin(pair.a), 1e-12), better.point));
                 EXPECT_TRUE(contains(grown(at_origin(b), 1e-12), in_b));
             }
-            if (family.near_contact && pair.gap > 0 && proof.contact == Contact::disjoint) {
+            if (family.near_contact && pair.gap > 0 && certificate.contact == Contact::disjoint) {
                 EXPECT_LE(better.margin, pair.gap * (1 + 1e-9) + 1e-13);
                 ++distances;
                 close += better.margin >= 0.98 * pair.gap - 1e-13;

@@ -40,7 +40,7 @@ TEST(PairExplanation, OnlyThePrintedTestMissesWhatOverlaps) {
                 EXPECT_TRUE(t.test != test || t.answer == found.answer);
                 missed[static_cast<std::size_t>(t.test)] += t.answer == Answer::false_negative;
             }
-            EXPECT_EQ(found.proven, found.proof.contact != Contact::touching);
+            EXPECT_EQ(found.verified, found.certificate.contact != Contact::touching);
         }
     }
     EXPECT_GT(missed[0], 0);
@@ -62,14 +62,14 @@ TEST(PairExplanation, FarFromTheOriginClosePairsTouch) {
 TEST(PairExplanation, OfBallsAndBoxesIsCorrect) {
     const Ball a{Vec3(1, 0, 0), 1}, b{Vec3(1, 0, 2.5), 1};
     const PairExplanation apart = explain(a, b, placement(Pose{}, reach(a), reach(b)));
-    EXPECT_EQ(apart.proof.contact, Contact::disjoint);
-    EXPECT_NEAR(apart.proof.margin, 0.5, 1e-9);
+    EXPECT_EQ(apart.certificate.contact, Contact::disjoint);
+    EXPECT_NEAR(apart.certificate.margin, 0.5, 1e-9);
     EXPECT_EQ(apart.answer, Answer::correct);
-    EXPECT_TRUE(apart.tests.empty() && apart.proven);
+    EXPECT_TRUE(apart.tests.empty() && apart.verified);
     const Obb box{Vec3::Zero(), Mat3::Identity(), Vec3(1, 2, 3)};
     const PairExplanation same = explain(box, box, placement(Pose{}, reach(box), reach(box)));
-    EXPECT_EQ(same.proof.contact, Contact::overlapping);
-    EXPECT_NEAR(same.proof.margin, 2, 1e-9);
+    EXPECT_EQ(same.certificate.contact, Contact::overlapping);
+    EXPECT_NEAR(same.certificate.margin, 2, 1e-9);
     EXPECT_EQ(same.answer, Answer::correct);
 }
 
@@ -80,9 +80,9 @@ TEST(PairExplanation, OfPoints) {
     const auto explained = [&] {
         return explain(point, other, placement(Pose{}, reach(point), reach(other)), {});
     };
-    EXPECT_EQ(explained().proof.contact, Contact::touching);
+    EXPECT_EQ(explained().certificate.contact, Contact::touching);
     other.c[0] += 0.5;
-    EXPECT_EQ(explained().proof.contact, Contact::disjoint);
+    EXPECT_EQ(explained().certificate.contact, Contact::disjoint);
     EXPECT_EQ(explained().answer, Answer::correct);
 }
 

@@ -18,7 +18,7 @@ struct Drawn {
     ScbPair pair;
     Scb b_in_a;
     Placement placed;
-    ContactCertificate proof;
+    ContactCertificate certificate;
     unsigned rejected = 0;
 };
 
@@ -31,11 +31,11 @@ double processor_seconds() {
 
 void ask_exact_test(std::span<Drawn> batch, OverlapTally& tally) {
     const double start = processor_seconds();
-    for (Drawn& d : batch) d.proof = exact_overlap(d.pair.a, d.b_in_a, 1e-13);
+    for (Drawn& d : batch) d.certificate = exact_overlap(d.pair.a, d.b_in_a, 1e-13);
     tally.exact_seconds += processor_seconds() - start;
     for (const Drawn& d : batch)
-        tally.unproven +=
-            d.proof.contact != Contact::touching && !verify(d.pair.a, d.b_in_a, d.proof);
+        tally.unproven += d.certificate.contact != Contact::touching &&
+                          !verify(d.pair.a, d.b_in_a, d.certificate);
 }
 
 void ask_test(OverlapTest test, std::span<Drawn> batch, OverlapTally& tally) {
@@ -87,8 +87,8 @@ OverlapTally tally_overlap_tests(const ScbPairFamily& family, std::uint64_t seed
         ask_exact_test(batch, tally);
         for (const OverlapTest test : all_overlap_tests()) ask_test(test, batch, tally);
         for (const Drawn& d : batch) {
-            ++tally.pairs[static_cast<std::size_t>(d.proof.contact)][d.rejected];
-            if (d.proof.contact != Contact::overlapping) continue;
+            ++tally.pairs[static_cast<std::size_t>(d.certificate.contact)][d.rejected];
+            if (d.certificate.contact != Contact::overlapping) continue;
             for (std::size_t k = 0; k < overlap_test_count; ++k)
                 if ((d.rejected >> k & 1) && !tally.wrongly_rejected[k])
                     tally.wrongly_rejected[k] = d.pair;

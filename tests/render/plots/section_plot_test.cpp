@@ -81,8 +81,8 @@ ExplainedPair random_explained(Random& random, int i) {
 }
 
 std::optional<Vec3> common_point(const PairExplanation& found) {
-    if (found.proof.contact != Contact::overlapping) return std::nullopt;
-    return found.proof.point;
+    if (found.certificate.contact != Contact::overlapping) return std::nullopt;
+    return found.certificate.point;
 }
 
 TEST(SectionPlane, ShowsTheLengthsOfTheStep) {

@@ -259,7 +259,7 @@ TEST(Attribution, VerdictsAreThoseOfTheExplanation) {
                         const auto& other = std::get<Hierarchy<V>>(of_b);
                         return explain(h.volumes[0], other.volumes[0],
                                        query_placement(h, other, pose), {OverlapTest::symmetric})
-                            .proof.contact;
+                            .certificate.contact;
                     },
                     of_a);
                 if (query.result.passed.empty()) {

@@ -43,7 +43,7 @@ TEST(BuiltinScenes, Line8LosesAllPairsToOneWrongRejectionOfThePrintedTest) {
     EXPECT_EQ(printed.n_v, 1u);
     EXPECT_EQ(printed.stages[static_cast<std::size_t>(Stage::ball_slab)], 1u);
 
-    // The volumes do overlap, by proof.
+    // The volumes do overlap, by its certificate.
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::printed);
     const TraceFrame frame =
         record_frame(shown.a(), shown.b(), 0, shown.pose(shown.scene.default_frame), header);
