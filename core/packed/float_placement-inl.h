@@ -7,6 +7,7 @@
 #endif
 
 #include "core/base/lanes-inl.h"
+#include "core/packed/grown_scb.h"
 #include "scb/packed_scb.h"
 #include "scb/placement.h"
 

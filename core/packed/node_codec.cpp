@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/packed/grown_scb.h"
+
 namespace scb {
 namespace {
 

@@ -7,6 +7,8 @@
 
 #include "core/base/parallel_for.h"
 #include "core/collide/pair_sort.h"
+#include "core/packed/each_codec.h"
+#include "core/packed/grown_scb.h"
 #include "core/packed/packed_query.h"
 #include "scb/triangle_overlap.h"
 

@@ -7,6 +7,8 @@
 
 #include "core/base/parallel_for.h"
 #include "core/packed/collapse.h"
+#include "core/packed/each_codec.h"
+#include "core/packed/grown_scb.h"
 #include "scb/error.h"
 #include "scb/placement.h"
 

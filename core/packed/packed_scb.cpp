@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/packed/grown_scb.h"
+
 namespace scb {
 namespace {
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/packed/each_codec.h"
 #include "scb/packed_hierarchy.h"
 
 namespace scb {

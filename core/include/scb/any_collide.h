@@ -6,8 +6,8 @@
 
 namespace scb {
 
-/// `collide` for hierarchies whose volume type was chosen at run time. Throws
-/// InputError where A and B hold different types of volumes.
+/// `collide` for hierarchies whose volume type was chosen at run time. Throws InputError where A
+/// and B hold different types of volumes.
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options = {});
 

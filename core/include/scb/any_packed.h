@@ -13,14 +13,16 @@ using AnyPacked = AnyCodec<PackedHierarchy>;
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
-/// `collide_packed` for hierarchies of one layout. Throws InputError where A and
-/// B have different layouts.
+/// `collide_packed` for hierarchies of one layout. Throws InputError where A and B have different
+/// layouts.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a,
                                const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// `validate` for the layout that it has.
 std::string validate(const AnyPacked& packed, const Mesh& mesh);
+/// The memory that its nodes and leaves take.
 std::size_t bytes_of(const AnyPacked& packed);
 
 }  // namespace scb

@@ -21,6 +21,7 @@ struct FloatCodec {
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
+    /// The i-th volume as it is stored: it holds the one that was encoded.
     PackedScb decode(std::size_t i) const;
 };
 
@@ -34,24 +35,17 @@ struct QuantizedCodec {
     std::uint16_t r[width], h[width];
     float length_unit, slab_unit;
 
+    /// See FloatCodec.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
     PackedScb decode(std::size_t i) const;
 };
 
+/// What a component of a quantized normal counts in.
 inline constexpr float normal_unit = 0x1p-15f;
 
 /// One of T<Codec>, for every codec there is.
 template <template <class> class T>
 using AnyCodec = std::variant<T<FloatCodec<2>>, T<FloatCodec<4>>, T<FloatCodec<8>>,
                               T<QuantizedCodec<2>>, T<QuantizedCodec<4>>, T<QuantizedCodec<8>>>;
-
-/// Expands X(Codec) for every codec, to instantiate templates.
-#define SCB_FOR_EACH_CODEC(X) \
-    X(FloatCodec<2>)          \
-    X(FloatCodec<4>)          \
-    X(FloatCodec<8>)          \
-    X(QuantizedCodec<2>)      \
-    X(QuantizedCodec<4>)      \
-    X(QuantizedCodec<8>)
 
 }  // namespace scb

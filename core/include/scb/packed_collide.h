@@ -35,6 +35,7 @@ class PackedWorkspace {
     PackedWorkspace(PackedWorkspace&&) noexcept;
     PackedWorkspace& operator=(PackedWorkspace&&) noexcept;
 
+    /// For the library itself.
     struct Parts;
     Parts& parts() { return *parts_; }
 

@@ -35,6 +35,7 @@ class PackedFront {
     std::uint64_t made() const;
     std::uint64_t used() const;
 
+    /// For the library itself.
     struct Parts;
     Parts& parts() { return *parts_; }
 

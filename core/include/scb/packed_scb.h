@@ -21,25 +21,6 @@ inline Vec3 center(const PackedScb& scb) {
             static_cast<double>(scb.c[2])};
 }
 
-/// The smallest float that is no less than `value`, which must be below the largest float.
-float float_above(double value);
-
-/// What of an SCB a storage format keeps as it is, after rounding: the rest has to make up for it.
-struct RoundedCenter {
-    Vec3 c;  ///< in the frame of the SCB that is rounded
-    Vec3 n;
-};
-
-/// Radius, middle and half thickness that an SCB needs about another center and normal. Exact up to
-/// a relative 2^-40, by which it is larger.
-struct GrownScb {
-    double r, m, h;
-};
-GrownScb grown_about(const Scb& scb, const RoundedCenter& rounded);
-
-/// Half the thickness that holds the slab where its middle is rounded to `m`.
-double half_thickness(const GrownScb& grown, double m);
-
 /// The SCB in floats, its center relative to `origin`; holds all of it (Section 1.1, and after
 /// rounding the normal the slab is refitted to it).
 PackedScb packed(const Scb& scb, const Vec3& origin);

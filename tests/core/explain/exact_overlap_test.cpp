@@ -178,7 +178,7 @@ void expect_borne_out_up_to(double margin, const V& a, const V& apart, const V& 
     EXPECT_FALSE(check_certificate(a, a, ContactCertificate{}));
 }
 
-TEST(SupportCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
+TEST(CertificateCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
     const auto ball = [](double z) { return Ball{Vec3(0, 0, z), 1}; };
     expect_borne_out_up_to(0.5, ball(0), ball(2.5), ball(1.5));
     const auto whole = [](double z) { return Scb{Vec3(0, 0, z), 1, Vec3::UnitX(), 1, -1}; };

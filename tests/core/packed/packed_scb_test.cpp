@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/packed/grown_scb.h"
 #include "scb/node_codec.h"
 #include "tests/core/overlap/volume_pairs.h"
 
