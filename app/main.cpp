@@ -84,10 +84,11 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.set_help_all_flag("--help-all", "Help of all commands");
     program.footer(
-        "Exit status: 0 done, 2 bad usage or input, 3 the environment failed (disk full, cannot "
-        "write),\n"
-        "77 no OpenGL context, 130, 143 and 129 interrupted by Ctrl-C, SIGTERM and SIGHUP; 1 a "
-        "comparison found\ndifferences.\n\n"
+        "Exit status: 0 done; 1 a comparison found differences, or a test rejected volumes that "
+        "overlap; 2 bad usage or\n"
+        "input; 3 the environment failed (disk full, cannot write); 77 no OpenGL context; 130, 143 "
+        "and 129 interrupted by\n"
+        "Ctrl-C, SIGTERM and SIGHUP.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     Console console;

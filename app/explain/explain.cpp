@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/explain/explain_pictures.h"
@@ -86,13 +87,16 @@ int run(const ExplainOptions& options, const Console& console) {
 
 void add_explain(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "explain", "One overlap test of two volumes, step by step, and whether it is right");
+        "explain",
+        "Explain one overlap test of two volumes, step by step, and say whether it is right");
     const auto options = std::make_shared<ExplainOptions>();
     add_explain_options(command, *options);
     command.footer(
-        "A step that separates has a positive slack: by that much; the first one made decides. "
-        "Then the exact answer\nwith its certificate, and what the other tests say. Exit status 1 "
-        "where the test rejected volumes that overlap.\n\n"
+        "The slack of a step says by how much the step separates the volumes; it is positive if it "
+        "does. The first step that\n"
+        "separates decides. Below are the exact answer with its certificate, and the answers of "
+        "the other tests. Exit status 1\n"
+        "if the test rejected volumes that overlap.\n\n"
         "FILE.json is a list of pairs, or one: {\"a\": VOLUME, \"b\": VOLUME, \"pose\": [12 "
         "numbers, [R|t] row by row, B in A's\nframe; may be left out]}, where VOLUME is one of\n"
         "  {\"center\": [x,y,z], \"radius\": r, \"normal\": [x,y,z], \"e\": e, \"f\": f}\n"

@@ -1,5 +1,7 @@
 #include "app/explain/explain_pictures.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/text_format.h"
 #include "core/hierarchy/node_mesh.h"
 #include "render/figures/explain_layout.h"

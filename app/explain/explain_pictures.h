@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/explain/explain_options.h"
 #include "app/explain/explained_pair.h"
 #include "app/pictures/picture_run.h"

@@ -1,5 +1,7 @@
 #include "app/explain/explain_volumes.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/explain/explain_pictures.h"

@@ -97,18 +97,19 @@ void add_golden_check(const Command& golden, const Console& console, Action& act
     const auto options = std::make_shared<CheckOptions>();
     add_golden_options(command, *options);
     command
-        .add_option("--shard", options->shard,
-                    "Only every N-th case, beginning with the K-th: of N machines, this is K")
+        .add_option(
+            "--shard", options->shard,
+            "Run part K of N: every N-th case, starting with case K. Give each machine its own K")
         .type_name("K/N");
     add_result_files(command, options->files);
     command.add_flag("--trace", options->trace,
                      "Keep the traces of failing cases in the folder of the report");
     command.footer(
-        "Compared are counts, then the ids of what owns each pixel, then colors: exactly, unless a "
-        "case declares how far\ncolors may differ. Exit status 1 where a case differs, has no "
-        "baseline or could not run; 77 where\nnothing is wrong but that there is no OpenGL "
-        "context. "
-        "See golden/README.md.\n\n"
+        "Compares counts, then ids (which node, triangle or pair owns each pixel), then colors. "
+        "All must be equal; a case\n"
+        "can set a tolerance for colors. Exit status: 1 if a case differs, has no baseline or "
+        "could not run; 77 if there is\n"
+        "no OpenGL context and nothing else failed. See golden/README.md.\n\n"
         "Examples:\n"
         "  scb golden check\n"
         "  scb golden check --report out/ --junit out/junit.xml\n"

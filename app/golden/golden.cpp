@@ -4,7 +4,7 @@ namespace scb::app {
 
 void add_golden(const Command& program, const Console& console, Action& action) {
     const Command golden = program.add_subcommand(
-        "golden", "Counts and pictures as baselines: check, update, list, report, selftest");
+        "golden", "Keep counts and pictures as baselines: check, update, list, report, selftest");
     golden.require_subcommand();
     golden.footer(
         "A suite is a file of cases, each a command of scb; its baselines are files beside it. See "

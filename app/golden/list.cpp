@@ -48,7 +48,7 @@ int run(const GoldenOptions& options) {
 
 void add_golden_list(const Command& golden, Action& action) {
     const Command command = golden.add_subcommand(
-        "list", "The cases: what is compared, whether there is a baseline, and what is run");
+        "list", "List the cases: what is compared, whether there is a baseline, and what is run");
     const auto options = std::make_shared<GoldenOptions>();
     add_suite_options(command, *options);
     command.callback([&action, options] { action = [options] { return run(*options); }; });

@@ -85,8 +85,9 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
     add_suite_options(command, options);
     options.gl = PictureOptions{}.gl;
     command
-        .add_option("--models", options.models,
-                    "Where meshes are looked for that are not beside the suite or their scene file")
+        .add_option(
+            "--models", options.models,
+            "Folder to search for meshes that are missing beside the suite and their scene file")
         .envname("SCB_MODELS")
         .check(has_name)
         .type_name("DIR");

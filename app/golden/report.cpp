@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/golden/commands.h"
@@ -64,14 +65,14 @@ void add_golden_report(const Command& golden, const Console& console, Action& ac
     const auto options = std::make_shared<ReportOptions>();
     command
         .add_option("--from", options->from,
-                    "results.json of each shard, with the pictures beside it")
+                    "The results.json of each shard; the pictures must be in the same folder")
         .required()
         .expected(1, 1000)
         .type_name("FILE.json...");
     add_result_files(command, options->files);
     command.footer(
-        "Exit status as of `scb golden check`; 1 too where a shard is missing, or no case was "
-        "checked.\n\n"
+        "Exit status as of `scb golden check`; also 1 if a shard is missing or was interrupted, or "
+        "no case was checked.\n\n"
         "Example:\n"
         "  scb golden report --from shard-1/results.json shard-2/results.json --report out/");
     command.callback([&action, &console, options] {

@@ -176,9 +176,12 @@ void add_golden_selftest(const Command& golden, const Console& console, Action& 
     add_golden_options(command, *options);
     command.footer(
         "The errors: a node dropped, a radius nudged by a thousandth, a comparison of the overlap "
-        "test flipped, two of\nits stages swapped, a color shifted by 1 of 255. Each must show in "
-        "counts, ids and colors wherever it can, as far\nas the cases compare them. Exit status 1 "
-        "where one does not; then it says which kind of case would show it.");
+        "test flipped, two of\n"
+        "its stages swapped, a color shifted by 1 of 255. Each error must show in the counts, ids "
+        "and colors that it can\n"
+        "change, if a case compares them. If an error does not show, the exit status is 1, and a "
+        "message says which kind of\n"
+        "case to add.");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });

@@ -132,7 +132,7 @@ int run(const UpdateOptions& options, const Console& console) {
 
 void add_golden_update(const Command& golden, const Console& console, Action& action) {
     const Command command =
-        golden.add_subcommand("update", "Run cases and make what they give their baselines");
+        golden.add_subcommand("update", "Run cases and save the results as their baselines");
     const auto options = std::make_shared<UpdateOptions>();
     add_golden_options(command, *options);
     command.get_option("NAME").description("Cases");
@@ -140,9 +140,11 @@ void add_golden_update(const Command& golden, const Console& console, Action& ac
     command.add_flag("--missing", options->missing, "All cases that have no baseline");
     command.add_flag("--all", options->all, "All cases");
     command.footer(
-        "Lists the files that changed. A baseline is replaced whole or not at all; other accepted "
-        "pictures of a case\nare removed where its picture changes. Refused where CI is set, and "
-        "while another update has the baselines.\n\n"
+        "Lists the files that changed. A baseline is replaced whole or not at all. If the picture "
+        "of a case changes, the\n"
+        "other accepted pictures of this case are removed. An update is refused if the environment "
+        "variable CI is set, or if\n"
+        "another update is using the baselines.\n\n"
         "Examples:\n"
         "  scb golden update levels-spheres-scb\n"
         "  scb golden update --failing --suite my/cases.json");

@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
@@ -208,7 +209,8 @@ int run(InspectOptions& options, const Console& console) {
 
 void add_inspect(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "inspect", "Which pairs passed the overlap test that should not have, and what that cost");
+        "inspect",
+        "Find pairs that passed the overlap test but should not have, and what they cost");
     const auto options = std::make_shared<InspectOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
@@ -218,8 +220,9 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     command
-        .add_option("--top", options->top,
-                    "How many of the worst pairs to list, of each reason, each at its worst frame")
+        .add_option(
+            "--top", options->top,
+            "List the K worst pairs for each reason; each pair is listed at its worst frame")
         .check(decimal_number)
         .type_name("K")
         .show_default();
@@ -234,9 +237,10 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "(true); its volumes\n"
         "meet, but no triangles do (fit: the volumes are too loose); or not even the volumes meet "
         "(test: too weak).\n"
-        "What it led to is wasted but in the first case. The volumes are decided exactly, each "
-        "verdict with its certificate.\n"
-        "Exit status 1 where the test rejected volumes that meet, as --test printed does.\n\n"
+        "For fit and test, all tests that follow from the pair are wasted. Each verdict on two "
+        "volumes is exact, and has a\n"
+        "certificate. Exit status 1 if the test rejected volumes that meet, as --test printed "
+        "does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"

@@ -1,5 +1,7 @@
 #include "app/inspect/inspect_pictures.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
 #include "app/inspect/inspect_findings.h"

@@ -1,6 +1,7 @@
 #include "app/inspect/inspect_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
 #include "app/cli/console.h"

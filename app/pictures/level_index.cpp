@@ -1,5 +1,7 @@
 #include "app/pictures/level_index.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/query/trace_report.h"
 #include "core/hierarchy/level_statistics.h"
 

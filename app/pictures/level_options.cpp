@@ -46,7 +46,7 @@ void add_level_options(const Command& command, LevelOptions& options) {
             options.color_by.reset();
             if (place > 0) options.color_by = static_cast<render::ColorBy>(place - 1);
         },
-        "body, depth, radius or thickness; auto is body for several, thickness for one")
+        "body, depth, radius or thickness; auto: body for two or more bodies, thickness for one")
         .type_name("WHAT")
         .default_str("auto");
     command.add_option("--opacity", options.opacity,
@@ -54,8 +54,7 @@ void add_level_options(const Command& command, LevelOptions& options) {
                        "or 0.25 with --mesh");
     command.add_flag("--mesh", options.mesh, "Show the meshes, through translucent volumes");
     command.add_flag("--edges", options.edges, "Show the meshes with their edges");
-    command.add_flag("--no-sheet", options.no_sheet,
-                     "No contact sheet (which several pictures get)");
+    command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels");
 }
 
 }  // namespace scb::app

@@ -1,5 +1,7 @@
 #include "app/pictures/picture_run.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/cli/version.h"
 #include "app/pictures/shifted_colors.h"
 #include "render/files/output_file.h"

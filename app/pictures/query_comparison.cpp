@@ -1,5 +1,7 @@
 #include "app/pictures/query_comparison.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/pictures/query_index.h"
 
 namespace scb::app {

@@ -170,7 +170,7 @@ int run(const LevelOptions& options, const Console& console) {
 
 void add_render_levels(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
-        "levels", "The levels of the hierarchies, one picture each, and a sheet");
+        "levels", "Draw the levels of the hierarchies, one picture each, and a sheet");
     const auto options = std::make_shared<LevelOptions>();
     add_level_options(command, *options);
     command.footer(

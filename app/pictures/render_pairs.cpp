@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/choice.h"
 #include "app/cli/commands.h"
@@ -134,18 +135,19 @@ int run(PairsOptions& options, const Console& console) {
 
 void add_render_pairs(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
-        "pairs", "The triangles that intersect, and the leaves that overlap");
+        "pairs", "Draw the triangles that intersect, and the leaves that overlap");
     const auto options = std::make_shared<PairsOptions>();
     add_query_view_options(command, *options, Shown::meshes);
     command.add_flag("--no-leaves", options->no_leaves,
                      "Without the volumes of leaves that overlap while their triangles do not");
     add_choice(command, "--heat", options->heat, render::heat_names.names,
-               "Instead, color each triangle by the tests that it took part in: of volumes that "
-               "hold it, or of triangles")
+               "Color triangles by number of tests: tests of the volumes that hold the triangle, "
+               "or of the triangle itself")
         .type_name("volumes|triangles");
     command
         .add_option("--heat-end", options->heat_end,
-                    "The count at the upper end of the scale; else the power of ten above all")
+                    "Count at the end of the color scale. Default: the smallest power of ten that "
+                    "holds all counts")
         .check(decimal_number)
         .type_name("N");
     command.footer(

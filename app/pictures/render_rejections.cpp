@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/choice.h"
 #include "app/cli/commands.h"
@@ -288,18 +289,18 @@ int run(RejectionsOptions& options, const Console& console) {
 
 void add_render_rejections(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
-        "rejections", "The nodes at which a traversal ended, colored by the stage that rejected");
+        "rejections",
+        "Draw the nodes at which a traversal ended, colored by the stage that rejected");
     const auto options = std::make_shared<RejectionsOptions>();
     add_query_view_options(command, *options, Shown::volumes);
-    add_choice(
-        command, "--by", options->by, render::ending_choices.names,
-        "Which ending colors a node that has several: first, last, dominant; or the share of "
-        "its tests that were rejected: share")
+    add_choice(command, "--by", options->by, render::ending_choices.names,
+               "Color of a node at which several paths ended: its first, last or most frequent "
+               "(dominant) ending; or share, the share of its tests that rejected")
         .type_name("WHICH");
     command
-        .add_option("--stages,--stage", options->stages,
-                    "Only paths that ended so: some of the stages, 'triangles apart', "
-                    "'triangles meet'")
+        .add_option(
+            "--stages,--stage", options->stages,
+            "Only paths with these endings: names of stages, 'triangles apart', 'triangles meet'")
         .check(has_name)
         .type_name("LIST");
     command.add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
@@ -313,17 +314,17 @@ void add_render_rejections(const Command& render_command, const Console& console
         .show_default();
     command.add_flag(
         "--nested", options->nested,
-        "Also nodes that hold others at which paths ended (give an --opacity to see both)");
+        "Also draw nodes that contain other drawn nodes (use --opacity below 1 to see both)");
     command
         .add_option("--steps", options->steps,
-                    "An animation: a picture of the first N tests, of the first 2N, and so on, "
-                    "with the pair that was tested last")
+                    "Draw an animation: the first N tests, the first 2N, and so on, each with the "
+                    "pair that was tested last")
         .check(decimal_number)
         .type_name("N");
     command.footer(
-        "Each node at which paths of the traversal ended is drawn as its exact volume. The numbers "
-        "are of all paths,\n"
-        "whatever --stage, --depth and --body leave out of the view.\n\n"
+        "Draws each node at which paths of the traversal ended as its exact volume. The counts "
+        "include all paths, also those\n"
+        "that --stages, --depth or --body leave out of the view.\n\n"
         "Examples:\n"
         "  scb render rejections spheres-l1 --frames 100 -o out/\n"
         "  scb render rejections spheres-l1 --frames 100 --body A --stages "

@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/choice.h"
 #include "app/cli/commands.h"
@@ -58,18 +59,18 @@ int run(TraversalOptions& options, const Console& console) {
 
 void add_render_traversal(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
-        "traversal", "The traversal itself, by pairs of nodes: where it spends its tests");
+        "traversal", "Draw where a traversal spends its tests, by pairs of nodes");
     const auto options = std::make_shared<TraversalOptions>();
     add_query_view_options(command, *options, Shown::nothing);
     add_choice(command, "--by", options->by, render::matrix_measure_names.names,
-               "Colors of the matrix: tests (how many) or share (of them rejected)");
+               "Colors of the matrix. tests: how many; share: how many of them rejected");
     add_choice(command, "--show", options->show, diagram_names.names, "matrix, icicle or both");
     command.footer(
-        "Left, the volume tests by depth of the node of A and that of B. Right, the recursion as "
-        "an "
-        "icicle: the roots\nat the top, below each pair those that its division led to; a pair is "
-        "as wide as the tests that begin with it.\n"
-        "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
+        "Left: the volume tests by depth of A's node and of B's. Right: the recursion as an "
+        "icicle, with the roots at the top.\n"
+        "Below a pair are its children. The width of a pair is its number of tests: its own and "
+        "all that follow from it.\n"
+        "Beside the pictures, index.json has their counts, which are those of `scb collide`.\n\n"
         "Examples:\n"
         "  scb render traversal spheres-l1 --frames 250 -o out/\n"
         "  scb render traversal spheres.scbtrace --frames all --by share --show matrix -o out/");

@@ -1,5 +1,7 @@
 #include "app/pictures/sheet_run.h"
 
+#include <nlohmann/json.hpp>
+
 #include "render/draw/shrink.h"
 #include "render/overlay/figure_layout.h"
 

@@ -199,15 +199,15 @@ void add_collide(const Command& program, const Console& console, Action& action)
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "pairs: triangles that intersect (touching counts); N_v: tests of two volumes; N_p: of two "
-        "triangles; N_u:\n"
-        "points and directions transformed; depth: of the deepest pair of nodes, both depths "
-        "added; then the volume\n"
-        "tests by how they ended: overlapping, or rejected, by a part of A and a part of B: "
-        "slab-ball is A's slab, B's ball\n"
-        "(boxes: with --csv or --json). The same counts on every machine. Ctrl-C leaves the frames "
-        "that "
-        "were finished, and exits with 130.\n\n"
+        "pairs: triangles that intersect (touching counts); N_v: tests of two volumes; N_p: tests "
+        "of two triangles;\n"
+        "N_u: points and directions that were transformed; depth: depth of A's node plus that of "
+        "B's, at the deepest test.\n"
+        "The other columns count the volume tests by stage: slab-ball means that A's slab and B's "
+        "ball were apart. Stages of\n"
+        "boxes are in --csv and --json only. Counts are the same on every machine. Ctrl-C keeps "
+        "the frames that were finished\n"
+        "and exits with 130.\n\n"
         "Example:\n  scb collide spheres-l1 --frames 0:499:50");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

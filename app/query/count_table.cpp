@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "core/base/text_format.h"
 #include "core/collide/pairs_hash.h"

@@ -88,8 +88,8 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
         .show_default();
     command
         .add_option("--threshold", options.threshold,
-                    "The paper's a, of corrected, line8 and printed: cylinders are tested where "
-                    "|n0.n1| is above it")
+                    "Threshold a of the paper, for corrected, line8 and printed: a slab is tested "
+                    "against a cylinder if |n0.n1| > a")
         .check(real_number)
         .type_name("A")
         .show_default();
@@ -106,7 +106,8 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
     add_overlap_options(command, options, several_tests);
     const std::vector<std::string_view> rules = words_of(all_descent_rules(), descent_rule_name);
     add_choice(command, "--descent", options.descent, rules,
-               "Which of two nodes is divided, the larger or by turns: " + choices(rules))
+               "Which of two nodes is divided, the larger by this measure, or A and B in turn: " +
+                   choices(rules))
         .type_name("RULE");
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")

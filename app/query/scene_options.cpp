@@ -68,13 +68,13 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .type_name("R00,R01,R02,T0,...");
     command
         .add_option("--models", options.models_dir,
-                    "Where meshes are looked for that are not where they are named")
+                    "Folder to search for meshes that are missing at their given path")
         .envname("SCB_MODELS")
         .type_name("DIR");
     if (with_frame)
         command
             .add_option("--frames,--frame", options.frames,
-                        "The frame: one number; else the scene's own")
+                        "The frame, one number. Default: the scene's own")
             .check(has_name)
             .type_name("N");
 }

@@ -261,7 +261,7 @@ int run(const StatsOptions& options, const Console& console) {
 }  // namespace
 
 void add_stats(const Command& program, const Console& console, Action& action) {
-    const Command command = program.add_subcommand("stats", "Hierarchy quality, level by level");
+    const Command command = program.add_subcommand("stats", "Print the quality of hierarchies, level by level");
     const auto options = std::make_shared<StatsOptions>();
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy);
@@ -273,18 +273,18 @@ void add_stats(const Command& program, const Console& console, Action& action) {
     add_threads_option(command, options->threads, "Threads that build; the result is the same");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "nodes: at that depth; leaves: of these; cover: nodes and the leaves above them, what a "
-        "picture of the level shows;\n"
-        "d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and shortest side), in "
-        "the mesh's units;\n"
+        "nodes: at that depth; leaves: how many of them are leaves; cover: these nodes and the "
+        "leaves above, as in a picture of\n"
+        "the level; d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and "
+        "shortest side), in the mesh's units;\n"
         "ratio: mean over the mean of the level above. On a smooth surface d halves every other "
-        "level and tau\n"
-        "quarters (Section 3.1 of the paper).\n"
-        "split by: how many nodes were divided how: across the longest, second or third side of "
-        "their box through its middle;\n"
-        "at the median of 7 randomly chosen centroids; sorted along the longest side and halved, "
-        "with fewer than 8 triangles;\n"
-        "by index, where centroids coincide; at the least cost, with --split cost.\n\n"
+        "level and tau quarters\n"
+        "(Section 3.1 of the paper).\n"
+        "split by: how many nodes each rule divided. The rules: through the middle of the longest, "
+        "second or third side of the\n"
+        "node's box; at the median of 7 random centroids; sorted along the longest side and halved "
+        "(fewer than 8 triangles);\n"
+        "by index (all centroids coincide); at the least cost (--split cost).\n\n"
         "Example:\n  scb stats spheres-l1 --volume scb,ball");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

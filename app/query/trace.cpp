@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/cli/commands.h"
@@ -136,11 +137,11 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     command.add_flag("--events", options->events, "Print every test of the trace");
     command.add_flag("--json", options->json, "Print the trace as JSON");
     command.footer(
-        "A scene is recorded to -o FILE; in place of SCENE, such a file is printed: what was "
-        "asked, "
-        "then the counts\n"
-        "of every frame. Parents are numbers of tests. Ctrl-C leaves the frames that were "
-        "finished, and exits with 130.\n\n"
+        "With a scene and -o FILE, records its queries to FILE. With a trace in place of SCENE, "
+        "prints what was asked, then the\n"
+        "counts of every frame. The column `parent` of --events is the number of the test whose "
+        "pair was divided. Ctrl-C keeps\n"
+        "the frames that were finished and exits with 130.\n\n"
         "Examples:\n"
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
         "  scb trace spheres.scbtrace --frames 250 --events");

@@ -1,5 +1,7 @@
 #include "app/query/trace_report.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/cli/console.h"
 #include "core/analysis/trace_words.h"
 #include "core/base/text_format.h"

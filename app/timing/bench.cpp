@@ -2,6 +2,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
@@ -346,25 +347,30 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         .show_default();
     add_threads_option(command, options->threads,
                        "Threads that share a query of packed layouts, and each build");
-    command.add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+    command.add_option("--repeat", options->repeats, "Time each query N times and take the median")
         .check(decimal_number)
         .type_name("N")
         .show_default();
     command.add_flag("--warm", options->warm,
-                     "Each hierarchy runs through all frames, instead of taking turns");
+                     "Run one hierarchy through all frames, then the next. Default: they take "
+                     "turns at each frame");
     add_figure_options(command, options->picture,
                        "Folder for bench.csv, bench.json and a picture per scene");
     command.add_flag("--coherent", options->coherent,
-                     "Time each packed layout also with front reuse: where bodies move slowly, a "
-                     "query begins where one before ended; to compare, add --warm: in turns, the "
-                     "same query was made just before");
+                     "Also time each packed layout with a front: if bodies move slowly, a query "
+                     "begins where an earlier one ended. Add --warm for a fair comparison");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "ms: mean processor time of a query; / SCB: how many times as long it took as the first "
-        "slab cut ball hierarchy;\n"
-        "ns/N_v: time per volume test, triangle tests included; bytes: of the hierarchies, per "
-        "triangle;\nfront: with --coherent, the share of queries that began at the front of an "
-        "earlier one. Ctrl-C leaves what was finished, and exits with 130.\n\n"
+        "ms: mean processor time of a query (with --threads above 1: the time that passes); / SCB: "
+        "time over that of the first\n"
+        "hierarchy of slab cut balls; ns/N_v: time per volume test, triangle tests included; "
+        "bytes: of the hierarchies, per\n"
+        "triangle; front: with --coherent, the share of queries that began where an earlier one "
+        "ended. To compare times\n"
+        "with and without a front add --warm: else the same query has just been made without one, "
+        "and its data is in the\n"
+        "caches.\n"
+        "Ctrl-C keeps what was finished and exits with 130.\n\n"
         "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

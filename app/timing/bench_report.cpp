@@ -1,6 +1,7 @@
 #include "app/timing/bench_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/timing/table_3.h"
 #include "core/base/text_format.h"

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
@@ -164,7 +165,7 @@ void add_tune(const Command& program, const Console& console, Action& action) {
     command.get_option("--frames")
         .description(
             "Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is fifty from the whole scene");
-    command.add_option("--repeat", options->repeats, "Time each query so often; its median counts")
+    command.add_option("--repeat", options->repeats, "Time each query N times and take the median")
         .check(decimal_number)
         .type_name("N")
         .show_default();
@@ -173,13 +174,13 @@ void add_tune(const Command& program, const Console& console, Action& action) {
     add_figure_options(command, options->picture, "Folder for tune.csv, tune.json and a picture");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "The base is what --test, --threshold, --descent and --growth say. One of them is changed "
-        "at a time, then the best of\n"
-        "each are taken together. operations: arithmetic operations of the volume tests (Table 1 "
-        "of the paper); ms: mean\n"
-        "processor time of a query. The base is best in time unless another saves 2 % or more. The "
-        "printed test, which\n"
-        "misses pairs, is never best. Ctrl-C ends it, with 130.\n\n"
+        "--test, --threshold, --descent and --growth give the base. The command changes one of "
+        "them at a time, then combines\n"
+        "the best values. operations: arithmetic operations of the volume tests (Table 1 of the "
+        "paper); ms: mean processor\n"
+        "time of a query. The base is best in time unless another setting saves 2 % or more. The "
+        "printed test misses pairs and\n"
+        "is never best. Ctrl-C stops it, with exit status 130.\n\n"
         "Examples:\n"
         "  scb tune spheres-l1 -o out/\n"
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"

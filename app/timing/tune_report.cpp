@@ -1,6 +1,7 @@
 #include "app/timing/tune_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
 #include "core/base/text_format.h"

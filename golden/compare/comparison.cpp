@@ -1,6 +1,7 @@
 #include "golden/compare/comparison.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "golden/compare/number_words.h"
 #include "golden/suite/baseline.h"

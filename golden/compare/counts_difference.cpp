@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace scb::golden {

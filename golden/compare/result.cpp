@@ -1,6 +1,7 @@
 #include "golden/compare/result.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace scb::golden {
 namespace {

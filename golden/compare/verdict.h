@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "core/base/enum_names.h"
 
 namespace scb::golden {
@@ -23,6 +20,8 @@ inline constexpr EnumNames<Verdict, 7> verdict_names = {{"same", "different", "s
                                                          "could not run", "skipped"}};
 
 /// Whether a run with such a case fails: all but same and skipped.
-bool is_failure(Verdict verdict);
+constexpr bool is_failure(Verdict verdict) {
+    return verdict != Verdict::same && verdict != Verdict::skipped;
+}
 
 }  // namespace scb::golden

@@ -1,5 +1,7 @@
 #include "golden/report/report_folder.h"
 
+#include <nlohmann/json.hpp>
+
 #include "golden/report/html_report.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"

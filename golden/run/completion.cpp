@@ -1,5 +1,7 @@
 #include "golden/run/completion.h"
 
+#include <nlohmann/json.hpp>
+
 #include "golden/run/check_cases.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/files_equal.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "golden/suite/baseline.h"
 #include "scenes/traces/trace_diff_text.h"

@@ -1,5 +1,7 @@
 #include "scenes/scene/builtin.h"
 
+#include <nlohmann/json.hpp>
+
 #include "scenes/scene/scene_file.h"
 #include "scenes/text/json_reader.h"
 

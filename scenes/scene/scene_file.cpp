@@ -1,6 +1,7 @@
 #include "scenes/scene/scene_file.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "scb/error.h"
 #include "scenes/scene/camera_view.h"

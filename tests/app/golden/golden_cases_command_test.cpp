@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "tests/app/golden/golden_command.h"

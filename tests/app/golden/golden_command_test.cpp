@@ -1,4 +1,6 @@
 #include "tests/app/golden/golden_command.h"
+
+#include <nlohmann/json.hpp>
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 

@@ -1,6 +1,7 @@
 #include "golden/compare/result.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "scb/error.h"
 #include "tests/golden/compare/sample_result.h"

@@ -1,6 +1,7 @@
 #include "golden/suite/case_counts.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "scb/error.h"
 

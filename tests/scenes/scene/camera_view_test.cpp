@@ -1,5 +1,7 @@
 #include "scenes/scene/camera_view.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tests/scenes/support.h"
 
 namespace scb::scenes {
