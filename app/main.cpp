@@ -11,6 +11,8 @@
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
+#include "scenes/meshes/isolated_mesh.h"
+#include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_reader.h"
 
 namespace scb::app {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,43 +10,71 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "core/base/enum_names.h"
 
 namespace scb::app {
 
+/// A value of an option, and the word for it.
+template <class T>
+struct Choice {
+    std::string word;
+    T value;
+};
+
+/// All values of an enumeration.
+template <class Enum, std::size_t N>
+std::vector<Choice<Enum>> choices_of(const EnumNames<Enum, N>& names) {
+    std::vector<Choice<Enum>> choices;
+    for (const std::string_view name : names.names)
+        choices.push_back({std::string(name), *names.find(name)});
+    return choices;
+}
+template <class Enum>
+std::vector<Choice<Enum>> choices_of(std::span<const Enum> values,
+                                     std::string_view (*name_of)(Enum)) {
+    std::vector<Choice<Enum>> choices;
+    for (const Enum value : values) choices.push_back({std::string(name_of(value)), value});
+    return choices;
+}
+
 /// The words, to be offered: "first, last, dominant or share".
-std::string choices(std::span<const std::string_view> words);
+std::string offered(const std::vector<std::string>& words);
+template <class T>
+std::string offered(const std::vector<Choice<T>>& choices) {
+    std::vector<std::string> words;
+    for (const Choice<T>& choice : choices) words.push_back(choice.word);
+    return offered(words);
+}
 
 /// An option that takes one of the words; calls `use` with the word's place among them. Another
 /// word ends the command line with an InputError that offers them.
 Option add_word_option(const Command& command, const std::string& names,
-                       std::span<const std::string_view> words,
+                       const std::vector<std::string>& words,
                        const std::function<void(std::size_t)>& use, const std::string& help);
 
-/// An option that takes the name of a value of an enumeration. `words` are the names of the values
-/// from 0 on, such as EnumNames::names. T: the enumeration, whose present value is shown as the
-/// default, or a std::optional of it.
+/// An option whose value is one of the choices; the present value is shown as the default.
 template <class T>
 Option add_choice(const Command& command, const std::string& names, T& value,
-                  std::span<const std::string_view> words, const std::string& help) {
-    if constexpr (std::is_enum_v<T>) {
-        const auto use = [&value](std::size_t place) { value = static_cast<T>(place); };
-        return add_word_option(command, names, words, use, help)
-            .default_str(std::string(words[static_cast<std::size_t>(value)]));
-    } else {
-        const auto use = [&value](std::size_t place) {
-            value = static_cast<typename T::value_type>(place);
-        };
-        return add_word_option(command, names, words, use, help);
+                  const std::vector<Choice<std::type_identity_t<T>>>& choices,
+                  const std::string& help) {
+    std::vector<std::string> words;
+    std::string present;
+    for (const Choice<T>& choice : choices) {
+        words.push_back(choice.word);
+        if (choice.value == value) present = choice.word;
     }
+    const auto use = [&value, choices](std::size_t place) { value = choices[place].value; };
+    return add_word_option(command, names, words, use, help).default_str(present);
 }
 
-/// The names of an enumeration's values.
-template <class Enum>
-std::vector<std::string_view> words_of(std::span<const Enum> values,
-                                       std::string_view (*name_of)(Enum)) {
-    std::vector<std::string_view> words;
-    for (const Enum value : values) words.push_back(name_of(value));
-    return words;
+/// The choices of an option that may be left open, with a word for that where it has one.
+template <class T>
+std::vector<Choice<std::optional<T>>> optional_choices(const std::vector<Choice<T>>& choices,
+                                                       const std::string& open = "") {
+    std::vector<Choice<std::optional<T>>> all;
+    if (!open.empty()) all.push_back({open, std::nullopt});
+    for (const Choice<T>& choice : choices) all.push_back({choice.word, choice.value});
+    return all;
 }
 
 }  // namespace scb::app

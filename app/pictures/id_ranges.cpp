@@ -1,5 +1,7 @@
 #include "app/pictures/id_ranges.h"
 
+#include <optional>
+
 #include "scb/error.h"
 #include "scenes/text/utf8.h"
 

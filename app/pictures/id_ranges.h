@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "app/query/query_sources.h"
 
 namespace scb::app {
 
-/// Consecutive ids of a picture, which stand for the nodes or the triangles of a body.
+/// Consecutive ids of a picture, which stand for the nodes or triangles of a body, or for pairs.
 struct IdRange {
     std::uint32_t first = 1;
     std::size_t count = 0;

@@ -37,18 +37,11 @@ void add_level_options(const Command& command, LevelOptions& options) {
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);
-    std::vector<std::string_view> colors = {"auto"};
-    colors.insert(colors.end(), std::begin(render::color_by_names.names),
-                  std::end(render::color_by_names.names));
-    add_word_option(
-        command, "--color-by", colors,
-        [&options](std::size_t place) {
-            options.color_by.reset();
-            if (place > 0) options.color_by = static_cast<render::ColorBy>(place - 1);
-        },
+    add_choice(
+        command, "--color-by", options.color_by,
+        optional_choices(choices_of(render::color_by_names), "auto"),
         "body, depth, radius or thickness; auto: body for two or more bodies, thickness for one")
-        .type_name("WHAT")
-        .default_str("auto");
+        .type_name("WHAT");
     command.add_option("--opacity", options.opacity,
                        "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
                        "or 0.25 with --mesh");

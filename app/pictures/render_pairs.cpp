@@ -140,7 +140,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
     add_query_view_options(command, *options, Shown::meshes);
     command.add_flag("--no-leaves", options->no_leaves,
                      "Without the volumes of leaves that overlap while their triangles do not");
-    add_choice(command, "--heat", options->heat, render::heat_names.names,
+    add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "
                "or of the triangle itself")
         .type_name("volumes|triangles");

@@ -22,7 +22,7 @@ namespace scb::app {
 namespace {
 
 struct RejectionsOptions : QueryViewOptions {
-    render::EndingChoice by = render::EndingChoice::dominant;
+    render::NodeColor by = render::NodeColor::dominant;
     std::string stages, depths, body;
     double opacity = 1;
     bool nested = false;
@@ -272,7 +272,7 @@ int run(RejectionsOptions& options, const Console& console) {
         [&] {
             if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
             nlohmann::ordered_json head = query_index_head(view, "render rejections");
-            head["options"]["by"] = render::ending_choices[options.by];
+            head["options"]["by"] = render::node_color_names[options.by];
             if (!options.stages.empty())
                 head["options"]["stages"] = scenes::split_list(options.stages);
             if (!options.depths.empty())
@@ -293,7 +293,7 @@ void add_render_rejections(const Command& render_command, const Console& console
         "Draw the nodes at which a traversal ended, colored by the stage that rejected");
     const auto options = std::make_shared<RejectionsOptions>();
     add_query_view_options(command, *options, Shown::volumes);
-    add_choice(command, "--by", options->by, render::ending_choices.names,
+    add_choice(command, "--by", options->by, choices_of(render::node_color_names),
                "Color of a node at which several paths ended: its first, last or most frequent "
                "(dominant) ending; or share, the share of its tests that rejected")
         .type_name("WHICH");

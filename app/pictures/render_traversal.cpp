@@ -14,7 +14,7 @@ namespace {
 
 /// Which of the two diagrams the picture has.
 enum class Diagrams { matrix, icicle, both };
-constexpr EnumNames<Diagrams, 3> diagram_names = {{"matrix", "icicle", "both"}};
+constexpr EnumNames<Diagrams, 3> diagram_names = {"matrix", "icicle", "both"};
 
 struct TraversalOptions : QueryViewOptions {
     render::MatrixMeasure by = render::MatrixMeasure::tests;
@@ -62,9 +62,10 @@ void add_render_traversal(const Command& render_command, const Console& console,
         "traversal", "Draw where a traversal spends its tests, by pairs of nodes");
     const auto options = std::make_shared<TraversalOptions>();
     add_query_view_options(command, *options, Shown::nothing);
-    add_choice(command, "--by", options->by, render::matrix_measure_names.names,
+    add_choice(command, "--by", options->by, choices_of(render::matrix_measure_names),
                "Colors of the matrix. tests: how many; share: how many of them rejected");
-    add_choice(command, "--show", options->show, diagram_names.names, "matrix, icicle or both");
+    add_choice(command, "--show", options->show, choices_of(diagram_names),
+               "matrix, icicle or both");
     command.footer(
         "Left: the volume tests by depth of A's node and of B's. Right: the recursion as an "
         "icicle, with the roots at the top.\n"

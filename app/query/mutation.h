@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "core/base/enum_names.h"
 #include "scb/any_collide.h"
 
@@ -19,8 +16,8 @@ enum class Mutation {
     swap_stages,      ///< rejections by A's slab are said to be by B's slab, and the reverse
 };
 
-inline constexpr EnumNames<Mutation, 5> mutation_names = {
-    {"none", "drop-node", "nudge-radius", "flip-comparison", "swap-stages"}};
+inline constexpr EnumNames<Mutation, 5> mutation_names = {"none", "drop-node", "nudge-radius",
+                                                          "flip-comparison", "swap-stages"};
 
 // What the mutation makes of each; nothing where it is one of something else.
 void mutate(Mutation mutation, AnyHierarchy& hierarchy);

@@ -104,10 +104,11 @@ void add_bodies_option(const Command& command, QueryOptions& options) {
 
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
     add_overlap_options(command, options, several_tests);
-    const std::vector<std::string_view> rules = words_of(all_descent_rules(), descent_rule_name);
+    const std::vector<Choice<DescentRule>> rules =
+        choices_of(all_descent_rules(), descent_rule_name);
     add_choice(command, "--descent", options.descent, rules,
                "Which of two nodes is divided, the larger by this measure, or A and B in turn: " +
-                   choices(rules))
+                   offered(rules))
         .type_name("RULE");
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")

@@ -117,18 +117,18 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         .check(has_name)
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
-    const std::vector<std::string_view> growths = {ball_growth_name(BallGrowth::radius),
-                                                   ball_growth_name(BallGrowth::ritter)},
-                                        splits = {split_method_name(SplitMethod::section_3),
-                                                  split_method_name(SplitMethod::cost)};
-    add_choice(command, "--growth", options.growth, growths,
+    constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};
+    constexpr std::array splits = {SplitMethod::section_3, SplitMethod::cost};
+    add_choice(command, "--growth", options.growth,
+               choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
                "How minimum balls are grown: ritter or radius")
         .type_name("RULE");
-    add_choice(command, "--split", options.split, splits,
+    add_choice(command, "--split", options.split,
+               choices_of(std::span<const SplitMethod>(splits), split_method_name),
                "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
                "and less to query")
         .type_name("METHOD");
-    add_choice(command, "--mutation", options.mutation, mutation_names.names,
+    add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
                "An error on purpose, for `scb golden selftest`")
         .hide();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")

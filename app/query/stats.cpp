@@ -9,6 +9,7 @@
 #include "app/query/layout_options.h"
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
+#include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/level_statistics.h"
@@ -90,8 +91,6 @@ void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& m
 }
 
 /// The value over that of the level above.
-double over_parent(double value, double above) { return above > 0 ? value / above : 0; }
-
 std::vector<Measured> measure(const StatsOptions& options) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     BuildOptions build = options.hierarchy.build();
@@ -156,7 +155,7 @@ std::string table(const Measured& m) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
         const auto ratio_text = [i](double value, double before) {
-            return i == 0 ? std::string("        ") : format(" %7.3f", over_parent(value, before));
+            return i == 0 ? std::string("        ") : format(" %7.3f", ratio(value, before));
         };
         text += format("%5zu %8u %8u %8u %9.4g %9.4g", i, l.volumes, l.leaves, l.cover,
                        l.mean_diameter(), l.max_diameter) +
@@ -197,10 +196,8 @@ Json json_of(const Measured& m) {
                       {"area", l.area},
                       {"volume", l.volume}};
         if (i > 0) {
-            level["diameter_ratio"] =
-                over_parent(l.mean_diameter(), m.levels[i - 1].mean_diameter());
-            level["thickness_ratio"] =
-                over_parent(l.mean_thickness(), m.levels[i - 1].mean_thickness());
+            level["diameter_ratio"] = ratio(l.mean_diameter(), m.levels[i - 1].mean_diameter());
+            level["thickness_ratio"] = ratio(l.mean_thickness(), m.levels[i - 1].mean_thickness());
         }
         for (std::size_t r = 0; r < split_rule_count; ++r)
             level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
@@ -261,7 +258,8 @@ int run(const StatsOptions& options, const Console& console) {
 }  // namespace
 
 void add_stats(const Command& program, const Console& console, Action& action) {
-    const Command command = program.add_subcommand("stats", "Print the quality of hierarchies, level by level");
+    const Command command =
+        program.add_subcommand("stats", "Print the quality of hierarchies, level by level");
     const auto options = std::make_shared<StatsOptions>();
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/timing/table_3.h"
+#include "core/base/statistics.h"
 #include "core/base/text_format.h"
 
 namespace scb::app {
@@ -17,8 +18,6 @@ const SubjectBench* first_scb(const SceneBench& bench) {
         if (subject.subject.kind == VolumeKind::scb) return &subject;
     return nullptr;
 }
-
-double over(double value, double by) { return by > 0 ? value / by : 0; }
 
 std::vector<double> doubles(const std::vector<std::uint64_t>& values) {
     return {values.begin(), values.end()};
@@ -36,7 +35,7 @@ std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
     const std::optional<Table3Entry> entry = paper_entry(bench, kind);
     if (!entry) return "";
     const double scb_ms = paper_entry(bench, VolumeKind::scb)->ms;
-    return format("  | %8.1f %8.2f %10.0f %9.0f", entry->ms, over(entry->ms, scb_ms), entry->n_v,
+    return format("  | %8.1f %8.2f %10.0f %9.0f", entry->ms, ratio(entry->ms, scb_ms), entry->n_v,
                   entry->n_p);
 }
 
@@ -81,7 +80,7 @@ std::string bench_table(const SceneBench& bench) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
         text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
-                                : format(" %8.2f", over(ms, scb->mean_ms()))) +
+                                : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
                 format(" %10.1f %9.1f %9.1f", n_v, mean(subject.n_p), mean(subject.pairs)) +
                 (n_v > 0 ? format(" %8.1f", 1e6 * ms / n_v) : "        -") +
                 format(" %6.1f", subject.bytes_per_triangle) +
@@ -193,13 +192,13 @@ Json bench_json(const SceneBench& bench) {
         row["pairs_hash"] = hash_text(subject.pairs_hash);
         row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
-        if (scb != nullptr) row["time_over_scb"] = over(ms, scb->mean_ms());
+        if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
         if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))
             row["table_3"] = {
                 {"ms", entry->ms},
                 {"n_v", entry->n_v},
                 {"n_p", entry->n_p},
-                {"time_over_scb", over(entry->ms, paper_entry(bench, VolumeKind::scb)->ms)}};
+                {"time_over_scb", ratio(entry->ms, paper_entry(bench, VolumeKind::scb)->ms)}};
         hierarchies.push_back(std::move(row));
     }
     return {{"scene", bench.scene},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
 #include "render/overlay/figure_layout.h"
@@ -12,8 +13,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double over_base(double value, double by) { return by > 0 ? value / by : 1; }
 
 /// "symmetric, descent radius, growth ritter".
 std::string setting_text(const TuneSetting& setting) {
@@ -58,8 +57,8 @@ const char* group_title(Tuned tuned) {
 std::string table_row(const TuneRow& row, const TuneRow& base, bool timed) {
     std::string line =
         format("  %-46s %10.1f %9.1f %12.1f %6.2f", change_text(row.trial).c_str(), row.n_v,
-               row.n_p, row.operations, over_base(row.operations, base.operations));
-    if (timed) line += format(" %9.4f %6.2f", row.ms, over_base(row.ms, base.ms));
+               row.n_p, row.operations, ratio(row.operations, base.operations, 1));
+    if (timed) line += format(" %9.4f %6.2f", row.ms, ratio(row.ms, base.ms, 1));
     return line + (row.misses_pairs ? "  misses pairs\n" : "\n");
 }
 
@@ -68,7 +67,7 @@ std::string best_line(const char* what, const SceneTuning& tuning, std::size_t b
     const TuneRow &row = tuning.rows[best], &base = tuning.rows[0];
     std::string line = std::string(what) + ": " + setting_text(row.trial.setting);
     if (best == 0) return line + ", the base\n";
-    return line + format(", %.2f of the base's\n", over_base(row.*cost, base.*cost));
+    return line + format(", %.2f of the base's\n", ratio(row.*cost, base.*cost, 1));
 }
 
 std::string bar_name(const SceneTuning& tuning, const TuneRow& row) {
@@ -160,8 +159,8 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
     for (std::size_t i = 0; i < tuning.rows.size(); ++i) {
         const TuneRow& row = tuning.rows[i];
         render::TuneCosts costs{
-            over_base(row.n_v, base.n_v), over_base(row.operations, base.operations), {}};
-        if (tuning.timed) costs.time = over_base(row.ms, base.ms);
+            ratio(row.n_v, base.n_v, 1), ratio(row.operations, base.operations, 1), {}};
+        if (tuning.timed) costs.time = ratio(row.ms, base.ms, 1);
         const TuneSetting& setting = row.trial.setting;
         if (setting.overlap.test == OverlapTest::corrected &&
             setting.descent == base.trial.setting.descent &&

@@ -27,13 +27,13 @@ struct EndedPathsFilter {
 };
 
 /// Where the paths of a traversal ended, on one side: every node of A (`side` 0) or B (1) in whose
-/// pair tests paths ended, ascending. A node may be in the front and below another one that is,
-/// since it met other nodes of the other body.
+/// pair tests paths ended, ascending. One node may be below another, since it met other nodes of
+/// the other body.
 std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
                                     std::size_t side, const EndedPathsFilter& filter = {});
 
-/// Of a front, the nodes without another one of it below them: these volumes do not hold each
-/// other, so that each can be seen.
-std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const Topology& topology);
+/// Of these nodes, those without another one below them: their volumes do not hold each other, so
+/// that each can be seen.
+std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& nodes, const Topology& topology);
 
 }  // namespace scb

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "core/base/enum_names.h"
 
@@ -17,8 +16,8 @@ enum class PassReason : std::uint8_t {
 };
 inline constexpr std::size_t pass_reason_count = 3;
 
-inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {
-    {"test", "fit", "true"}};
+inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {"test", "fit",
+                                                                               "true"};
 
 /// What a query, or a part of it, did.
 struct Work {

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/base/enum_names.h"
@@ -32,8 +31,8 @@ enum class Tuned {
     several,  ///< the best of each together
 };
 
-inline constexpr EnumNames<Tuned, 6> tuned_names = {
-    {"base", "test", "threshold", "descent", "growth", "best"}};
+inline constexpr EnumNames<Tuned, 6> tuned_names = {"base",    "test",   "threshold",
+                                                    "descent", "growth", "best"};
 
 struct TuneTrial {
     TuneSetting setting;

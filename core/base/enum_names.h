@@ -1,17 +1,22 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 
 namespace scb {
 
-/// The names of an enumeration whose values count up from 0, in the order of the values.
+/// The names of an enumeration with N values, which count up from 0, in the order of the values.
 template <class Enum, std::size_t N>
 struct EnumNames {
     std::string_view names[N];
 
+    template <class... Names>
+    requires(sizeof...(Names) == N) constexpr EnumNames(Names... all) : names{all...} {}
+
     constexpr std::string_view operator[](Enum value) const {
+        assert(static_cast<std::size_t>(value) < N && "every value has a name");
         return names[static_cast<std::size_t>(value)];
     }
 

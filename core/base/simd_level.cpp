@@ -55,7 +55,7 @@ std::vector<SimdLevel> available_simd_levels() {
 #endif
 
 std::string_view simd_level_name(SimdLevel level) {
-    return EnumNames<SimdLevel, 5>{{"best", "base", "sse4", "avx2", "avx512"}}[level];
+    return EnumNames<SimdLevel, 5>{"best", "base", "sse4", "avx2", "avx512"}[level];
 }
 
 }  // namespace scb

@@ -14,4 +14,9 @@ double mean(std::span<const std::uint64_t> values);
 /// there are none.
 double median(std::vector<double> values);
 
+/// `value / by`, or `otherwise` where `by` is not above 0.
+inline double ratio(double value, double by, double otherwise = 0) {
+    return by > 0 ? value / by : otherwise;
+}
+
 }  // namespace scb

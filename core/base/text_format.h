@@ -8,7 +8,7 @@ namespace scb {
 /// What printf would print, as a string.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
-/// For "%llu" of format: a std::uint64_t is an `unsigned long` here and something else there.
+/// For "%llu" of format: on some systems std::uint64_t is an `unsigned long`.
 constexpr unsigned long long wide(std::uint64_t value) { return value; }
 
 /// The text behind as many blanks as it takes to that width; a character of UTF-8 counts once.

@@ -15,9 +15,9 @@ class Fnv1a {
         value_ = (value_ ^ static_cast<unsigned char>(byte)) * prime;
     }
     void add(std::uint32_t number) {
-        std::array<char, 10> digits;
-        const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-        for (const char* digit = digits.data(); digit != end; ++digit) add(*digit);
+        std::array<char, 10> decimal;
+        const char* end = std::to_chars(decimal.data(), decimal.data() + decimal.size(), number).ptr;
+        for (const char* digit = decimal.data(); digit != end; ++digit) add(*digit);
     }
     std::uint64_t value() const { return value_; }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "core/base/enum_names.h"
 #include "scb/ball.h"
 #include "scb/obb.h"
@@ -12,7 +10,7 @@ namespace scb {
 /// Touching: neither farther apart nor deeper in each other than a tolerance.
 enum class Contact { disjoint, overlapping, touching };
 
-inline constexpr EnumNames<Contact, 3> contact_names = {{"disjoint", "overlapping", "touching"}};
+inline constexpr EnumNames<Contact, 3> contact_names = {"disjoint", "overlapping", "touching"};
 
 /// What was found about two volumes of one frame, with what proves it.
 struct ContactCertificate {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/enum_names.h"
@@ -17,8 +16,8 @@ enum class Answer {
     false_negative,  ///< the test rejected volumes that overlap: it misses collisions
 };
 
-inline constexpr EnumNames<Answer, 3> answer_names = {
-    {"correct", "false positive", "false negative"}};
+inline constexpr EnumNames<Answer, 3> answer_names = {"correct", "false positive",
+                                                      "false negative"};
 
 /// How a test ended, in words: "rejected at slab-cylinder", "passed".
 std::string ending_words(Stage stage);

@@ -66,7 +66,7 @@ HWY_EXPORT(fit_ball_list);
 HWY_EXPORT(fit_obb_list);
 
 std::string_view ball_growth_name(BallGrowth growth) {
-    return EnumNames<BallGrowth, 2>{{"radius", "ritter"}}[growth];
+    return EnumNames<BallGrowth, 2>{"radius", "ritter"}[growth];
 }
 
 namespace {

@@ -8,7 +8,7 @@ namespace {
 
 __extension__ typedef unsigned __int128 Uint128;
 
-constexpr int digit_bits = 32;
+constexpr int limb_bits = 32;
 constexpr std::uint64_t digit_mask = 0xffffffffu;
 
 // The product of three mantissas has 159 bits; shifted by up to 31, it takes six digits.
@@ -26,7 +26,7 @@ Dyadic::Dyadic(double value) {
 }
 
 ExactSum::ExactSum(int lowest_exponent, int highest_exponent)
-    : count_((highest_exponent - lowest_exponent) / digit_bits + product_digits + 1),
+    : count_((highest_exponent - lowest_exponent) / limb_bits + product_digits + 1),
       lowest_exponent_(lowest_exponent) {
     std::fill_n(digits_.begin(), count_, 0);
 }
@@ -35,7 +35,7 @@ void ExactSum::accumulate(const Dyadic& x, const Dyadic& y, const Dyadic& z, boo
     if (x.mantissa == 0 || y.mantissa == 0 || z.mantissa == 0) return;
     const auto shift =
         static_cast<unsigned>(x.exponent + y.exponent + z.exponent - lowest_exponent_);
-    const unsigned low_shift = shift % digit_bits;
+    const unsigned low_shift = shift % limb_bits;
 
     // xy < 2^106, so its upper word times z, shifted, still fits 128 bits.
     const Uint128 xy = static_cast<Uint128>(x.mantissa) * y.mantissa;
@@ -51,10 +51,10 @@ void ExactSum::accumulate(const Dyadic& x, const Dyadic& y, const Dyadic& z, boo
                                static_cast<int>(z.negative) ^ static_cast<int>(negate)) != 0
                                   ? -1
                                   : 1;
-    std::int64_t* digit = digits_.data() + shift / digit_bits;
+    std::int64_t* digit = digits_.data() + shift / limb_bits;
     for (const std::uint64_t word : words) {
         *digit++ += sign * static_cast<std::int64_t>(word & digit_mask);
-        *digit++ += sign * static_cast<std::int64_t>(word >> digit_bits);
+        *digit++ += sign * static_cast<std::int64_t>(word >> limb_bits);
     }
 }
 
@@ -64,7 +64,7 @@ int ExactSum::sign() const {
     for (int i = 0; i < count_; ++i) {
         const std::int64_t digit = digits_[static_cast<std::size_t>(i)] + carry;
         any |= static_cast<std::uint64_t>(digit) & digit_mask;
-        carry = digit >> digit_bits;  // rounds down, so digits stay in 0 .. 2^32 - 1
+        carry = digit >> limb_bits;  // rounds down, so digits stay in 0 .. 2^32 - 1
     }
     // The last digit has room for the sum of positive products, so no carry leaves it.
     return carry < 0 ? -1 : any != 0 ? 1 : 0;
@@ -81,11 +81,11 @@ ScaledDouble ExactSum::value() const {
         const auto place = static_cast<std::size_t>(i + 2);
         magnitude[place] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(digit));
         if (magnitude[place] != 0) top = i + 2;
-        carry = digit >> digit_bits;
+        carry = digit >> limb_bits;
     }
     const auto at = static_cast<std::size_t>(top);
     const double upper = magnitude[at] * 0x1p64 + magnitude[at - 1] * 0x1p32 + magnitude[at - 2];
-    return {negative ? -upper : upper, lowest_exponent_ + (top - 4) * digit_bits};
+    return {negative ? -upper : upper, lowest_exponent_ + (top - 4) * limb_bits};
 }
 
 }  // namespace scb

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::array all_kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
                                   VolumeKind::obb};
-constexpr EnumNames<VolumeKind, all_kinds.size()> names = {{"scb", "ball", "ritter", "obb"}};
+constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb", "ball", "ritter", "obb"};
 
 }  // namespace
 
-std::string_view volume_kind_name(VolumeKind kind) { return names[kind]; }
-std::optional<VolumeKind> volume_kind_of(std::string_view name) { return names.find(name); }
+std::string_view volume_kind_name(VolumeKind kind) { return kind_names[kind]; }
+std::optional<VolumeKind> volume_kind_of(std::string_view name) { return kind_names.find(name); }
 
 std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 

@@ -129,8 +129,8 @@ Split split_by_section_3(Range range, std::uint32_t first, const Primitives& pri
 
 std::string_view split_rule_name(SplitRule rule) {
     constexpr EnumNames<SplitRule, split_rule_count> names = {
-        {"leaf", "longest side", "second side", "third side", "median of 7", "sorted", "index",
-         "least cost"}};
+        "leaf",        "longest side", "second side", "third side",
+        "median of 7", "sorted",       "index",       "least cost"};
     return names[rule];
 }
 
@@ -204,7 +204,7 @@ class Builder {
     Topology topology_;
 };
 
-constexpr EnumNames<SplitMethod, 2> method_names = {{"paper", "cost"}};
+constexpr EnumNames<SplitMethod, 2> method_names = {"paper", "cost"};
 
 }  // namespace
 

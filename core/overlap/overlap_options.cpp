@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::array tests = {OverlapTest::printed, OverlapTest::line8, OverlapTest::corrected,
                               OverlapTest::symmetric, OverlapTest::extents};
-constexpr EnumNames<OverlapTest, tests.size()> names = {
-    {"printed", "line8", "corrected", "symmetric", "extents"}};
+constexpr EnumNames<OverlapTest, tests.size()> test_names = {"printed", "line8", "corrected",
+                                                        "symmetric", "extents"};
 
 constexpr std::array table_1 = {Stage::ball_ball, Stage::slab_ball, Stage::ball_slab,
                                 Stage::slab_cylinder, Stage::cylinder_slab};
@@ -24,8 +24,8 @@ constexpr std::array axes = {
 
 }  // namespace
 
-std::string_view overlap_test_name(OverlapTest test) { return names[test]; }
-std::optional<OverlapTest> overlap_test_of(std::string_view name) { return names.find(name); }
+std::string_view overlap_test_name(OverlapTest test) { return test_names[test]; }
+std::optional<OverlapTest> overlap_test_of(std::string_view name) { return test_names.find(name); }
 
 std::span<const OverlapTest> all_overlap_tests() { return tests; }
 

@@ -2,7 +2,7 @@
 
 #include "scb/node_codec.h"
 
-/// Expands X(Codec) for every codec, to instantiate templates.
+/// Expands X(Codec) for every codec of AnyCodec, to instantiate templates.
 #define SCB_FOR_EACH_CODEC(X) \
     X(FloatCodec<2>)          \
     X(FloatCodec<4>)          \
@@ -10,3 +10,9 @@
     X(QuantizedCodec<2>)      \
     X(QuantizedCodec<4>)      \
     X(QuantizedCodec<8>)
+
+namespace scb {
+template <class>
+struct CodecOfList {};
+static_assert(std::variant_size_v<AnyCodec<CodecOfList>> == 6, "the list above has them all");
+}  // namespace scb

@@ -15,9 +15,9 @@ enum class Verdict {
     skipped,           ///< what it needs (meshes) is not here
 };
 
-inline constexpr EnumNames<Verdict, 7> verdict_names = {{"same", "different", "size differs",
-                                                         "missing baseline", "new output",
-                                                         "could not run", "skipped"}};
+inline constexpr EnumNames<Verdict, 7> verdict_names = {
+    "same",       "different",     "size differs", "missing baseline",
+    "new output", "could not run", "skipped"};
 
 /// Whether a run with such a case fails: all but same and skipped.
 constexpr bool is_failure(Verdict verdict) {

@@ -53,6 +53,8 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
                                    : "";
         if (!trouble.empty())
             result.lines.push_back("The trace of this run could not be recorded: " + trouble);
+        add_lines(result, golden, check.settings, check.folders);
+        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
     }
     return checked;
 }
@@ -75,10 +77,7 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
     for (std::size_t i = 0; i < done.size(); ++i) {
         if (!done[i]) continue;
         all.lacked_gl += done[i]->lacked_gl;
-        CaseResult& result = all.results.emplace_back(std::move(done[i]->result));
-        if (result.verdict != Verdict::different) continue;
-        add_lines(result, check.cases[i], check.settings, check.folders);
-        if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
+        all.results.push_back(std::move(done[i]->result));
     }
     return all;
 }

@@ -26,6 +26,7 @@ Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
         add_ranges(document);
     } catch (const InputError&) {
         // Then things have numbers only.
+    } catch (const std::filesystem::filesystem_error&) {
     } catch (const Json::exception&) {
     }
 }

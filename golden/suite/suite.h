@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/enum_names.h"
@@ -14,8 +13,8 @@ namespace scb::golden {
 /// What a case makes: the commands of scb.
 enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide };
 
-inline constexpr EnumNames<GoldenRun, 6> golden_run_names = {
-    {"levels", "pairs", "rejections", "traversal", "inspect", "collide"}};
+inline constexpr EnumNames<GoldenRun, 6> golden_run_names = {"levels",    "pairs",   "rejections",
+                                                             "traversal", "inspect", "collide"};
 
 /// Whether it makes a picture; whether that has ids.
 bool has_picture(GoldenRun run);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 
 #include "core/analysis/trace.h"
 #include "core/analysis/triangle_heat.h"
@@ -13,7 +12,7 @@
 
 namespace scb::render {
 
-inline constexpr EnumNames<HeatOf, 2> heat_names = {{"volumes", "triangles"}};
+inline constexpr EnumNames<HeatOf, 2> heat_names = {"volumes", "triangles"};
 
 /// In how many tests each triangle of both bodies took part, and the scale of its colors.
 struct Heat {

@@ -111,7 +111,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         const EndedNodes ended = ended_nodes(query.bodies, *query.frame, tree, style);
         views[side].pane = rejections_pane(query.bodies, ended, style);
         views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
-        if (style.by == EndingChoice::share) views[side].legend.push_back(ending_choice_key(style));
+        if (style.by == NodeColor::share) views[side].legend.push_back(node_color_key(style));
     }
     compare(views, queries, only_here, *style.theme);
     return views;
@@ -145,7 +145,7 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
             groups,
             ending_groups(endings_of(header->volume, header->options), *style.theme).size());
     // The heading, which stands off.
-    const int key = style.by == EndingChoice::share ? scale_rows : 0;
+    const int key = style.by == NodeColor::share ? scale_rows : 0;
     return {number_rows, static_cast<int>(groups) + 2 + key};
 }
 

@@ -7,15 +7,15 @@
 namespace scb::render {
 namespace {
 
-Rgba8 color_of(const EndedPaths& node, EndingChoice by, const Theme& theme) {
+Rgba8 color_of(const EndedPaths& node, NodeColor by, const Theme& theme) {
     switch (by) {
-        case EndingChoice::first:
+        case NodeColor::first:
             return ending_color(node.first, theme);
-        case EndingChoice::last:
+        case NodeColor::last:
             return ending_color(node.last, theme);
-        case EndingChoice::dominant:
+        case NodeColor::dominant:
             return ending_color(node.dominant, theme);
-        case EndingChoice::share:
+        case NodeColor::share:
             break;
     }
     return viridis(static_cast<double>(node.rejected) / node.tested);
@@ -54,13 +54,13 @@ Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
     return pane;
 }
 
-PanelItem ending_choice_key(const RejectionsStyle& style) {
-    if (style.by == EndingChoice::share)
+PanelItem node_color_key(const RejectionsStyle& style) {
+    if (style.by == NodeColor::share)
         return PanelScale{"color: share of a node's tests rejected",
                           {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
     return PanelNote{"a node's " +
-                     std::string(style.by == EndingChoice::dominant ? "most frequent"
-                                                                    : ending_choices[style.by]) +
+                     std::string(style.by == NodeColor::dominant ? "most frequent"
+                                                                 : node_color_names[style.by]) +
                      " ending" + (style.nested ? "" : "; those that hold others are left out")};
 }
 
@@ -98,7 +98,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
         items.emplace_back(
             PanelRow{"volumes of " + bodies[side].name,
                      {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
-    items.push_back(ending_choice_key(style));
+    items.push_back(node_color_key(style));
     return items;
 }
 

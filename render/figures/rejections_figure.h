@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "core/analysis/ended_paths.h"
 #include "core/base/enum_names.h"
@@ -10,19 +9,18 @@
 
 namespace scb::render {
 
-/// What the color of a node tells at which paths ended: one of its endings, or the share of its
-/// tests that were rejected.
-enum class EndingChoice { first, last, dominant, share };
+/// What colors a node at which paths ended: one of its endings, or the share of its tests that
+/// rejected.
+enum class NodeColor { first, last, dominant, share };
 
-inline constexpr EnumNames<EndingChoice, 4> ending_choices = {
-    {"first", "last", "dominant", "share"}};
+inline constexpr EnumNames<NodeColor, 4> node_color_names = {"first", "last", "dominant", "share"};
 
-/// What pictures of the nodes show at which a traversal's paths ended.
+/// How pictures show the nodes at which the paths of a traversal ended.
 struct RejectionsStyle {
-    EndingChoice by = EndingChoice::dominant;
+    NodeColor by = NodeColor::dominant;
     EndedPathsFilter filter;
     std::array<bool, 2> sides = {true, true};  ///< which bodies
-    bool nested = false;                       ///< also nodes that hold others of them
+    bool nested = false;                       ///< also nodes that hold other drawn nodes
     double opacity = 1;                        ///< of the volumes
     const Theme* theme = &light_theme;
 };
@@ -41,7 +39,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
                                       const TraversalTree& tree, const Theme& theme);
 
 /// What the color of a node tells.
-PanelItem ending_choice_key(const RejectionsStyle& style);
+PanelItem node_color_key(const RejectionsStyle& style);
 
 /// Its numbers and legend: every ending of the query with its count and share, whatever the filter
 /// shows.

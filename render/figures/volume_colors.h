@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "core/base/enum_names.h"
 #include "render/overlay/side_panel.h"
@@ -21,7 +20,7 @@ enum class ColorBy {
                 ///< ball), on a square-root scale
 };
 
-inline constexpr EnumNames<ColorBy, 4> color_by_names = {{"body", "depth", "radius", "thickness"}};
+inline constexpr EnumNames<ColorBy, 4> color_by_names = {"body", "depth", "radius", "thickness"};
 
 /// The scale that the pictures of a run share.
 struct ColorScale {

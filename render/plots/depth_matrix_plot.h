@@ -11,7 +11,7 @@ enum class MatrixMeasure {
     tests,  ///< how many volume tests; logarithmic, from 1 to a power of ten
     share,  ///< which share of them was rejected; linear, from 0 to 1
 };
-inline constexpr EnumNames<MatrixMeasure, 2> matrix_measure_names = {{"tests", "share"}};
+inline constexpr EnumNames<MatrixMeasure, 2> matrix_measure_names = {"tests", "share"};
 
 /// Draws the cells as far as the rectangle allows, the depth of A from left to right and that of B
 /// from top to bottom, with the depths beside them and the scale of colors below. Cells without

@@ -7,7 +7,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/gltf_check.h"
-#include "scenes/meshes/mesh_reader.h"
+#include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/off_check.h"
 #include "scenes/meshes/ply_check.h"
 #include "scenes/text/file_bytes.h"

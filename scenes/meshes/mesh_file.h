@@ -28,9 +28,10 @@ namespace scb::scenes {
 /// Formats other than PLY are read in another process, see isolated_mesh, since assimp's readers of
 /// them can crash on broken files.
 ///
-/// Throws InputError with one sentence that names the file, the place where known, and what to do:
-/// the file is missing, a directory, empty, of a format that nothing reads, or broken; an index is
-/// out of range; a used vertex is not finite; there is no triangle.
+/// Throws filesystem_error where that process cannot be started; and InputError with one sentence
+/// that names the file, the place where known, and what to do: the file is missing, a directory,
+/// empty, of a format that nothing reads, or broken; an index is out of range; a used vertex is not
+/// finite; there is no triangle.
 Mesh load_mesh(const std::filesystem::path& path);
 
 }  // namespace scb::scenes

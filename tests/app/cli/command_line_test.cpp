@@ -80,6 +80,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats spheres-l1 --split sah", 2, "--split sah"},
         {"stats spheres-l1 --threads 0", 2, "--threads 0"},
         {"stats spheres-l1 --volume ''", 2, "--volume: the name is empty"},
+        {"read-mesh bracket.ply 3>&-", 2, "read-mesh is for scb itself"},
         {"stats spheres-l1 --growth ''", 2, "--growth '': give radius or ritter."},
         {"stats spheres-l1 --split ''", 2, "--split '': give paper or cost."},
         {"stats spheres-l1 --layout ''", 2, "--layout: the name is empty"},

@@ -7,7 +7,7 @@
 namespace scb {
 
 /// What a search on farthest points alone shows about two slab cut balls of one frame. It knows
-/// nothing of how exact_overlap decides, nor of what makes its proofs.
+/// nothing of how exact_overlap decides, nor of what makes its certificates.
 struct SupportBounds {
     /// The distance of the two is at least `lower`, which is negative where no plane between them
     /// has been found, and at most `upper`.

@@ -1,0 +1,218 @@
+#include "scenes/meshes/isolated_mesh.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <new>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "scb/error.h"
+#include "scenes/meshes/mesh_answer.h"
+
+namespace scb::scenes {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Twice what assimp_mesh gives at most.
+constexpr std::uint64_t most_values = std::uint64_t{1} << 29;
+
+fs::path& set_program() {
+    static fs::path path;
+    return path;
+}
+
+fs::path reader_program() {
+    if (!set_program().empty()) return set_program();
+    return fs::read_symlink("/proc/self/exe").parent_path() / "scb";
+}
+
+[[noreturn]] void fail_to_start(const std::string& program, int error) {
+    throw fs::filesystem_error("cannot start the program that reads meshes", program,
+                               std::error_code(error, std::generic_category()));
+}
+
+struct Descriptor {
+    int number = -1;
+
+    Descriptor() = default;
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    void close() {
+        if (number >= 0) ::close(std::exchange(number, -1));
+    }
+};
+
+/// What a new process gets; the first error of what was asked for.
+struct SpawnSettings {
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attributes;
+    int error = 0;
+
+    /// `answers`: for mesh_answer_descriptor, from above it.
+    explicit SpawnSettings(int answers) {
+        keep(posix_spawn_file_actions_init(&files));
+        keep(posix_spawnattr_init(&attributes));
+        for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+            keep(posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0));
+        keep(posix_spawn_file_actions_adddup2(&files, answers, mesh_answer_descriptor));
+        keep(posix_spawn_file_actions_addclosefrom_np(&files, mesh_answer_descriptor + 1));
+        // A group of its own: Ctrl-C is for who starts it. No signal is blocked or ignored.
+        sigset_t none, all;
+        sigemptyset(&none);
+        sigfillset(&all);
+        keep(posix_spawnattr_setsigmask(&attributes, &none));
+        keep(posix_spawnattr_setsigdefault(&attributes, &all));
+        keep(posix_spawnattr_setpgroup(&attributes, 0));
+        keep(posix_spawnattr_setflags(
+            &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
+    }
+    ~SpawnSettings() {
+        posix_spawnattr_destroy(&attributes);
+        posix_spawn_file_actions_destroy(&files);
+    }
+    SpawnSettings(const SpawnSettings&) = delete;
+    SpawnSettings& operator=(const SpawnSettings&) = delete;
+
+    void keep(int result) {
+        if (error == 0) error = result;
+    }
+};
+
+/// A reader that runs, and the pipe that its answer comes from.
+class Reader {
+  public:
+    explicit Reader(std::string path) : program_(reader_program().string()) {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(program_, errno);
+        Descriptor given, copy;
+        answers_.number = ends[0];
+        given.number = ends[1];
+        copy.number = ::fcntl(given.number, F_DUPFD_CLOEXEC, mesh_answer_descriptor + 1);
+        if (copy.number < 0) fail_to_start(program_, errno);
+        const SpawnSettings settings(copy.number);
+        std::string command = mesh_reader_command;
+        const std::array<char*, 4> arguments = {program_.data(), command.data(), path.data(),
+                                                nullptr};
+        int error = settings.error;
+        if (error == 0)
+            error = ::posix_spawn(&id_, program_.c_str(), &settings.files, &settings.attributes,
+                                  arguments.data(), environ);
+        if (error == 0) return;
+        id_ = -1;
+        fail_to_start(program_, error);
+    }
+    ~Reader() { end(); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    /// False where there is no more.
+    template <class T>
+    bool read(std::span<T> values) const {
+        std::span<std::byte> bytes = std::as_writable_bytes(values);
+        while (!bytes.empty()) {
+            const ssize_t got = ::read(answers_.number, bytes.data(), bytes.size());
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return false;
+            bytes = bytes.subspan(static_cast<std::size_t>(got));
+        }
+        return true;
+    }
+
+    /// Ends it where it still runs. Returns its status as waitpid has it; nothing where nobody
+    /// learns it, because SIGCHLD is ignored.
+    std::optional<int> end() {
+        answers_.close();
+        if (id_ < 0) return std::nullopt;
+        // The id is kept for a process that has ended, until it is waited for; but not where
+        // SIGCHLD is ignored.
+        siginfo_t ignored;
+        if (::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+            !whole_)
+            ::kill(id_, SIGKILL);
+        int status = 0;
+        pid_t waited = -1;
+        while ((waited = ::waitpid(id_, &status, 0)) < 0 && errno == EINTR) {
+        }
+        id_ = -1;
+        if (waited < 0) return std::nullopt;
+        return status;
+    }
+
+    /// Waits for its end, once it has closed the pipe; else ends it, as if it had failed.
+    std::optional<int> wait() {
+        std::byte rest{};
+        whole_ = !read(std::span(&rest, 1));
+        const std::optional<int> status = end();
+        constexpr int failed = 1 << 8;
+        return whole_ ? status : failed;
+    }
+
+    const std::string& program() const { return program_; }
+
+  private:
+    std::string program_;
+    Descriptor answers_;
+    pid_t id_ = -1;
+    bool whole_ = false;  ///< it has closed the pipe, so it ends by itself
+};
+
+[[noreturn]] void refuse_after(std::optional<int> status, const std::string& path) {
+    const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
+    if (signal == SIGKILL)
+        throw InputError(path +
+                         ": its reader was killed, perhaps because memory ran out; give a smaller "
+                         "mesh, or repair its counts.");
+    if (signal == SIGALRM || signal == SIGXCPU)
+        throw InputError(path +
+                         ": its reader did not come to an end in five minutes; repair the file or "
+                         "export it again.");
+    throw InputError(path +
+                     ": its reader crashed, so the file is broken; repair it or export it again.");
+}
+
+template <class T>
+bool read_into(const Reader& reader, T& values, std::uint64_t count) {
+    if (count > most_values) return false;
+    values.resize(count);
+    return reader.read(std::span(values));
+}
+
+}  // namespace
+
+void set_mesh_reader(const fs::path& program) { set_program() = program; }
+
+Mesh isolated_mesh(const std::string& path) {
+    Reader reader(path);
+    MeshGreeting greeting{};
+    if (!reader.read(std::span<char>(greeting)) || greeting != mesh_greeting)
+        fail_to_start(reader.program(), ENOEXEC);
+    MeshAnswer answer;
+    Mesh mesh;
+    std::string sentence;
+    const bool whole =
+        reader.read(std::span(&answer, 1)) && answer.kind <= MeshAnswer::failure &&
+        (answer.kind == MeshAnswer::mesh ? read_into(reader, mesh.vertices, answer.first) &&
+                                               read_into(reader, mesh.triangles, answer.second)
+                                         : read_into(reader, sentence, answer.first));
+    const std::optional<int> status = reader.wait();
+    if (!whole || (status && *status != 0)) refuse_after(status, path);
+    if (answer.kind == MeshAnswer::refusal) throw InputError(sentence);
+    if (answer.kind == MeshAnswer::out_of_memory) throw std::bad_alloc();
+    if (answer.kind == MeshAnswer::failure) throw std::runtime_error(sentence);
+    return mesh;
+}
+
+}  // namespace scb::scenes

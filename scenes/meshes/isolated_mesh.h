@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scb/mesh.h"
+
+namespace scb::scenes {
+
+/// Reads a file by assimp_mesh in another process, so that a file on which a reader of assimp
+/// crashes, or does not come to an end in five minutes, takes that process with it and not this
+/// one. Any thread may call it.
+///
+/// Throws what assimp_mesh throws; InputError where the process crashed, was killed or took too
+/// long; and filesystem_error where it cannot be started: the file is never read in this process
+/// instead.
+Mesh isolated_mesh(const std::string& path);
+
+/// The program that isolated_mesh executes, which is scb; where nobody has set it, the file of that
+/// name beside the running program. To be set before meshes are read.
+void set_mesh_reader(const std::filesystem::path& program);
+
+}  // namespace scb::scenes

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scb/mesh.h"
+
+namespace scb::scenes {
+
+/// What isolated_mesh has the program do: `scb read-mesh PATH`. It is no command for users.
+inline constexpr const char* mesh_reader_command = "read-mesh";
+
+/// The descriptor of that process which its answer goes to: the greeting once it is ready, then an
+/// answer.
+inline constexpr int mesh_answer_descriptor = 3;
+
+using MeshGreeting = std::array<char, 16>;
+inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's', 'h',
+                                               ' ', '1', 0,   0,   0,   0,   0,   0};
+
+/// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory, or
+/// a sentence.
+struct MeshAnswer {
+    enum Kind : std::uint64_t { mesh, refusal, out_of_memory, failure };
+    std::uint64_t kind = failure;
+    std::uint64_t first = 0;   ///< how many vertices, or characters
+    std::uint64_t second = 0;  ///< how many triangles
+};
+static_assert(sizeof(MeshAnswer) == 24 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+
+}  // namespace scb::scenes
