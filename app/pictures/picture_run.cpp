@@ -7,8 +7,11 @@
 #include "render/files/output_file.h"
 
 namespace scb::app {
+namespace {
 
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::string>& tables)
     : options_(options),

@@ -64,8 +64,9 @@ std::optional<SheetRun> QueryViewOptions::planned_sheet(
 void add_query_view_options(const Command& command, QueryViewOptions& options, Shown shown) {
     add_scene_options(command, options.scene, false);
     command.get_option("SCENE").description(
-        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
-        "trace`), or two traces to compare");
+        std::string("A built-in scene (see `scb scenes`), a scene file, two mesh files, ") +
+        (shown == Shown::nothing ? "or a trace (see `scb trace`)"
+                                 : "a trace (see `scb trace`), or two traces to compare"));
     add_hierarchy_options(command, options.hierarchy, false);
     add_query_options(command, options.query, false);
     add_query_limits(command, options.limits);

@@ -93,7 +93,7 @@ void add_export(const Command& program, const Console& console, Action& action) 
         program.add_subcommand("export", "Write a level as a mesh, for other viewers");
     const auto options = std::make_shared<ExportOptions>();
     add_scene_options(command, options->scene, true);
-    add_hierarchy_options(command, options->hierarchy);
+    add_hierarchy_options(command, options->hierarchy, false);
     command.add_option("--levels,--level", options->levels, "The level: a number, or 'leaves'")
         .required()
         .type_name("K");

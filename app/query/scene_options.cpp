@@ -16,9 +16,11 @@ namespace scb::app {
 scenes::Scene SceneOptions::load() const {
     for (const std::string& name : names)
         if (scenes::names_trace(name) && std::filesystem::exists(name))
-            throw InputError(name +
-                             ": this is a trace, which is named alone, or with a second one where "
-                             "two are compared; print it with `scb trace`.");
+            throw InputError(
+                name +
+                ": this is a trace, and a scene or meshes are needed here; give a trace "
+                "alone to `scb trace`, `render`, `inspect` or `explain`, or two to "
+                "`scb diff`, `render pairs` or `render rejections`.");
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {

@@ -128,6 +128,10 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         "trace", "Record every test of collision queries to a file, or print such a file");
     const auto options = std::make_shared<TraceOptions>();
     add_scene_options(command, options->scene, false);
+    command.get_option("SCENE").description(
+        "A built-in scene (see `scb scenes`), a scene file, or two mesh files, to be recorded; or "
+        "a "
+        "trace, to be printed");
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
