@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::array rules = {DescentRule::radius, DescentRule::area, DescentRule::volume,
                               DescentRule::alternating};
-constexpr EnumNames<DescentRule, rules.size()> rule_names = {"radius", "area", "volume", "alternating"};
+constexpr EnumNames<DescentRule, rules.size()> rule_names = {"radius", "area", "volume",
+                                                             "alternating"};
 
 }  // namespace
 

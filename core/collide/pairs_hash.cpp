@@ -16,7 +16,8 @@ class Fnv1a {
     }
     void add(std::uint32_t number) {
         std::array<char, 10> decimal;
-        const char* end = std::to_chars(decimal.data(), decimal.data() + decimal.size(), number).ptr;
+        const char* end =
+            std::to_chars(decimal.data(), decimal.data() + decimal.size(), number).ptr;
         for (const char* digit = decimal.data(); digit != end; ++digit) add(*digit);
     }
     std::uint64_t value() const { return value_; }

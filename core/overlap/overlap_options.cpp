@@ -12,7 +12,7 @@ namespace {
 constexpr std::array tests = {OverlapTest::printed, OverlapTest::line8, OverlapTest::corrected,
                               OverlapTest::symmetric, OverlapTest::extents};
 constexpr EnumNames<OverlapTest, tests.size()> test_names = {"printed", "line8", "corrected",
-                                                        "symmetric", "extents"};
+                                                             "symmetric", "extents"};
 
 constexpr std::array table_1 = {Stage::ball_ball, Stage::slab_ball, Stage::ball_slab,
                                 Stage::slab_cylinder, Stage::cylinder_slab};
