@@ -9,16 +9,13 @@
 #include <set>
 
 #include "core/analysis/alternative_test.h"
-#include "core/analysis/inspection.h"
 #include "core/analysis/operation_cost.h"
-#include "core/analysis/worst_pairs.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/overlap_steps.h"
 #include "core/explain/pair_explanation.h"
 #include "scenes/scene/builtin.h"
-#include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
-#include "tests/core/hierarchy/built_mesh.h"
+#include "tests/scenes/scene/attributed_query.h"
 
 // Why pairs passed, on the built-in scenes, recomputed without what attribution.cpp is made of.
 
@@ -36,26 +33,7 @@ std::set<std::uint32_t> triangles_below(const Topology& topology, std::uint32_t 
     return {topology.order.begin() + n.first, topology.order.begin() + n.first + n.count};
 }
 
-struct Query {
-    const BuiltMesh &a, &b;
-    TraceHeader header;
-    TraceFrame frame;
-    TraversalTree tree;
-    std::vector<IndexPair> contacts;
-    Attribution result;
-
-    Query(const BuiltMesh& mesh_a, const BuiltMesh& mesh_b, const Pose& pose, VolumeKind kind,
-          OverlapTest test)
-        : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
-        frame = record_frame(a, b, 0, pose, header);
-        tree = traversal_tree(header, frame);
-        const auto i = static_cast<std::size_t>(kind);
-        contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
-        result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
-    }
-};
-
-void check_counts(const Query& q) {
+void check_counts(const AttributedQuery& q) {
     const Attribution& r = q.result;
     const std::vector<VolumeTest>& tests = q.frame.events.volume_tests;
     std::uint64_t passed = 0;
@@ -103,7 +81,7 @@ void check_counts(const Query& q) {
 }
 
 /// The same per depth.
-void check_depths(const Query& q) {
+void check_depths(const AttributedQuery& q) {
     const Inspection found = inspection(q.frame, q.tree, q.result);
     DepthInspection sum;
     for (const DepthInspection& depth : found.depths) {
@@ -117,7 +95,7 @@ void check_depths(const Query& q) {
 }
 
 /// By sets of triangles, for some of the pairs.
-void check_contacts(const Query& q) {
+void check_contacts(const AttributedQuery& q) {
     const std::size_t step = std::max<std::size_t>(1, q.result.passed.size() / 50);
     for (std::size_t k = 0; k < q.result.passed.size(); k += step) {
         const PassedPair& pair = q.result.passed[k];
@@ -175,7 +153,7 @@ TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
                                             pose_at(scene.bodies[1].motion, frame));
             SCOPED_TRACE(std::string(volume_kind_name(kind)) + " " +
                          std::string(overlap_test_name(test)) + ", frame " + std::to_string(frame));
-            const Query query(a, b, pose, kind, test);
+            const AttributedQuery query(a, b, pose, kind, test);
             check_counts(query);
             check_depths(query);
             check_contacts(query);
@@ -220,7 +198,7 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
 TEST(Attribution, ARejectionOfVolumesThatTouchIsWrongWhereItLosesTriangles) {
     const BuiltMesh a(Mesh{{{-10, -10, 0}, {10, -10, 0}, {0, 17, 0}}, {{0, 1, 2}}}),
         b(Mesh{{{6, 0, 0}, {6, 0.5, 1}, {6, -0.5, 1}}, {{0, 1, 2}}});
-    const Query query(a, b, Pose{}, VolumeKind::scb, OverlapTest::printed);
+    const AttributedQuery query(a, b, Pose{}, VolumeKind::scb, OverlapTest::printed);
     ASSERT_EQ(query.contacts.size(), 1u);
     ASSERT_EQ(query.frame.found.pairs.size(), 0u);
     ASSERT_EQ(query.result.wrongly_rejected.size(), 1u);
@@ -251,7 +229,7 @@ TEST(Attribution, VerdictsAreThoseOfTheExplanation) {
                     pose.translation =
                         (a.mesh.vertices[0] - b.mesh.vertices[0]) + Vec3(by * random_point(random));
                 }
-                const Query query(a, b, pose, kind, OverlapTest::symmetric);
+                const AttributedQuery query(a, b, pose, kind, OverlapTest::symmetric);
                 const auto& of_a = query.a.hierarchies[static_cast<std::size_t>(kind)];
                 const auto& of_b = query.b.hierarchies[static_cast<std::size_t>(kind)];
                 const Contact explained = std::visit(
@@ -280,7 +258,7 @@ TEST(Attribution, TrianglesAsFarApartAsRoundingTouch) {
         return BuiltMesh(Mesh{{{1e6, 0, z}, {1e6 + 1, 0, z}, {1e6, 1, z}}, {{0, 1, 2}}});
     };
     const BuiltMesh a = at_height(0), b = at_height(2e-8);
-    const Query query(a, b, Pose{}, VolumeKind::scb, OverlapTest::symmetric);
+    const AttributedQuery query(a, b, Pose{}, VolumeKind::scb, OverlapTest::symmetric);
     ASSERT_EQ(query.result.passed.size(), 1u);
     EXPECT_EQ(query.result.passed[0].exact, Contact::touching);
     EXPECT_EQ(query.result.passed[0].reason, PassReason::loose_fit);
@@ -317,7 +295,7 @@ TEST(AlternativeTest, CatchesTheWeakPairsThatItRejects) {
         b(scene.meshes[scene.bodies[1].mesh].mesh);
     const Pose pose =
         relative_pose(pose_at(scene.bodies[0].motion, 60), pose_at(scene.bodies[1].motion, 60));
-    const Query query(a, b, pose, VolumeKind::scb, OverlapTest::corrected);
+    const AttributedQuery query(a, b, pose, VolumeKind::scb, OverlapTest::corrected);
     const auto &of_a = std::get<Hierarchy<Scb>>(a.hierarchies[0]),
                &of_b = std::get<Hierarchy<Scb>>(b.hierarchies[0]);
     const Placement placed = query_placement(of_a, of_b, pose);
@@ -342,83 +320,6 @@ TEST(AlternativeTest, CatchesTheWeakPairsThatItRejects) {
     }
     EXPECT_GT(seen.size(), 2u) << "tests that differ";
     EXPECT_GT(*seen.rbegin(), 0u);
-}
-
-TEST(WorstRejections, AreTheSameInWhateverOrderFramesAreAdded) {
-    TraceFrame early, late;
-    early.frame = 1;
-    late.frame = 2;
-    for (TraceFrame* frame : {&early, &late})
-        for (std::uint32_t i = 0; i < 3; ++i)
-            frame->events.volume_tests.push_back({{i, i}, 0, 0, Stage::ball_slab});
-    Attribution found;
-    found.wrongly_rejected = {{0, 5}, {1, 7}, {2, 5}};
-    WorstRejections forward(3), backward(3);
-    forward.add(early, found);
-    forward.add(late, found);
-    backward.add(late, found);
-    backward.add(early, found);
-    for (const WorstRejections* worst : {&forward, &backward}) {
-        ASSERT_EQ(worst->pairs().size(), 3u);
-        for (std::size_t i = 0; i < 3; ++i) {
-            EXPECT_EQ(worst->pairs()[i].frame, 1);
-            EXPECT_EQ(worst->pairs()[i].rejection.test, (std::array{1u, 0u, 2u})[i]);
-        }
-    }
-}
-
-using Nodes = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Each pair of nodes once, with the most that it has at any frame, the worst first.
-std::vector<std::uint64_t> ranked(const std::map<Nodes, std::uint64_t>& most_of) {
-    std::vector<std::uint64_t> most;
-    for (const auto& [nodes, value] : most_of) most.push_back(value);
-    std::sort(most.rbegin(), most.rend());
-    return most;
-}
-
-TEST(Attribution, WorstPairsAreEachListedOnceAtTheirWorstFrame) {
-    const Scene scene = load_builtin(*find_builtin("line-8"));
-    const BuiltMesh a(scene.meshes[scene.bodies[0].mesh].mesh),
-        b(scene.meshes[scene.bodies[1].mesh].mesh);
-    WorstRejections rejections(5);
-    WorstPairs weak(PassReason::weak_test, 6);
-    std::map<Nodes, std::uint64_t> missed, wasted;
-    for (int frame = 80; frame < 160; frame += 4) {
-        const Pose pose = relative_pose(pose_at(scene.bodies[0].motion, frame),
-                                        pose_at(scene.bodies[1].motion, frame));
-        Query query(a, b, pose, VolumeKind::scb, OverlapTest::printed);
-        query.frame.frame = frame;
-        rejections.add(query.frame, query.result);
-        weak.add(query.frame, query.tree, query.result);
-        const auto raise = [&](std::map<Nodes, std::uint64_t>& most, std::uint32_t test,
-                               std::uint64_t value) {
-            const IndexPair nodes = query.frame.events.volume_tests[test].nodes;
-            std::uint64_t& so_far = most[{nodes.a, nodes.b}];
-            so_far = std::max(so_far, value);
-        };
-        for (const WrongRejection& rejection : query.result.wrongly_rejected)
-            raise(missed, rejection.test, rejection.missed);
-        for (const PassedPair& pair : query.result.passed)
-            if (pair.reason == PassReason::weak_test && !pair.within_weak_test)
-                raise(wasted, pair.test, pair.below.volume_tests + pair.below.triangle_tests);
-    }
-    EXPECT_GT(ranked(missed)[4], 0u);
-    ASSERT_EQ(rejections.pairs().size(), 5u);
-    std::set<Nodes> seen;
-    for (std::size_t i = 0; i < 5; ++i) {
-        const WronglyRejectedPair& pair = rejections.pairs()[i];
-        EXPECT_EQ(pair.rejection.missed, ranked(missed)[i]);
-        EXPECT_NE(pair.test.stage, Stage::overlapping);
-        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
-    }
-    ASSERT_EQ(weak.pairs().size(), 6u);
-    seen.clear();
-    for (std::size_t i = 0; i < 6; ++i) {
-        const FalsePair pair = weak.pairs()[i];
-        EXPECT_EQ(pair.pair.below.volume_tests + pair.pair.below.triangle_tests, ranked(wasted)[i]);
-        EXPECT_TRUE(seen.insert({pair.test.nodes.a, pair.test.nodes.b}).second);
-    }
 }
 
 }  // namespace
