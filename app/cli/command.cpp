@@ -8,6 +8,18 @@
 
 namespace scb::app {
 
+namespace {
+
+/// An option that takes no empty value: that is a variable of a shell that was not set, and would
+/// be taken for an option that was not given.
+Option with_value(CLI::Option* option) {
+    option->check(CLI::Validator(
+        [](std::string& text) { return text.empty() ? "the value is empty; give one" : ""; }, ""));
+    return Option(option);
+}
+
+}  // namespace
+
 Option Option::check(Check accepted) const {
     option_->check(CLI::Validator([accepted](std::string& text) { return accepted(text); }, ""));
     return *this;
@@ -55,7 +67,7 @@ Option Option::hide() const {
 
 template <class T>
 Option Command::add_option(const std::string& names, T& value, const std::string& help) const {
-    return Option(app_->add_option(names, value, help));
+    return with_value(app_->add_option(names, value, help));
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&) const;
 template Option Command::add_option(const std::string&, int&, const std::string&) const;

@@ -16,10 +16,6 @@ bool parses_as(const std::string& text) {
 
 }  // namespace
 
-std::string has_name(const std::string& text) {
-    return text.empty() ? "the name is empty; give one" : "";
-}
-
 std::string decimal_number(const std::string& text) {
     const std::size_t sign = text.starts_with('-') ? 1 : 0;
     const bool padded = text.size() > sign + 1 && text[sign] == '0';

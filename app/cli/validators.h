@@ -4,9 +4,6 @@
 
 namespace scb::app {
 
-/// Refuses an empty name.
-std::string has_name(const std::string& text);
-
 /// Refuses what is not a whole number in decimal: CLI11 alone reads 010 as 8, and holds a number
 /// that is too large for the largest one.
 std::string decimal_number(const std::string& text);

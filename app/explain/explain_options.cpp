@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
@@ -71,7 +70,6 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     command
         .add_option("--pairs", options.pairs_file,
                     "In place of a scene: pairs of volumes of your own engine, see below")
-        .check(has_name)
         .type_name("FILE.json");
     add_hierarchy_options(command, options.hierarchy, false);
     add_overlap_options(command, options.query, false);

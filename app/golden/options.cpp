@@ -71,13 +71,11 @@ void add_suite_options(const Command& command, GoldenOptions& options) {
     command.add_option("NAME", options.names, "Cases; all of them where none is named")
         .type_name("");
     command.add_option("--suite", options.suite, "The file that describes the cases")
-        .check(has_name)
         .type_name("FILE.json")
         .show_default();
     command
         .add_option("--baselines", options.baselines,
                     "The folder of the baselines; else baselines/ beside the suite")
-        .check(has_name)
         .type_name("DIR");
 }
 
@@ -89,7 +87,6 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
             "--models", options.models,
             "Folder to search for meshes that are missing beside the suite and their scene file")
         .envname("SCB_MODELS")
-        .check(has_name)
         .type_name("DIR");
     command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
         .check(decimal_number)
@@ -99,7 +96,6 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
         .add_option("--runner", options.runner,
                     "Run each case, in the folder of the suite, with this program in front: "
                     "\"qemu-x86_64 -cpu Nehalem\"")
-        .check(has_name)
         .type_name("WORDS");
     command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
         .type_name("NAME")

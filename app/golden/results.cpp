@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/query/scene_options.h"
 #include "golden/compare/number_words.h"
@@ -97,13 +96,10 @@ void add_result_files(const Command& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
                     "Folder for report.html, results.json and the pictures of failing cases")
-        .check(has_name)
         .type_name("DIR");
     command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
-        .check(has_name)
         .type_name("FILE.xml");
     command.add_option("--json", files.json, "Also write the results as JSON")
-        .check(has_name)
         .type_name("FILE.json");
 }
 

@@ -1,7 +1,6 @@
 #include "app/pictures/level_options.h"
 
 #include "app/cli/choice.h"
-#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "scb/error.h"
 
@@ -33,7 +32,6 @@ void add_level_options(const Command& command, LevelOptions& options) {
     command
         .add_option("--levels,--level", options.levels,
                     "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves; auto is all of them")
-        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);

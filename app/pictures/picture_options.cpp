@@ -75,8 +75,7 @@ std::filesystem::path PictureOptions::output_folder() const {
 namespace {
 
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
-    const Option output =
-        command.add_option("-o,--output", options.output, files).check(has_name).type_name("DIR");
+    const Option output = command.add_option("-o,--output", options.output, files).type_name("DIR");
     if (!options.output.empty()) output.show_default();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")

@@ -1,6 +1,5 @@
 #include "app/pictures/query_view_options.h"
 
-#include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
@@ -80,13 +79,11 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         command
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
-            .check(has_name)
             .type_name("X,Y");
         command
             .add_option("--compare", options.compare,
                         "Two overlap tests, such as corrected,printed, or two volumes, such as "
                         "scb,ball: both side by side, and what differs outlined")
-            .check(has_name)
             .type_name("A,B");
         command.add_flag("--sheet", options.sheet,
                          "Also all pictures in one, small, with their counts");

@@ -301,14 +301,10 @@ void add_render_rejections(const Command& render_command, const Console& console
         .add_option(
             "--stages,--stage", options->stages,
             "Only paths with these endings: names of stages, 'triangles apart', 'triangles meet'")
-        .check(has_name)
         .type_name("LIST");
     command.add_option("--depth", options->depths, "Only nodes of these levels: 7 or 0:9")
-        .check(has_name)
         .type_name("A:B");
-    command.add_option("--body", options->body, "Only the nodes of this body")
-        .check(has_name)
-        .type_name("NAME");
+    command.add_option("--body", options->body, "Only the nodes of this body").type_name("NAME");
     command.add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
         .check(real_number)
         .show_default();

@@ -29,7 +29,6 @@ void add_video_options(const Command& command, VideoOptions& options) {
     command
         .add_option("--video", options.file,
                     "Also write the pictures as an H.264 video (needs the program ffmpeg)")
-        .check(has_name)
         .type_name("FILE.mp4");
     command
         .add_option("--fps", options.frames_per_second,

@@ -6,7 +6,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/cli/validators.h"
 #include "app/query/count_table.h"
 #include "app/query/output_guard.h"
 #include "app/query/scene_query.h"
@@ -194,7 +193,6 @@ void add_collide(const Command& program, const Console& console, Action& action)
             "--pairs-out", options->pairs_out,
             "Write the pairs to this CSV file: numbers of triangles from 0, in the order of the "
             "mesh files")
-        .check(has_name)
         .type_name("FILE.csv");
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");

@@ -101,7 +101,6 @@ void add_export(const Command& program, const Console& console, Action& action) 
         .check(decimal_number)
         .show_default();
     command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
-        .check(has_name)
         .required()
         .type_name("FILE");
     command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");

@@ -83,7 +83,6 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
                     std::string(several_tests ? "Overlap tests for slab cut balls: some of "
                                               : "Overlap test for slab cut balls: ") +
                         test_names() + " (printed misses collisions)")
-        .check(has_name)
         .type_name(several_tests ? "LIST" : "TEST")
         .show_default();
     command
@@ -112,7 +111,6 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
         .type_name("RULE");
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
-        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_bodies_option(command, options);
@@ -127,7 +125,6 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
         .add_option(
             "--levels,--level", limits.levels,
             "Stop at this level: one number, or 'leaves'; finds pairs of nodes, tests no triangles")
-        .check(has_name)
         .type_name("K");
 }
 

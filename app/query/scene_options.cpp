@@ -77,7 +77,6 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         command
             .add_option("--frames,--frame", options.frames,
                         "The frame, one number. Default: the scene's own")
-            .check(has_name)
             .type_name("N");
 }
 
@@ -116,7 +115,6 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         .add_option("--volume", options.volumes,
                     several ? "Bounding volumes: some of scb,ball,ritter,obb"
                             : "Bounding volume: one of scb, ball, ritter, obb")
-        .check(has_name)
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
     constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};

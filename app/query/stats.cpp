@@ -5,7 +5,6 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/cli/validators.h"
 #include "app/query/layout_options.h"
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
@@ -264,7 +263,6 @@ void add_stats(const Command& program, const Console& console, Action& action) {
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy);
     command.add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
-        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_leaf_option(command, options->leaf_triangles);

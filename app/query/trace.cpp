@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/cli/validators.h"
 #include "app/query/count_table.h"
 #include "app/query/output_guard.h"
 #include "app/query/scene_query.h"
@@ -136,7 +135,6 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     command.add_option("-o,--output", options->output, "Write the trace to this file")
-        .check(has_name)
         .type_name("FILE.scbtrace");
     command.add_flag("--events", options->events, "Print every test of the trace");
     command.add_flag("--json", options->json, "Print the trace as JSON");

@@ -333,7 +333,6 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         .add_option("--layout", options->layouts,
                     "Layouts of slab cut balls: some of reference, " + layout_names() +
                         "; packed ones have the test 'symmetric'")
-        .check(has_name)
         .type_name("LIST")
         .show_default();
     add_leaf_option(command, options->leaf_triangles);
@@ -342,7 +341,6 @@ void add_bench(const Command& program, const Console& console, Action& action) {
             "--simd", options->simd,
             "Vector instructions of packed layouts: best, base (none on x86-64: slow), sse4, "
             "avx2 or avx512; answers are the same")
-        .check(has_name)
         .type_name("LEVEL")
         .show_default();
     add_threads_option(command, options->threads,

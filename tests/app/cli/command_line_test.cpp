@@ -79,15 +79,15 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats spheres-l1 --growth fast", 2, "--growth fast"},
         {"stats spheres-l1 --split sah", 2, "--split sah"},
         {"stats spheres-l1 --threads 0", 2, "--threads 0"},
-        {"stats spheres-l1 --volume ''", 2, "--volume: the name is empty"},
+        {"stats spheres-l1 --volume ''", 2, "--volume: the value is empty"},
         {"read-mesh bracket.ply 3>&-", 2, "read-mesh is for scb itself"},
         {"stats spheres-l1 --growth ''", 2, "--growth '': give radius or ritter."},
         {"stats spheres-l1 --split ''", 2, "--split '': give paper or cost."},
-        {"stats spheres-l1 --layout ''", 2, "--layout: the name is empty"},
-        {"collide spheres-l1 --test ''", 2, "--test: the name is empty"},
+        {"stats spheres-l1 --layout ''", 2, "--layout: the value is empty"},
+        {"collide spheres-l1 --test ''", 2, "--test: the value is empty"},
         {"collide spheres-l1 --descent ''", 2, "--descent '': give radius, area"},
-        {"bench spheres-l1 --layout ''", 2, "--layout: the name is empty"},
-        {"bench spheres-l1 --simd ''", 2, "--simd: the name is empty"},
+        {"bench spheres-l1 --layout ''", 2, "--layout: the value is empty"},
+        {"bench spheres-l1 --simd ''", 2, "--simd: the value is empty"},
         {"stats spheres-l1 --layout float3", 2, "'float3' is not a layout"},
         {"stats spheres-l1 --layout reference", 2, "packed layouts alone"},
         {"bench spheres-l1 --layout float8,float8", 2, "is there twice"},
@@ -97,7 +97,7 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"render levels spheres-l1 --levels 3:1" + small, 2, "names nothing"},
         {"render levels spheres-l1 --levels five" + small, 2, "'five' is not a whole number"},
         {"render levels spheres-l1 --levels 0:2000000000" + small, 2, "there is no level"},
-        {"render levels spheres-l1 --levels ''" + small, 2, "--levels: the name is empty"},
+        {"render levels spheres-l1 --levels ''" + small, 2, "--levels: the value is empty"},
         {"render levels spheres-l1 --levels 2 --frame 500" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --frame -1" + small, 2, "frames 0 to 499"},
         {"render levels spheres-l1 --levels 2 --size 0x0 -o " + out, 2, "--size 0x0"},
@@ -120,6 +120,14 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats horses --models " + folder.path.string(), 2,
          "(48485 vertices and 96966 triangles; "},
         {"scenes nonsense", 2, "'nonsense' is not a built-in scene"},
+        {"stats spheres-l1 --mutation", 2, "--mutation: "},
+        {"scenes ''", 2, "the value is empty"},
+        {"golden check --shard ''", 2, "--shard: the value is empty"},
+        {"stats spheres-l1 --models ''", 2, "--models: the value is empty"},
+        {"collide spheres-l1 --bodies ''", 2, "--bodies: the value is empty"},
+        {"render levels spheres-l1 --camera ''" + small, 2, "--camera: the value is empty"},
+        {"render levels spheres-l1 --up ''" + small, 2, "--up: the value is empty"},
+        {"render levels spheres-l1 --background ''" + small, 2, "--background: the value is empty"},
     };
     for (const Refusal& refusal : refusals) {
         const ProgramRun run = run_scb(refusal.arguments);
@@ -143,6 +151,23 @@ TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {
     EXPECT_EQ(limited.status, 3) << limited.err;
     EXPECT_EQ(lines_of(limited.err), 1u) << limited.err;
     EXPECT_EQ(files_in(folder / "out"), 0u);
+}
+
+TEST(CommandLine, AClosedStandardOutputIsStatus3) {
+    const std::string closed = "sh -c 'exec \"$0\" \"$@\" <&- >&-'";
+    const TemporaryFolder folder;
+    const std::string out = " --size 320x240 -o " + (folder / "out");
+    for (const std::string& command :
+         {std::string("scenes"), std::string("stats cone"), "render levels soup --levels 3" + out,
+          "inspect cone --frames 100" + out}) {
+        const ProgramRun run = run_scb(command, closed);
+        EXPECT_EQ(run.status, 3) << command;
+        EXPECT_NE(run.err.find("cannot write to standard output"), std::string::npos) << run.err;
+    }
+    // Nobody hears about errors then, and nothing else is different.
+    const std::string silent = "sh -c 'exec \"$0\" \"$@\" 2>&-'";
+    EXPECT_EQ(run_scb("scenes", silent).status, 0);
+    EXPECT_EQ(run_scb("scenes nonsense", silent).status, 2);
 }
 
 TEST(CommandLine, ScenesThatNeedMeshesSaySoAndShowTheirFiles) {

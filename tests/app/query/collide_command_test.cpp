@@ -126,10 +126,10 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --level -1", "have the levels 0 to"},
              {"spheres-l1 --json --csv", "exclude each other"},
              {"spheres-l1 --max-pairs 010", "'010' is not a whole number"},
-             {"spheres-l1 --level ''", "--levels: the name is empty"},
-             {"spheres-l1 --margin ''", "'' is not a number"},
+             {"spheres-l1 --level ''", "--levels: the value is empty"},
+             {"spheres-l1 --margin ''", "--margin: the value is empty"},
              {"spheres-l1 --pairs-out -", "standard output"},
-             {"spheres-l1 --pairs-out ''", "--pairs-out: the name is empty"},
+             {"spheres-l1 --pairs-out ''", "--pairs-out: the value is empty"},
              {"horses --models " + (folder / "nowhere"), "48485 vertices"}}) {
         const ProgramRun run = run_scb("collide " + arguments);
         EXPECT_EQ(run.status, 2) << arguments;

@@ -190,11 +190,11 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace " + corrected + " --test printed", "--test"},
         {"trace " + corrected + " --level 3", "--levels"},
         {"trace none", "there is no such scene or file"},
-        {"trace spheres-l1 -o ''", "the name is empty"},
+        {"trace spheres-l1 -o ''", "the value is empty"},
         {"trace spheres-l1 -o -", "standard output"},
         {"trace spheres-l1 --max-pairs 010" + out, "--max-pairs: '010'"},
         {"trace spheres-l1 --max-pairs 99999999999999999999" + out, "--max-pairs"},
-        {"trace spheres-l1 --level ''" + out, "--levels: the name is empty"},
+        {"trace spheres-l1 --level ''" + out, "--levels: the value is empty"},
         {"trace spheres-l1 --threshold 0x1p-1 --test corrected" + out, "--threshold: '0x1p-1'"},
         {"trace " + (folder / "one.off") + " " + (folder / "one.off") + " -o " +
              (folder / "one.off"),
@@ -220,6 +220,22 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         EXPECT_NE(run.err.find(sentence), std::string::npos) << arguments << run.err;
     }
     EXPECT_EQ(files_in(folder.path), files);
+}
+
+TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
+    write_text(folder / "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    write_text(folder / "b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0 1\n3 0 1 2\n");
+    const std::string trace = folder / "two.scbtrace";
+    ASSERT_EQ(
+        run_scb("trace " + (folder / "a.off") + " " + (folder / "b.off") + " -o " + trace).status,
+        0);
+    EXPECT_EQ(run_scb("inspect " + trace).status, 0);
+    fs::remove(folder / "b.off");
+    const ProgramRun run = run_scb("inspect " + trace);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, "scb: error: " + trace +
+                           ": the query that it recorded cannot be opened from here: " +
+                           (folder / "b.off") + ": there is no such file; check the path.\n");
 }
 
 TEST_F(TraceCommand, WhatCannotBeWrittenIsStatus3AndLeavesNothing) {
