@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -32,7 +34,7 @@ std::string plain_reason(const char* what) {
     for (const std::string_view lead : {"] ", "column ", ": "})
         if (const std::size_t at = reason.find(lead); at != std::string_view::npos)
             reason.remove_prefix(at + lead.size());
-    std::string plain(reason);
+    std::string plain(reason.substr(0, 200));
     for (char& c : plain)
         if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
     return plain;
@@ -53,11 +55,40 @@ std::string joined(std::initializer_list<std::string_view> names) {
     return text;
 }
 
-/// What the parser itself lets pass: values that are nested too deeply, and fields that stand twice
-/// in one object. A pass of its own, since json::parse with a callback takes quadratic time.
+/// Characters that say how far they were read.
+class Cursor {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    Cursor(const char* at, std::size_t& read) : at_(at), read_(&read) {}
+    reference operator*() const { return *at_; }
+    Cursor& operator++() {
+        ++at_;
+        ++*read_;
+        return *this;
+    }
+    bool operator==(const Cursor& other) const { return at_ == other.at_; }
+
+  private:
+    const char* at_;
+    std::size_t* read_;
+};
+
+/// Refuses what is not JSON, values that are nested too deeply, and fields that stand twice in one
+/// object. A pass of its own, since json::parse with a callback takes quadratic time, and says of
+/// a number that is too large not where it stands.
 class StrictReader : public nlohmann::json_sax<json> {
   public:
-    explicit StrictReader(const std::string& file) : file_(file) {}
+    StrictReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+    void read() {
+        json::sax_parse(Cursor(text_.data(), read_), Cursor(text_.data() + text_.size(), read_),
+                        this);
+    }
 
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
@@ -72,20 +103,20 @@ class StrictReader : public nlohmann::json_sax<json> {
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         if (fields_.back().insert(name).second) return true;
-        throw InputError(file_ + ": the field " + shown(json(name)) +
-                         " stands twice in one object; keep one of them.");
+        refuse("the field " + shown(json(name)) + " stands twice in one object; keep one of them.");
     }
-    /// json::parse says what is wrong.
-    bool parse_error(std::size_t, const std::string&, const json::exception&) override {
-        return false;
+    bool parse_error(std::size_t position, const std::string&,
+                     const json::exception& error) override {
+        read_ = position;
+        refuse("not valid JSON: " + plain_reason(error.what()) + "; correct it there.");
     }
 
   private:
     bool open() {
         // Printing a value takes stack for every level.
         if (fields_.size() >= max_json_depth)
-            throw InputError(file_ + ": values are nested more than " +
-                             std::to_string(max_json_depth) + " deep; no file here needs that.");
+            refuse("values are nested more than " + std::to_string(max_json_depth) +
+                   " deep; no file here needs that.");
         fields_.emplace_back();
         return true;
     }
@@ -94,7 +125,13 @@ class StrictReader : public nlohmann::json_sax<json> {
         return true;
     }
 
+    [[noreturn]] void refuse(const std::string& sentence) const {
+        throw InputError(file_ + ": " + line_and_column(text_, read_) + ": " + sentence);
+    }
+
+    std::string_view text_;
     const std::string& file_;
+    std::size_t read_ = 0;
     std::vector<std::set<std::string>> fields_;  ///< of the objects and arrays that are open
 };
 
@@ -105,17 +142,8 @@ json parse_json(std::string_view text, const std::string& file) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         throw InputError(file + ": " + line_and_column(text, zero + 1) +
                          ": not valid JSON: a zero byte; correct it there.");
-    try {
-        StrictReader strict(file);
-        json::sax_parse(text.begin(), text.end(), &strict);
-        return json::parse(text.begin(), text.end());
-    } catch (const json::parse_error& error) {
-        throw InputError(file + ": " + line_and_column(text, error.byte) +
-                         ": not valid JSON: " + plain_reason(error.what()) + "; correct it there.");
-    } catch (const json::exception& error) {
-        throw InputError(file + ": not valid JSON: " + plain_reason(error.what()) +
-                         "; correct it.");
-    }
+    StrictReader(text, file).read();
+    return json::parse(text.begin(), text.end());
 }
 
 std::string read_text_file(const std::string& file, std::size_t largest) {

@@ -23,7 +23,8 @@ struct JsonPlace {
 /// The deepest nesting of arrays and objects that is read.
 inline constexpr int max_json_depth = 100;
 
-/// Parses a document. Throws InputError with file, line and column where it is not JSON, where an
+/// Parses a document. Throws InputError with file, line and column where it is not JSON or has a
+/// number that a double cannot hold, where an
 /// object has a field twice, which JSON readers otherwise resolve silently, and where it is nested
 /// more than max_json_depth deep.
 nlohmann::json parse_json(std::string_view text, const std::string& file);

@@ -100,8 +100,8 @@ TEST(SceneFile, RefusesUnknownMissingAndRepeatedFields) {
               refused_without("/bodies/1", "model"));
     expect_in("my.json: bodies[1].position: the field \"to\" is missing",
               refused_without("/bodies/1/position", "to"));
-    expect_in("my.json: the field \"name\" stands twice",
-              refusal([] { parse(R"({"name": "a", "name": "b"})"); }));
+    expect_in("my.json: line 2, column 6: the field \"name\" stands twice",
+              refusal([] { parse("{\"name\": \"a\",\n\"name\": \"b\"}"); }));
     expect_in("models[0]: expected exactly one of file, icosphere",
               refused("/models/0/box", json::object()));
     expect_in("models[0]: expected exactly one of", refused_without("/models/0", "icosphere"));
@@ -112,7 +112,8 @@ TEST(SceneFile, NamesLineAndColumnOfBrokenJson) {
               refusal([] { parse("{\n  \"frames\" 3\n}"); }));
     expect_in("my.json: line 1, column ", refusal([] { parse("{\"frames\": NaN}"); }));
     expect_in("my.json: line 1, column 1: not valid JSON", refusal([] { parse(""); }));
-    expect_in("not valid JSON", refusal([] { parse("{\"frames\": 1e999}"); }));
+    expect_in("my.json: line 2, column 15: not valid JSON: number overflow parsing '1e999'",
+              refusal([] { parse("{\n\"frames\": 1e999}"); }));
     expect_in("not valid JSON", refusal([] { parse("{\"name\": \"\xff\"}"); }));
     expect_in("my.json: expected an object, found [1,2]", refusal([] { parse("[1, 2]"); }));
     expect_in("not valid JSON", refusal([] { parse(std::string(50, '[')); }));
