@@ -86,7 +86,12 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     } else {
         recorded.query.bodies = header_.bodies[0].name + "," + header_.bodies[1].name;
     }
-    query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
+    try {
+        query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
+    } catch (const InputError& error) {
+        throw InputError(
+            path + ": the query that it recorded cannot be opened from here: " + error.what());
+    }
     for (std::size_t side = 0; side < 2; ++side) {
         const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));
         const TraceBody& then = header_.bodies[side];
