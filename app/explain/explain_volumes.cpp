@@ -145,7 +145,6 @@ class VolumesReport {
 }  // namespace
 
 int explain_volumes(const ExplainOptions& options, const Console& console) {
-    const InterruptWatch watch;
     const std::vector<scenes::AnyRawPair> pairs = scenes::read_raw_pairs(options.pairs_file);
     if (options.draws() && pairs.size() > most_pictures)
         throw InputError("-o " + options.picture.output + ": " + options.pairs_file + " has " +
@@ -157,6 +156,7 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
     for (const scenes::AnyRawPair& pair : pairs)
         kinds.push_back(pair.index() == 0 ? VolumeKind::scb : VolumeKind::ball);
     if (!pairs.empty()) note_doubts(options.query, kinds, console);
+    const InterruptWatch watch;
 
     Progress progress(console, pairs.size());
     VolumesReport report(options, console, pairs.size());

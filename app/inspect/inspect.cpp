@@ -149,11 +149,11 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 }
 
 int run(InspectOptions& options, const Console& console) {
-    const InterruptWatch watch;
     options.check();
     QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
+    const InterruptWatch watch;
     std::optional<PictureRun> pictures;
     if (options.draws()) {
         // Before the old page is removed: it may be a link to one of these.
