@@ -1,3 +1,6 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -57,6 +60,13 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
                                  : "unknown command '" + word + "' of `" + command + "`") +
                    "; give one of " + names;
     }
+    // The parser does not name an option that help does not show.
+    if (sentence.starts_with(": "))
+        for (int i = argc - 1; i >= 1; --i)
+            if (std::strncmp(argv[i], "--", 2) == 0) {
+                sentence.insert(0, argv[i]);
+                break;
+            }
     // The parser takes the value of an option that it does not know for one word too many.
     for (int i = 1; i < argc; ++i) {
         const std::string word(argv[i], std::strcspn(argv[i], "="));
@@ -161,6 +171,9 @@ int run(int argc, char** argv) {
     } catch (const render::DrawError& error) {
         console.error(error.what());
         return exit_environment;
+    } catch (const scenes::MeshReaderError& error) {
+        console.error(error.what());
+        return exit_environment;
     } catch (const std::filesystem::filesystem_error& error) {
         console.error(std::string(error.what()) + ".");
         return exit_environment;
@@ -174,10 +187,18 @@ int run(int argc, char** argv) {
     }
 }
 
+// A file that is opened must not become the standard output of a program that was started without
+// one. What stands in for it can be neither read nor written, so that printing fails.
+void hold_standard_descriptors() {
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(standard, F_GETFD) < 0) ::open("/", O_PATH);
+}
+
 }  // namespace
 }  // namespace scb::app
 
 int main(int argc, char** argv) {
+    scb::app::hold_standard_descriptors();
     // A file that may not grow is reported as an error of the write. A closed pipe ends the program
     // silently, as it does others.
     std::signal(SIGXFSZ, SIG_IGN);

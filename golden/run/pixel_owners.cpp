@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scb/error.h"
+#include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_hierarchies.h"
 #include "scenes/text/json_reader.h"
@@ -26,7 +27,7 @@ Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
         add_ranges(document);
     } catch (const InputError&) {
         // Then things have numbers only.
-    } catch (const std::filesystem::filesystem_error&) {
+    } catch (const scenes::MeshReaderError&) {
     } catch (const Json::exception&) {
     }
 }

@@ -251,7 +251,7 @@ bool has_ids(GoldenRun run) {
 
 Suite load_suite(const std::filesystem::path& file) {
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
+    if (std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found)
         throw InputError(file.string() +
                          ": there is no such file; name your suite with --suite FILE.json, or run "
                          "this where scb's own suite is, in the folder of its sources.");

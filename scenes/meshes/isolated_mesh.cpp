@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
 #include <new>
 #include <optional>
 #include <span>
@@ -33,14 +34,24 @@ fs::path& set_program() {
     return path;
 }
 
-fs::path reader_program() {
-    if (!set_program().empty()) return set_program();
-    return fs::read_symlink("/proc/self/exe").parent_path() / "scb";
+[[noreturn]] void fail_to_start(const std::string& program, const std::string& reason) {
+    throw MeshReaderError(program +
+                          ": meshes are read by a process of this program, which did "
+                          "not start (" +
+                          reason +
+                          "); check that /proc is mounted, and the limits of processes and memory "
+                          "(ulimit -u, ulimit -v).");
+}
+[[noreturn]] void fail_to_start(const std::string& program, int error) {
+    fail_to_start(program, std::generic_category().message(error));
 }
 
-[[noreturn]] void fail_to_start(const std::string& program, int error) {
-    throw fs::filesystem_error("cannot start the program that reads meshes", program,
-                               std::error_code(error, std::generic_category()));
+fs::path reader_program() {
+    if (!set_program().empty()) return set_program();
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (error) fail_to_start("/proc/self/exe", error.value());
+    return program.parent_path() / "scb";
 }
 
 struct Descriptor {
@@ -177,8 +188,11 @@ class Reader {
                          "mesh, or repair its counts.");
     if (signal == SIGALRM || signal == SIGXCPU)
         throw InputError(path +
-                         ": its reader did not come to an end in five minutes; repair the file or "
-                         "export it again.");
+                         ": its reader did not come to an end in the time that it has (five "
+                         "minutes, or what ulimit -t leaves); repair the file or export it again.");
+    if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+        throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
+                              "); try again.");
     throw InputError(path +
                      ": its reader crashed, so the file is broken; repair it or export it again.");
 }
@@ -197,8 +211,14 @@ void set_mesh_reader(const fs::path& program) { set_program() = program; }
 Mesh isolated_mesh(const std::string& path) {
     Reader reader(path);
     MeshGreeting greeting{};
-    if (!reader.read(std::span<char>(greeting)) || greeting != mesh_greeting)
-        fail_to_start(reader.program(), ENOEXEC);
+    if (!reader.read(std::span<char>(greeting))) {
+        const std::optional<int> status = reader.wait();
+        const bool killed = status && WIFSIGNALED(*status);
+        fail_to_start(reader.program(),
+                      killed ? ::strsignal(WTERMSIG(*status)) : "it ended without a word");
+    }
+    if (greeting != mesh_greeting)
+        fail_to_start(reader.program(), "what was started is another program");
     MeshAnswer answer;
     Mesh mesh;
     std::string sentence;

@@ -1,19 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "scb/mesh.h"
 
 namespace scb::scenes {
 
+/// The process that reads meshes could not do its work, for a reason that is not the file's.
+struct MeshReaderError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// Reads a file by assimp_mesh in another process, so that a file on which a reader of assimp
 /// crashes, or does not come to an end in five minutes, takes that process with it and not this
 /// one. Any thread may call it.
 ///
-/// Throws what assimp_mesh throws; InputError where the process crashed, was killed or took too
-/// long; and filesystem_error where it cannot be started: the file is never read in this process
-/// instead.
+/// Throws what assimp_mesh throws; InputError where the process crashed, was killed for its memory
+/// or took too long; and MeshReaderError where it cannot be started, or a signal asked it to end:
+/// the file is never read in this process instead.
 Mesh isolated_mesh(const std::string& path);
 
 /// The program that isolated_mesh executes, which is scb; where nobody has set it, the file of that

@@ -19,13 +19,8 @@ namespace fs = std::filesystem;
 
 void check_file(const fs::path& path) {
     const std::string name = path.string();
+    check_is_file(name);
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw InputError(name + ": there is no such file; check the path.");
-    if (fs::is_directory(status))
-        throw InputError(name + ": this is a directory; name a mesh file in it.");
-    if (!fs::is_regular_file(status))
-        throw InputError(name + ": this is not a regular file; save the mesh to a file first.");
     if (fs::file_size(path, error) == 0 && !error)
         throw InputError(name + ": the file is empty; give a mesh as " + mesh_formats + ".");
 }
@@ -60,7 +55,7 @@ Mesh load_mesh(const fs::path& path) {
         return mesh;
     } catch (const InputError&) {
         throw;
-    } catch (const fs::filesystem_error&) {
+    } catch (const MeshReaderError&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw InputError(

@@ -28,7 +28,7 @@ namespace scb::scenes {
 /// Formats other than PLY are read in another process, see isolated_mesh, since assimp's readers of
 /// them can crash on broken files.
 ///
-/// Throws filesystem_error where that process cannot be started; and InputError with one sentence
+/// Throws MeshReaderError where that process cannot do its work; and InputError with one sentence
 /// that names the file, the place where known, and what to do: the file is missing, a directory,
 /// empty, of a format that nothing reads, or broken; an index is out of range; a used vertex is not
 /// finite; there is no triangle.

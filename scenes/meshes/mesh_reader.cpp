@@ -48,12 +48,13 @@ bool write_mesh(const Mesh& mesh) {
            write_all(std::span<const Triangle>(mesh.triangles));
 }
 
-bool limit(__rlimit_resource_t resource, rlim_t most) {
-    rlimit old{};
-    if (::getrlimit(resource, &old) != 0) return false;
-    const rlim_t bound = std::min(most, old.rlim_max);
-    const rlimit bounds{bound, bound};
-    return ::setrlimit(resource, &bounds) == 0;
+/// A process is killed at the hard limit; the soft one, below it, tells it why (SIGXCPU).
+bool limit_time() {
+    rlimit limits{};
+    if (::getrlimit(RLIMIT_CPU, &limits) != 0) return false;
+    limits.rlim_max = std::clamp<rlim_t>(limits.rlim_max, 1, patience + 1);
+    limits.rlim_cur = std::min(limits.rlim_cur, limits.rlim_max - 1);
+    return ::setrlimit(RLIMIT_CPU, &limits) == 0;
 }
 
 /// Nothing of what it does may outlast or disturb who started it. False where that cannot be
@@ -64,7 +65,8 @@ bool confine_this_process() {
     pollfd answers{mesh_answer_descriptor, 0, 0};
     if (::poll(&answers, 1, 0) < 0 || (answers.revents & POLLERR) != 0) return false;
     ::alarm(patience);
-    return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, patience);
+    const rlimit no_core{0, 0};
+    return ::setrlimit(RLIMIT_CORE, &no_core) == 0 && limit_time();
 }
 
 /// Whether the answer was written.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 
 namespace scb::scenes {
@@ -40,7 +41,8 @@ CameraView parse_orbit(std::string_view text) {
     if (!(std::abs(camera.azimuth) <= 1e6)) fail("the azimuth must be -1e6 to 1e6 degrees");
     if (!(std::abs(camera.elevation) <= 90)) fail("the elevation must be -90 to 90 degrees");
     if (values.size() == 3) {
-        if (!(values[2] > 0 && values[2] <= max_coordinate)) fail("the distance must be above 0");
+        if (!(values[2] > 0 && values[2] <= max_coordinate))
+            fail("the distance must be above 0 and at most " + exact_number(max_coordinate));
         camera.distance = values[2];
     }
     return camera;

@@ -64,11 +64,15 @@ bool looks_like_path(const std::string& name) {
 
 /// The file that a name on the command line means.
 fs::path find_mesh(const std::string& name, const fs::path& models_dir) {
-    std::error_code ignored;
     const fs::path path = name;
-    if (fs::exists(path, ignored)) return path;
+    // What cannot be reached may be there: whoever opens it says what is wrong.
+    const auto may_exist = [](const fs::path& file) {
+        std::error_code ignored;
+        return fs::status(file, ignored).type() != fs::file_type::not_found;
+    };
+    if (may_exist(path)) return path;
     const bool look_further = !models_dir.empty() && !name.empty() && path.is_relative();
-    if (look_further && fs::exists(models_dir / path, ignored)) return models_dir / path;
+    if (look_further && may_exist(models_dir / path)) return models_dir / path;
     if (!looks_like_path(name)) refuse_unknown(name);
     throw InputError(name + ": there is no such file" +
                      (look_further ? ", nor is there " + (models_dir / path).string() : "") +

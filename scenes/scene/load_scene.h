@@ -27,7 +27,7 @@ struct LoadOptions {
 ///
 /// Throws InputError with one sentence: nothing or too much is named, an unknown name (with what
 /// can be named, and the nearest built-in name where one is close), a pose without two meshes or
-/// not rigid, and whatever parse_scene and load_mesh refuse. Throws filesystem_error as load_mesh
+/// not rigid, and whatever parse_scene and load_mesh refuse. Throws MeshReaderError as load_mesh
 /// does.
 Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options = {});
 

@@ -14,7 +14,7 @@ inline constexpr const char* model_file_fields[] = {"vertices", "triangles", "pu
 /// silently give other results.
 ///
 /// Throws InputError, naming file and place: there is no such file, with what the model says of it;
-/// the counts differ, with both; whatever load_mesh refuses. Throws filesystem_error as load_mesh
+/// the counts differ, with both; whatever load_mesh refuses. Throws MeshReaderError as load_mesh
 /// does.
 NamedMesh read_model_file(const JsonPlace& model, const SceneContext& context);
 

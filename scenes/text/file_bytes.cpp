@@ -8,15 +8,22 @@
 
 namespace scb::scenes {
 
-std::string file_bytes(const std::string& path, std::size_t most) {
-    std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    if (!std::filesystem::exists(status))
+void check_is_file(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
         throw InputError(path + ": there is no such file; check the path.");
+    if (!std::filesystem::status_known(status))
+        throw InputError(path + ": cannot be reached (" + error.message() +
+                         "); check the path and the permissions of its folders.");
     if (std::filesystem::is_directory(status))
         throw InputError(path + ": this is a directory; name a file in it.");
     if (!std::filesystem::is_regular_file(status))
         throw InputError(path + ": this is not a regular file; save it to one first.");
+}
+
+std::string file_bytes(const std::string& path, std::size_t most) {
+    check_is_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError(path + ": cannot be opened; check its permissions.");
     std::string bytes;

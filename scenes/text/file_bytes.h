@@ -6,8 +6,12 @@
 
 namespace scb::scenes {
 
+/// Throws InputError, naming the file, where it is missing, cannot be reached, or is not a regular
+/// file.
+void check_is_file(const std::string& path);
+
 /// The bytes of a file from its start, at most `most` of them. Throws InputError, naming the file,
-/// where it is missing, a directory, or cannot be read.
+/// where check_is_file does, and where it cannot be read.
 std::string file_bytes(const std::string& path,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 

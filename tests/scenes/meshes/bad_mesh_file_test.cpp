@@ -34,8 +34,10 @@ TEST(BadMeshFile, ThatIsMissingOrNoFileIsNamed) {
     EXPECT_EQ(refusal([] { load_mesh("gone/horse.ply"); }),
               "gone/horse.ply: there is no such file; check the path.");
     EXPECT_EQ(refusal([&] { load_mesh(folder.path); }),
-              folder.path.string() + ": this is a directory; name a mesh file in it.");
+              folder.path.string() + ": this is a directory; name a file in it.");
     expect_in("not a regular file", refusal([] { load_mesh("/dev/null"); }));
+    expect_in(": cannot be reached (File name too long); check the path",
+              refusal([] { load_mesh(std::string(300, 'a') + ".obj"); }));
 }
 
 TEST(BadMeshFile, OfAnUnknownFormatIsToldTheFormats) {

@@ -89,7 +89,23 @@ TEST(IsolatedMesh, BlamesNoFileWhereTheReaderDoesNotStart) {
                                       text("scb mesh"), text("noise noise noise")}) {
         const FakeReader fake(script);
         const std::string file = fake.folder.write("good.obj", triangle_obj);
-        EXPECT_THROW(load_mesh(file), std::filesystem::filesystem_error) << script;
+        EXPECT_THROW(load_mesh(file), MeshReaderError) << script;
+    }
+}
+
+TEST(IsolatedMesh, SaysWhatEndedItsReaderFromOutside) {
+    for (const std::string& script : {std::string("kill -KILL $$"), greet + "kill -INT $$",
+                                      greet + "kill -TERM $$", greet + "kill -HUP $$"}) {
+        const FakeReader fake(script);
+        try {
+            load_mesh(fake.folder.write("good.obj", triangle_obj));
+            ADD_FAILURE() << script;
+        } catch (const MeshReaderError& error) {
+            const bool before = script.find("KILL") != script.npos;
+            expect_in(
+                before ? "did not start (Killed); check" : "its reader was ended by a signal (",
+                error.what());
+        }
     }
 }
 
@@ -97,7 +113,7 @@ TEST(IsolatedMesh, IsNeverReplacedByReadingInThisProcess) {
     const TemporaryFolder folder;
     const std::string file = folder.write("good.obj", triangle_obj);
     set_mesh_reader(folder / "gone");
-    EXPECT_THROW(load_mesh(file), std::filesystem::filesystem_error);
+    EXPECT_THROW(load_mesh(file), MeshReaderError);
     set_mesh_reader({});
     EXPECT_EQ(load_mesh(file).triangles.size(), 1u);
 }

@@ -26,6 +26,8 @@ TEST(CameraOption, RefusesWhatIsNotACamera) {
     expect_in("comma is expected after number 2", refusal([] { parse_camera("orbit:1,2deg"); }));
     expect_in("elevation must be", refusal([] { parse_camera("orbit:1,91"); }));
     expect_in("distance must be", refusal([] { parse_camera("orbit:1,2,-3"); }));
+    expect_in("distance must be above 0 and at most 1e+",
+              refusal([] { parse_camera("orbit:1,2,1e300"); }));
     expect_in("this is not a camera", refusal([] { parse_camera("frnot"); }));
     expect_in("there is no such file", refusal([] { parse_camera("gone/camera.json"); }));
 }

@@ -71,6 +71,8 @@ TEST(LoadScene, SaysWhatCanBeNamed) {
               }));
     const TemporaryFolder folder;
     expect_in("this is a directory", refusal([&] { load_scene({folder.path.string()}); }));
+    expect_in("cannot be reached (File name too long)",
+              refusal([] { load_scene({std::string(300, 'a') + ".obj"}); }));
 }
 
 TEST(LoadScene, LooksForMeshesInTheFolderOfModelsToo) {
