@@ -64,6 +64,18 @@ TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
     }
 }
 
+TEST_F(GoldenCommandFiles, AClosedStandardOutputLosesTheResultButNoFile) {
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        const ProgramRun run = golden("check --report " + report.string(),
+                                      "env -u CI sh -c 'exec \"$0\" \"$@\" <&- >&-'");
+        EXPECT_EQ(run.status, 3) << run.err;
+        EXPECT_NE(run.err.find("cannot write to standard output"), std::string::npos) << run.err;
+        const nlohmann::json kept = nlohmann::json::parse(file_text(report / "results.json"));
+        EXPECT_EQ(kept["incomplete"], "");
+        EXPECT_EQ(kept["cases"].size(), 5u);
+    }
+}
+
 TEST_F(GoldenCommandFiles, AFolderThatCannotBeReadIsNotTakenForAnEmptyOne) {
     if (::geteuid() != 0) GTEST_SKIP() << "needs to become another user";
     fs::permissions(folder.path, fs::perms::all);
