@@ -23,7 +23,7 @@ ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "")
 /// enough for that on a busy machine, with sanitizers too.
 inline std::string interrupted_by(const std::string& signal) {
 #ifdef SCB_SANITIZED
-    return "timeout --preserve-status -s " + signal + " 20";
+    return "timeout --preserve-status -s " + signal + " 8";
 #else
     return "timeout --preserve-status -s " + signal + " 3";
 #endif
