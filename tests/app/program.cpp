@@ -1,12 +1,16 @@
 #include "tests/app/program.h"
 
 #include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 
 #include "render/files/output_file.h"
 
@@ -37,17 +41,61 @@ std::size_t files_in(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(std::distance(Entries(folder), Entries()));
 }
 
+namespace {
+
+struct RunFiles {
+    TemporaryFolder folder;
+
+    std::string command(const std::string& arguments, const std::string& prefix) const {
+        // The folder of meshes of who runs the tests changes what commands print.
+        return "unset SCB_MODELS; " + prefix + " " SCB_PROGRAM " " + arguments + " >" +
+               (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
+    }
+    ProgramRun result(int status) const {
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                file_text(folder / "out"), file_text(folder / "err")};
+    }
+};
+
+}  // namespace
+
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix) {
-    const TemporaryFolder folder;
-    // The folder of meshes of who runs the tests changes what commands print.
-    const std::string command = "unset SCB_MODELS; " + prefix + " " SCB_PROGRAM " " + arguments +
-                                " >" + (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
-    const int status = std::system(command.c_str());
-    ProgramRun run;
-    run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    run.out = file_text(folder / "out");
-    run.err = file_text(folder / "err");
-    return run;
+    const RunFiles files;
+    return files.result(std::system(files.command(arguments, prefix).c_str()));
+}
+
+ProgramRun run_scb_interrupted(const std::string& arguments,
+                               const std::function<bool(pid_t)>& ready, int signal,
+                               const std::string& prefix) {
+    const RunFiles files;
+    const std::string command = files.command(arguments, "exec " + prefix);
+    const pid_t process = ::fork();
+    if (process == 0) {
+        ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        ::_exit(127);
+    }
+    int status = 0;
+    const auto ends_within = [&](std::chrono::minutes time, const auto& stop) {
+        for (const auto end = std::chrono::steady_clock::now() + time;
+             std::chrono::steady_clock::now() < end && !stop();
+             std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+            if (::waitpid(process, &status, WNOHANG) == process) return true;
+        return false;
+    };
+    bool ended = ends_within(std::chrono::minutes(2), [&] { return ready(process); });
+    for (const int last : {signal, SIGKILL}) {
+        if (ended) break;
+        ::kill(process, last);
+        ended = ends_within(std::chrono::minutes(1), [] { return false; });
+    }
+    return files.result(status);
+}
+
+bool has_computed(pid_t process) {
+    clockid_t clock{};
+    timespec time{};
+    return ::clock_getcpuclockid(process, &clock) == 0 && ::clock_gettime(clock, &time) == 0 &&
+           time.tv_sec >= 2;
 }
 
 const char* const endless_scene = R"({

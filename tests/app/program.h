@@ -1,6 +1,10 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,17 +23,14 @@ struct ProgramRun {
 /// the program: an environment, a limit.
 ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
 
-/// A prefix for a run that gets a signal once it has begun to give results: after a time that is
-/// enough for that on a busy machine, with sanitizers too.
-inline std::string interrupted_by(const std::string& signal) {
-#ifdef SCB_SANITIZED
-    return "timeout --preserve-status -s " + signal + " 8";
-#else
-    return "timeout --preserve-status -s " + signal + " 3";
-#endif
-}
-/// As by Ctrl-C.
-inline const std::string interrupted = interrupted_by("INT");
+/// The same, and `signal` once `ready` says so of the process, or after two minutes. It is killed
+/// where it runs on for another one. `prefix` is a program with its arguments.
+ProgramRun run_scb_interrupted(const std::string& arguments,
+                               const std::function<bool(pid_t)>& ready, int signal = SIGINT,
+                               const std::string& prefix = "");
+
+/// Whether a process has computed for two seconds: far longer than it takes to begin.
+bool has_computed(pid_t process);
 
 /// The whole file, as bytes.
 std::string file_text(const std::filesystem::path& path);

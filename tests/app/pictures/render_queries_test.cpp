@@ -141,9 +141,9 @@ TEST_F(RenderQueries, StepThroughATraversal) {
 }
 
 TEST_F(RenderQueries, StopBetweenTwoStepsAtASignal) {
-    const ProgramRun run = run_scb(
+    const ProgramRun run = run_scb_interrupted(
         "render rejections spheres-l1 --frames 100 --steps 1 --size 320x240 --samples 1 -o " + out,
-        interrupted);
+        [&](pid_t) { return std::filesystem::exists(out) && files_in(out) > 2; });
     ASSERT_EQ(run.status, 130) << run.err;
     EXPECT_NE(run.err.find("interrupted"), std::string::npos) << run.err;
     const json index = json::parse(file_text(out + "/index.json"));

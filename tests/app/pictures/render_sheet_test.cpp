@@ -95,9 +95,9 @@ TEST_F(RenderSheet, IsTheSameBytesFromATrace) {
 TEST_F(RenderSheet, OfAnInterruptedRunHasTheFramesThatWereDrawn) {
     const std::string scene = folder / "endless.json";
     write_text(scene, endless_scene);
-    const ProgramRun run = run_scb(
+    const ProgramRun run = run_scb_interrupted(
         "render pairs " + scene + " --frames 0:2799 --sheet --size 320x240 --samples 1 -o " + out,
-        interrupted);
+        [&](pid_t) { return std::filesystem::exists(out) && files_in(out) > 2; });
     ASSERT_EQ(run.status, 130) << run.err;
     const json files = json::parse(file_text(out + "/index.json"))["files"];
     ASSERT_FALSE(files.empty());

@@ -172,7 +172,8 @@ TEST(CollideCommand, AnInterruptLeavesTheFinishedFrames) {
     const TemporaryFolder folder;
     const std::string file = folder / "pairs.csv", scene = folder / "endless.json";
     write_text(scene, endless_scene);
-    const ProgramRun run = run_scb("collide " + scene + " --csv --pairs-out " + file, interrupted);
+    const ProgramRun run =
+        run_scb_interrupted("collide " + scene + " --csv --pairs-out " + file, has_computed);
     ASSERT_EQ(run.status, 130) << run.err;
     EXPECT_NE(run.err.find("of 1000000 frames are finished"), std::string::npos) << run.err;
     const std::vector<std::string> rows = lines(run.out), pairs = lines(file_text(file));

@@ -250,7 +250,7 @@ TEST_F(TraceCommand, WhatCannotBeWrittenIsStatus3AndLeavesNothing) {
 TEST_F(TraceCommand, AnInterruptLeavesTheFinishedFrames) {
     const std::string scene = folder / "endless.json", file = folder / "t";
     write_text(scene, endless_scene);
-    const ProgramRun run = run_scb("trace " + scene + " -o " + file, interrupted);
+    const ProgramRun run = run_scb_interrupted("trace " + scene + " -o " + file, has_computed);
     ASSERT_EQ(run.status, 130) << run.err;
     ASSERT_NE(run.err.find("interrupted"), std::string::npos);
     EXPECT_EQ(files_in(folder.path), 2u);

@@ -155,16 +155,10 @@ TEST(BenchCommand, TakesTwoMeshFiles) {
 TEST(BenchCommand, LeavesWhatWasFinishedWhenInterrupted) {
     const TemporaryFolder folder;
     const std::string out = folder / "out";
-    // The second scene takes seconds; the signal comes once the first is finished.
-#ifdef SCB_SANITIZED
-    const std::string repeat = "100";
-#else
-    const std::string repeat = "1000";
-#endif
-    const ProgramRun run = run_scb(
-        "bench knots-l1 spheres-l1 --frames 0:499:50 --volume scb --repeat " + repeat +
-        " --quiet -o " + out + " & child=$!; while [ ! -e " + out +
-        "/bench.json ] && kill -0 $child; do sleep 0.05; done; kill -TERM $child; wait $child");
+    // The second scene takes longer than the signal; that comes once the first is finished.
+    const ProgramRun run = run_scb_interrupted(
+        "bench knots-l1 spheres-l1 --frames 0:499:50 --volume scb --repeat 100 --quiet -o " + out,
+        [&](pid_t) { return fs::exists(out + "/bench.json"); }, SIGTERM);
     EXPECT_EQ(run.status, 143) << run.err;
     const json result = json::parse(file_text(folder / "out/bench.json"));
     ASSERT_EQ(result["scenes"].size(), 1u);
