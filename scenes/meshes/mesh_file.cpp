@@ -6,10 +6,8 @@
 
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
-#include "scenes/meshes/gltf_check.h"
 #include "scenes/meshes/isolated_mesh.h"
-#include "scenes/meshes/off_check.h"
-#include "scenes/meshes/ply_check.h"
+#include "scenes/meshes/ply_mesh.h"
 #include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
@@ -25,22 +23,13 @@ void check_file(const fs::path& path) {
         throw InputError(name + ": the file is empty; give a mesh as " + mesh_formats + ".");
 }
 
-/// The checks that assimp's readers of these formats lack. They go by content as well as by name,
-/// as assimp does. True where the file passed one, so that its reader can be trusted with it.
-bool check_content(const fs::path& path) {
-    const std::string name = path.string(), start = file_bytes(name, 16);
-    std::string extension = path.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (extension == ".ply" || start.rfind("ply", 0) == 0) {
-        check_ply(file_bytes(name), name);
-        return extension == ".ply";
-    }
-    if (extension == ".off" || start.find("OFF") != std::string::npos)
-        check_off(file_bytes(name), name);
-    if (extension == ".gltf" || extension == ".glb" || start.rfind("glTF", 0) == 0)
-        check_gltf(file_bytes(name), path.parent_path(), name);
-    return false;
+/// By content as well as by name.
+bool is_ply(const fs::path& path) {
+    const std::string start = file_bytes(path.string(), 4), extension = path.extension().string();
+    return start == "ply\n" || start == "ply\r" ||
+           (extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P') &&
+            (extension[2] == 'l' || extension[2] == 'L') &&
+            (extension[3] == 'y' || extension[3] == 'Y'));
 }
 
 }  // namespace
@@ -49,8 +38,8 @@ Mesh load_mesh(const fs::path& path) {
     const std::string name = path.string();
     check_file(path);
     try {
-        // assimp's readers of other formats have been seen to crash on broken files.
-        Mesh mesh = check_content(path) ? assimp_mesh(name) : isolated_mesh(name);
+        // assimp's readers have been seen to crash on broken files.
+        Mesh mesh = is_ply(path) ? ply_mesh(name) : isolated_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {

@@ -6,8 +6,8 @@
 
 namespace scb::scenes {
 
-/// Reads a mesh file of any format that assimp reads: OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX
-/// and more.
+/// Reads a mesh file: PLY (see ply_mesh), or any format that assimp reads: OBJ, STL, OFF, glTF,
+/// GLB, DAE, 3DS, FBX and more.
 ///
 /// Every mesh that a node of the file's scene refers to is placed by the transforms of its node and
 /// of the nodes above it, and all are joined, in the order of a walk from the root (a node's own
@@ -22,11 +22,11 @@ namespace scb::scenes {
 /// mind.
 ///
 /// assimp holds coordinates as float, and reads decimal text to within a unit in the last place of
-/// it. Lengths are in the file's unit, but for COLLADA, whose unit is applied. The up axis of a
-/// COLLADA file is left alone; 3DS comes out with y up.
+/// it; PLY is exact. Lengths are in the file's unit, but for COLLADA, whose unit is applied. The up
+/// axis of a COLLADA file is left alone; 3DS comes out with y up.
 ///
-/// Formats other than PLY are read in another process, see isolated_mesh, since assimp's readers of
-/// them can crash on broken files.
+/// What assimp reads is read in another process, see isolated_mesh, since its readers can crash on
+/// broken files.
 ///
 /// Throws MeshReaderError where that process cannot do its work; and InputError with one sentence
 /// that names the file, the place where known, and what to do: the file is missing, a directory,

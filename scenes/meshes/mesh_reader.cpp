@@ -12,13 +12,17 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <span>
 
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
+#include "scenes/meshes/gltf_check.h"
 #include "scenes/meshes/mesh_answer.h"
+#include "scenes/meshes/off_check.h"
+#include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
 namespace {
@@ -69,10 +73,24 @@ bool confine_this_process() {
     return ::setrlimit(RLIMIT_CORE, &no_core) == 0 && limit_time();
 }
 
+/// After the checks that assimp's readers of these formats lack. They go by content as well as by
+/// name, as assimp does.
+Mesh checked_mesh(const std::string& path) {
+    const std::string start = file_bytes(path, 16);
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (extension == ".off" || start.find("OFF") != std::string::npos)
+        check_off(file_bytes(path), path);
+    if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF"))
+        check_gltf(file_bytes(path), std::filesystem::path(path).parent_path(), path);
+    return assimp_mesh(path);
+}
+
 /// Whether the answer was written.
 bool answer_for(const std::string& path) {
     try {
-        const Mesh mesh = assimp_mesh(path);
+        const Mesh mesh = checked_mesh(path);
         // Now it waits for who started it, who may be stopped.
         ::alarm(0);
         return write_mesh(mesh);

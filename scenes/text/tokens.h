@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,8 +34,10 @@ inline std::optional<double> number_in(std::string_view word) {
     double value = 0;
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = !word.empty() && parsed.ptr == word.data() + word.size();
-    // A number too large or too small for a double is still spelled correctly.
     if (!whole || parsed.ec == std::errc::invalid_argument) return std::nullopt;
+    // A number too large or too small for a double is still spelled correctly: infinite, or 0.
+    if (parsed.ec == std::errc::result_out_of_range)
+        return std::strtod(std::string(word).c_str(), nullptr);
     return value;
 }
 

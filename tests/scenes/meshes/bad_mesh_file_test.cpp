@@ -103,12 +103,14 @@ TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
 }
 
 TEST(BadMeshFile, WhosePlyHeaderLiesIsRefusedBeforeMemoryIsSpent) {
-    expect_in("vertex 3 of the 4000000000", refused_file("a.ply", ply("4000000000", "1", three)));
-    expect_in("face 1 of the 4000000000",
-              refused_file("b.ply", ply("3", "4000000000", three + std::string("3 0 1 2\n"))));
+    expect_in("vertex 3 of the 200000000", refused_file("a.ply", ply("200000000", "1", three)));
+    expect_in("face 1 of the 200000000",
+              refused_file("b.ply", ply("3", "200000000", three + std::string("3 0 1 2\n"))));
     expect_in(
-        "vertex 2 of the 4000000000",
-        refused_file("c.ply", ply("4000000000", "1", std::string(30, 'x'), "binary_big_endian")));
+        "vertex 2 of the 200000000",
+        refused_file("c.ply", ply("200000000", "1", std::string(30, 'x'), "binary_big_endian")));
+    expect_in("declares 4000000000 elements of the kind vertex, and at most 268435456 are read",
+              refused_file("h.ply", ply("4000000000", "1", three)));
     expect_in("header line 3: element vertex needs a count",
               refused_file("d.ply", ply("-3", "1", three)));
     expect_in("header line 3: element vertex needs a count",

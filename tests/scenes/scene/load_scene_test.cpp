@@ -5,7 +5,7 @@
 namespace scb::scenes {
 namespace {
 
-const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const char* const obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST(LoadScene, TakesABuiltInName) {
     const Scene scene = load_scene({"knots-l1"});
@@ -22,7 +22,7 @@ TEST(LoadScene, TakesASceneFile) {
 
 TEST(LoadScene, MakesASceneOfOneFrameFromOneMesh) {
     const TemporaryFolder folder;
-    const Scene scene = load_scene({folder.write("my horse.v2.obj", triangle)});
+    const Scene scene = load_scene({folder.write("my horse.v2.obj", obj_triangle)});
     EXPECT_EQ(scene.name, "my-horse.v2");
     EXPECT_EQ(scene.meshes[0].name, "my horse.v2");
     EXPECT_EQ(scene.frames, 1);
@@ -32,7 +32,8 @@ TEST(LoadScene, MakesASceneOfOneFrameFromOneMesh) {
 
 TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
     const TemporaryFolder folder;
-    const std::string a = folder.write("a.obj", triangle), b = folder.write("b.obj", triangle);
+    const std::string a = folder.write("a.obj", obj_triangle),
+                      b = folder.write("b.obj", obj_triangle);
     Pose pose;
     pose.rotation = rotation_about(Vec3::UnitZ(), 90);
     pose.translation = Vec3(1, 2, 3);
@@ -48,7 +49,7 @@ TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
 
 TEST(LoadScene, SharesTheMeshOfAFileNamedTwice) {
     const TemporaryFolder folder;
-    const std::string a = folder.write("a.obj", triangle);
+    const std::string a = folder.write("a.obj", obj_triangle);
     const Scene scene = load_scene({a, (folder.path / "." / "a.obj").string()});
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.bodies.size(), 2u);
@@ -77,7 +78,7 @@ TEST(LoadScene, SaysWhatCanBeNamed) {
 
 TEST(LoadScene, LooksForMeshesInTheFolderOfModelsToo) {
     const TemporaryFolder models;
-    models.write("only-there.obj", triangle);
+    models.write("only-there.obj", obj_triangle);
     const LoadOptions options{models.path, {}};
     EXPECT_EQ(load_scene({"only-there.obj"}, options).name, "only-there");
     EXPECT_EQ(load_scene({"only-there.obj", "only-there.obj"}, options).meshes.size(), 1u);
@@ -89,7 +90,7 @@ TEST(LoadScene, LooksForMeshesInTheFolderOfModelsToo) {
     expect_in("there is no such scene or file", refusal([&] { load_scene({"zebra"}, options); }));
 
     const TemporaryFolder here;
-    const std::string near = here.write("only-there.obj", std::string(triangle) + "f 3 2 1\n");
+    const std::string near = here.write("only-there.obj", std::string(obj_triangle) + "f 3 2 1\n");
     EXPECT_EQ(load_scene({near}, options).meshes[0].mesh.triangles.size(), 2u);
 }
 
@@ -104,7 +105,7 @@ TEST(LoadScene, KeepsBytesThatAreNotUtf8OutOfNames) {
         {"a\xed\xa0\x80", "a???"},
     };
     for (const auto& [bytes, name] : names) {
-        const std::string file = folder.write(std::string(bytes) + ".obj", triangle);
+        const std::string file = folder.write(std::string(bytes) + ".obj", obj_triangle);
         const Scene scene = load_scene({file});
         EXPECT_EQ(scene.meshes[0].name, name);
         EXPECT_EQ(scene.bodies[0].name, name);

@@ -104,7 +104,7 @@ TEST(SoupMesh, StaysInItsCubeAndFollowsItsSeed) {
 }
 
 /// FNV-1a over the bits of every coordinate and index: any change of order or rounding shows.
-std::uint64_t fingerprint(const Mesh& mesh) {
+std::uint64_t shape_fingerprint(const Mesh& mesh) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     const auto add = [&hash](const void* data, std::size_t size) {
         const auto* bytes = static_cast<const unsigned char*>(data);
@@ -116,12 +116,12 @@ std::uint64_t fingerprint(const Mesh& mesh) {
 }
 
 TEST(ProceduralMeshes, AreTheSameBitsOnEveryCompilerAndMachine) {
-    EXPECT_EQ(fingerprint(icosphere(5, 0.95)), 4270729355449024621u);
-    EXPECT_EQ(fingerprint(soup_mesh({1000, 1, 0.1, 1})), 6495805808965332008u);
-    EXPECT_EQ(fingerprint(cylinder_mesh({0.2, 4, 96, 3, true})), 62583323304710245u);
-    EXPECT_EQ(fingerprint(cone_mesh({0.5, 1, 96, 12, true})), 5720439666932453704u);
-    EXPECT_EQ(fingerprint(box_mesh({{1, 2, 3}, 7})), 598532752019718569u);
-    EXPECT_EQ(fingerprint(plane_mesh({2, 2, 48, 48})), 5204644592778681662u);
+    EXPECT_EQ(shape_fingerprint(icosphere(5, 0.95)), 4270729355449024621u);
+    EXPECT_EQ(shape_fingerprint(soup_mesh({1000, 1, 0.1, 1})), 6495805808965332008u);
+    EXPECT_EQ(shape_fingerprint(cylinder_mesh({0.2, 4, 96, 3, true})), 62583323304710245u);
+    EXPECT_EQ(shape_fingerprint(cone_mesh({0.5, 1, 96, 12, true})), 5720439666932453704u);
+    EXPECT_EQ(shape_fingerprint(box_mesh({{1, 2, 3}, 7})), 598532752019718569u);
+    EXPECT_EQ(shape_fingerprint(plane_mesh({2, 2, 48, 48})), 5204644592778681662u);
 }
 
 }  // namespace
