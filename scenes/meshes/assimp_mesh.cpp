@@ -9,6 +9,7 @@
 
 #include "scb/error.h"
 #include "scb/pose.h"
+#include "scenes/meshes/mesh_folder.h"
 #include "scenes/meshes/polygon.h"
 #include "scenes/text/tokens.h"
 
@@ -153,7 +154,9 @@ Mesh joined(const aiScene& scene, const std::string& name) {
 }  // namespace
 
 Mesh assimp_mesh(const std::string& path) {
+    std::string refused;
     Assimp::Importer importer;
+    importer.SetIOHandler(new MeshFolder(path, refused));  // the importer deletes it
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
@@ -165,6 +168,10 @@ Mesh assimp_mesh(const std::string& path) {
         if (reason.rfind("No suitable reader", 0) == 0)
             throw InputError(path + ": the format is not known; give a mesh as " + mesh_formats +
                              ".");
+        if (!refused.empty())
+            throw InputError(path + ": names \"" + excerpt(refused) +
+                             "\", which is not a regular file in the folder of the mesh; put a "
+                             "copy there, and name that.");
         if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "scb/error.h"
+#include "scenes/meshes/mesh_folder.h"
 #include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
@@ -56,9 +58,10 @@ std::string decode_base64(std::string_view text) {
     return bytes;
 }
 
-std::string bytes_or_nothing(const std::filesystem::path& path) {
+std::string bytes_or_nothing(const std::filesystem::path& buffer, const std::string& mesh) {
+    if (!is_side_file(buffer, mesh)) return {};
     try {
-        return file_bytes(path.string());
+        return file_bytes(buffer.string());
     } catch (const InputError&) {
         return {};
     }
@@ -68,7 +71,7 @@ std::string bytes_or_nothing(const std::filesystem::path& path) {
 struct Document {
     json root;
     std::string_view binary;
-    std::filesystem::path folder;
+    std::string name;  ///< of the file
     std::map<std::size_t, std::string> fetched;
 
     /// Empty where the bytes are missing. Throws json::exception where the document has no such
@@ -83,7 +86,7 @@ struct Document {
         const std::size_t data = uri.find(mark);
         std::string& bytes = fetched[index];
         if (uri.rfind("data:", 0) != 0)
-            bytes = bytes_or_nothing(folder / uri);
+            bytes = bytes_or_nothing(std::filesystem::path(name).parent_path() / uri, name);
         else if (data != std::string::npos)
             bytes = decode_base64(std::string_view(uri).substr(data + mark.size()));
         return bytes;
@@ -153,13 +156,10 @@ void check_primitive(Document& document, const json& primitive, const std::strin
 
 }  // namespace
 
-void check_gltf(std::string_view bytes, const std::filesystem::path& folder,
-                const std::string& name) {
+void check_gltf(std::string_view bytes, const std::string& name) {
     const Container parts = parts_of(bytes);
-    Document document{json::parse(parts.text.begin(), parts.text.end(), nullptr, false),
-                      parts.binary,
-                      folder,
-                      {}};
+    Document document{
+        json::parse(parts.text.begin(), parts.text.end(), nullptr, false), parts.binary, name, {}};
     if (!document.root.is_object() || !document.root.contains("meshes")) return;
     const json& meshes = document.root.at("meshes");
     // glTF 1 names its meshes by the keys of an object.

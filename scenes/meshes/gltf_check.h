@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -8,14 +7,13 @@ namespace scb::scenes {
 
 /// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
 /// index against the count of the primitive's POSITION accessor. assimp's reader quietly drops
-/// triangles that do not. `folder` is where buffers of their own lie.
+/// triangles that do not.
 ///
 /// Says nothing about what this cannot look into: glTF 1, broken files, sparse or compressed
 /// indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp to read or
 /// refuse.
 ///
 /// Throws InputError that names the file, mesh, primitive and index at fault.
-void check_gltf(std::string_view bytes, const std::filesystem::path& folder,
-                const std::string& name);
+void check_gltf(std::string_view bytes, const std::string& name);
 
 }  // namespace scb::scenes

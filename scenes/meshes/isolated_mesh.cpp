@@ -5,12 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
 #include <cstring>
-#include <new>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -188,8 +188,9 @@ class Reader {
                          "mesh, or repair its counts.");
     if (signal == SIGALRM || signal == SIGXCPU)
         throw InputError(path +
-                         ": its reader did not come to an end in the time that it has (five "
-                         "minutes, or what ulimit -t leaves); repair the file or export it again.");
+                         ": its reader did not come to an end in the time that it has (8 seconds "
+                         "and 2 for each MB, or what ulimit -t leaves); repair the file or export "
+                         "it again.");
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
         throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
                               "); try again.");
@@ -197,11 +198,17 @@ class Reader {
                      ": its reader crashed, so the file is broken; repair it or export it again.");
 }
 
+/// Takes memory only for what comes.
 template <class T>
 bool read_into(const Reader& reader, T& values, std::uint64_t count) {
     if (count > most_values) return false;
-    values.resize(count);
-    return reader.read(std::span(values));
+    constexpr std::uint64_t block = std::uint64_t{1} << 20;
+    while (values.size() < count) {
+        const std::size_t before = values.size();
+        values.resize(before + std::min(block, count - before));
+        if (!reader.read(std::span(values).subspan(before))) return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -230,7 +237,10 @@ Mesh isolated_mesh(const std::string& path) {
     const std::optional<int> status = reader.wait();
     if (!whole || (status && *status != 0)) refuse_after(status, path);
     if (answer.kind == MeshAnswer::refusal) throw InputError(sentence);
-    if (answer.kind == MeshAnswer::out_of_memory) throw std::bad_alloc();
+    if (answer.kind == MeshAnswer::unconfined)
+        throw MeshReaderError(path + ": meshes are read by a process of " + reader.program() +
+                              " that is confined, which this system does not allow (" + sentence +
+                              "); use a PLY file, or a system with seccomp.");
     if (answer.kind == MeshAnswer::failure) throw std::runtime_error(sentence);
     return mesh;
 }

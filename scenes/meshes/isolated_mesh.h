@@ -14,12 +14,12 @@ struct MeshReaderError : std::runtime_error {
 };
 
 /// Reads a file by assimp_mesh in another process, so that a file on which a reader of assimp
-/// crashes, or does not come to an end in five minutes, takes that process with it and not this
-/// one. Any thread may call it.
+/// crashes, or takes more memory or time than its size explains, takes that process with it and not
+/// this one. What that process may do is in confinement.h. Any thread may call it.
 ///
 /// Throws what assimp_mesh throws; InputError where the process crashed, was killed for its memory
-/// or took too long; and MeshReaderError where it cannot be started, or a signal asked it to end:
-/// the file is never read in this process instead.
+/// or took too long; and MeshReaderError where it cannot be started or confined, or a signal asked
+/// it to end: the file is never read in this process instead.
 Mesh isolated_mesh(const std::string& path);
 
 /// The program that isolated_mesh executes, which is scb; where nobody has set it, the file of that

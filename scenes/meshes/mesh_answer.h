@@ -21,7 +21,7 @@ inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's'
 /// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory, or
 /// a sentence.
 struct MeshAnswer {
-    enum Kind : std::uint64_t { mesh, refusal, out_of_memory, failure };
+    enum Kind : std::uint64_t { mesh, refusal, unconfined, failure };
     std::uint64_t kind = failure;
     std::uint64_t first = 0;   ///< how many vertices, or characters
     std::uint64_t second = 0;  ///< how many triangles

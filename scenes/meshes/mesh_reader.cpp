@@ -1,14 +1,9 @@
 #include "scenes/meshes/mesh_reader.h"
 
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -19,6 +14,7 @@
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
+#include "scenes/meshes/confinement.h"
 #include "scenes/meshes/gltf_check.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/off_check.h"
@@ -26,8 +22,6 @@
 
 namespace scb::scenes {
 namespace {
-
-constexpr unsigned patience = 300;  // seconds
 
 template <class T>
 bool write_all(std::span<const T> values) {
@@ -52,30 +46,10 @@ bool write_mesh(const Mesh& mesh) {
            write_all(std::span<const Triangle>(mesh.triangles));
 }
 
-/// A process is killed at the hard limit; the soft one, below it, tells it why (SIGXCPU).
-bool limit_time() {
-    rlimit limits{};
-    if (::getrlimit(RLIMIT_CPU, &limits) != 0) return false;
-    limits.rlim_max = std::clamp<rlim_t>(limits.rlim_max, 1, patience + 1);
-    limits.rlim_cur = std::min(limits.rlim_cur, limits.rlim_max - 1);
-    return ::setrlimit(RLIMIT_CPU, &limits) == 0;
-}
-
-/// Nothing of what it does may outlast or disturb who started it. False where that cannot be
-/// arranged.
-bool confine_this_process() {
-    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return false;
-    // Who started it may be gone by now.
-    pollfd answers{mesh_answer_descriptor, 0, 0};
-    if (::poll(&answers, 1, 0) < 0 || (answers.revents & POLLERR) != 0) return false;
-    ::alarm(patience);
-    const rlimit no_core{0, 0};
-    return ::setrlimit(RLIMIT_CORE, &no_core) == 0 && limit_time();
-}
-
 /// After the checks that assimp's readers of these formats lack. They go by content as well as by
 /// name, as assimp does.
 Mesh checked_mesh(const std::string& path) {
+    allow_for(std::filesystem::file_size(path));
     const std::string start = file_bytes(path, 16);
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension)
@@ -83,7 +57,7 @@ Mesh checked_mesh(const std::string& path) {
     if (extension == ".off" || start.find("OFF") != std::string::npos)
         check_off(file_bytes(path), path);
     if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF"))
-        check_gltf(file_bytes(path), std::filesystem::path(path).parent_path(), path);
+        check_gltf(file_bytes(path), path);
     return assimp_mesh(path);
 }
 
@@ -97,7 +71,10 @@ bool answer_for(const std::string& path) {
     } catch (const InputError& error) {
         return write_sentence(MeshAnswer::refusal, error.what());
     } catch (const std::bad_alloc&) {
-        return write_sentence(MeshAnswer::out_of_memory, "");
+        return write_sentence(MeshAnswer::refusal,
+                              path + ": needs more memory than a file of its size may take (" +
+                                  std::to_string(address_space() >> 20) +
+                                  " MiB); give a smaller mesh, or repair its counts.");
     } catch (const std::exception& error) {
         return write_sentence(MeshAnswer::failure, error.what());
     }
@@ -112,8 +89,10 @@ int run_mesh_reader(const std::string& path) {
                      mesh_reader_command);
         return exit_bad_input;
     }
-    const bool done = confine_this_process() && write_all(std::span<const char>(mesh_greeting)) &&
-                      answer_for(path);
+    const std::string unconfined = confine_this_process(mesh_answer_descriptor);
+    const bool done = write_all(std::span<const char>(mesh_greeting)) &&
+                      (unconfined.empty() ? answer_for(path)
+                                          : write_sentence(MeshAnswer::unconfined, unconfined));
     return done ? exit_done : exit_environment;
 }
 

@@ -66,8 +66,17 @@ TEST(IsolatedMesh, TakesWhatTheReaderSaysForWhatItIs) {
               "not this.");
     const std::string failed = greet + number("3") + nine + number("0") + text("too soon.");
     expect_in("cannot be read (too soon.)", refused_by(failed));
-    expect_in("more memory than there is",
-              refused_by(greet + number("2") + number("0") + number("0")));
+}
+
+TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
+    const FakeReader fake(greet + number("2") + number("11") + number("0") + text("no filter"));
+    const std::string file = fake.folder.write("good.obj", triangle_obj);
+    try {
+        load_mesh(file);
+        ADD_FAILURE();
+    } catch (const MeshReaderError& error) {
+        expect_in("is confined, which this system does not allow (no filter)", error.what());
+    }
 }
 
 TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
@@ -116,6 +125,28 @@ TEST(IsolatedMesh, IsNeverReplacedByReadingInThisProcess) {
     EXPECT_THROW(load_mesh(file), MeshReaderError);
     set_mesh_reader({});
     EXPECT_EQ(load_mesh(file).triangles.size(), 1u);
+}
+
+// Every node has the one before it twice.
+TEST(IsolatedMesh, OfLessThanAPageTakesNoMoreThanItsMemory) {
+#ifdef SCB_SANITIZED
+    GTEST_SKIP() << "sanitized, a reader has no limit of memory";
+#endif
+    std::string nodes = R"({"mesh": 0})";
+    for (int i = 0; i < 40; ++i) {
+        const std::string below = std::to_string(i);
+        nodes += R"(, {"children": [)" + below + ", " + below + "]}";
+    }
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "wide.gltf",
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [40]}], "nodes": [)" +
+            nodes + R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
+"uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+    expect_in("needs more memory than a file of its size may take (1536 MiB)",
+              refusal([&] { load_mesh(file); }));
 }
 
 TEST(IsolatedMesh, ServesSeveralThreads) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace scb::scenes {
+
+/// Confines this process, which is about to read files of strangers, for good. It ends with who
+/// started it, leaves no core file, opens nothing to write, and reaches no network and no other
+/// program. It has 1.5 GiB of address space, 8 seconds of processor time and five minutes, besides
+/// what allow_for adds; it never has more than whoever started it.
+///
+/// Returns why that cannot be arranged, or nothing. `answers` is the descriptor of the pipe that
+/// leads to who started it.
+std::string confine_this_process(int answers);
+
+/// Allows 64 bytes of address space for each byte of a file that is opened, up to 12 GiB in all,
+/// and 2 seconds of processor time for each 10^6, up to five minutes. Not for threads.
+void allow_for(std::uint64_t file_bytes);
+
+/// The address space that this process may have now, in bytes.
+std::uint64_t address_space();
+
+}  // namespace scb::scenes
