@@ -13,12 +13,7 @@
 namespace scb::app {
 namespace {
 
-std::string test_names() {
-    std::string names;
-    for (const OverlapTest test : all_overlap_tests())
-        names += (names.empty() ? "" : ", ") + std::string(overlap_test_name(test));
-    return names;
-}
+std::string test_names() { return name_list(all_overlap_tests(), overlap_test_name); }
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "app/query/scene_query.h"
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -41,15 +42,16 @@ Collision SceneQuery::collide(int frame, EventRecorder& recorder) const {
 
 std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                                                const std::string& names) {
-    std::string known;
-    for (const scenes::Body& body : scene.bodies) known += (known.empty() ? "" : ", ") + body.name;
+    const std::string known = name_list(scene.bodies, &scenes::Body::name);
+    const std::string title =
+        (scene.file.empty() ? "" : scene.file.string() + ": ") + "the scene '" + scene.name + "'";
     if (names.empty()) {
         if (scene.bodies.size() == 2) return {0, 1};
         if (scene.bodies.size() < 2)
-            throw InputError("the scene '" + scene.name +
-                             "' has one body, and a collision needs two; give a scene with two, or "
+            throw InputError(title +
+                             " has one body, and a collision needs two; give a scene with two, or "
                              "two mesh files.");
-        throw InputError("the scene '" + scene.name + "' has the bodies " + known +
+        throw InputError(title + " has the bodies " + known +
                          "; name two of them with --bodies A,B.");
     }
     std::vector<std::size_t> chosen;

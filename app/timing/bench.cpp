@@ -15,6 +15,7 @@
 #include "app/timing/bench_report.h"
 #include "app/timing/table_3.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -88,12 +89,10 @@ std::vector<Entry> entries(const BenchCommandOptions& options, const Console& co
 }
 
 SimdLevel simd_level(const BenchCommandOptions& options) {
-    std::string names;
-    for (const SimdLevel level : available_simd_levels()) {
+    for (const SimdLevel level : available_simd_levels())
         if (simd_level_name(level) == options.simd) return level;
-        names += (names.empty() ? "" : ", ") + std::string(simd_level_name(level));
-    }
-    throw InputError("--simd " + options.simd + ": give one that this machine has, " + names + ".");
+    throw InputError("--simd " + options.simd + ": give one that this machine has, " +
+                     name_list(available_simd_levels(), simd_level_name) + ".");
 }
 
 std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace scb {
@@ -16,5 +18,18 @@ std::string right_aligned(const std::string& text, std::size_t width);
 
 /// The shortest decimal text that reads back as the same double; "inf" and "nan" for those.
 std::string exact_number(double value);
+
+/// "a, b, c": what `name` makes of each of a range, at most 20 of them and then "...".
+template <class Range, class Name = std::identity>
+std::string name_list(const Range& range, Name name = {}) {
+    constexpr std::size_t most = 20;
+    std::string text;
+    for (std::size_t i = 0; const auto& entry : range) {
+        if (i > 0) text += ", ";
+        if (i++ == most) return text + "...";
+        text += std::invoke(name, entry);
+    }
+    return text;
+}
 
 }  // namespace scb

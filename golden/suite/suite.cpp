@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/text_format.h"
 #include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/scene/scene.h"
@@ -29,10 +30,7 @@ constexpr std::string_view refused_arguments[] = {
 GoldenRun read_run(const scenes::JsonPlace& place) {
     const std::optional<GoldenRun> run = golden_run_names.find(scenes::read_text(place));
     if (run) return *run;
-    std::string list;
-    for (const std::string_view name : golden_run_names.names)
-        list += (list.empty() ? "" : ", ") + std::string(name);
-    scenes::refuse_value(place, "one of " + list);
+    scenes::refuse_value(place, "one of " + name_list(golden_run_names.names));
 }
 
 std::string read_size(const scenes::JsonPlace& place) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 #include "scenes/scene/builtin.h"
@@ -34,10 +35,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
-    std::string known, nearest;
+    std::string nearest;
     std::size_t least = 4;  // farther than three letters off is another word
     for (const BuiltinScene& scene : builtin_scenes()) {
-        known += (known.empty() ? "" : ", ") + scene.name;
         const std::size_t distance = edit_distance(name, scene.name);
         if (distance < least) {
             least = distance;
@@ -46,7 +46,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
     throw InputError(name + ": there is no such scene or file" +
                      (nearest.empty() ? "" : ", did you mean " + nearest + "?") + "; name " +
-                     what_to_name + " (built in are " + known + ").");
+                     what_to_name + " (built in are " +
+                     name_list(builtin_scenes(), &BuiltinScene::name) + ").");
 }
 
 /// What a mesh from this file is called.
@@ -84,6 +85,7 @@ Scene one_mesh(const std::string& name, const fs::path& file) {
     scene.name = file_name_of(stem(name));
     scene.meshes.push_back({stem(name), load_mesh(file), file});
     scene.bodies.push_back({stem(name), 0, {}});
+    scene.file = file;
     return scene;
 }
 
@@ -99,6 +101,7 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     const bool same_file = fs::equivalent(first_file, second_file, ignored);
     if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file), second_file});
     scene.name = file_name_of(stem(first) + "-" + stem(second));
+    scene.file.clear();
     scene.bodies[0].name = "A";
     scene.bodies.push_back({"B", scene.meshes.size() - 1, {}});
     if (options.pose) {

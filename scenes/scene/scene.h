@@ -38,7 +38,8 @@ struct Scene {
     std::vector<Body> bodies;
     int frames = 1;
     std::optional<CameraView> camera;
-    int default_frame = 0;  ///< the frame to show where none is asked for
+    int default_frame = 0;         ///< the frame to show where none is asked for
+    std::filesystem::path file{};  ///< that it was read from: a scene or its only mesh, else empty
 };
 
 /// The text with every run of characters that Scene::name does not allow made one '-', cut to 100

@@ -1,8 +1,9 @@
 #include "scenes/scene/scene_file.h"
 
-#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/model_json.h"
@@ -10,7 +11,11 @@
 namespace scb::scenes {
 namespace {
 
-constexpr std::size_t most_procedural_triangles = std::size_t{1} << 25;
+/// Of the meshes that are made by formula, which cost a file a line each.
+constexpr std::size_t most_procedural_bytes = std::size_t{1} << 30;
+
+/// Where each name stands in its list.
+using Names = std::map<std::string, std::size_t>;
 
 LinearPath read_position(const JsonPlace& place) {
     LinearPath path;
@@ -60,21 +65,18 @@ Motion read_pose(const JsonPlace& place) {
     return motion;
 }
 
-std::size_t find_model(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
+std::size_t find_model(const JsonPlace& place, const Names& models) {
     const std::string name = read_plain_text(place);
-    std::string known;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (meshes[i].name == name) return i;
-        known += (i == 0 ? "" : ", ") + meshes[i].name;
-    }
-    refuse(place, "there is no model \"" + name + "\"; the models are " + known + ".");
+    if (const auto found = models.find(name); found != models.end()) return found->second;
+    refuse(place, "there is no model \"" + name + "\"; the models are " +
+                      name_list(models, &Names::value_type::first) + ".");
 }
 
-Body read_body(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
+Body read_body(const JsonPlace& place, const Names& models) {
     check_fields(place, {"name", "model", "position", "rotation", "pose"});
     Body body;
     body.name = read_plain_text(field(place, "name"));
-    body.mesh = find_model(field(place, "model"), meshes);
+    body.mesh = find_model(field(place, "model"), models);
     if (has(place, "pose")) {
         if (has(place, "position") || has(place, "rotation"))
             refuse(place, "pose stands for both position and rotation; leave it or those two out.");
@@ -85,37 +87,39 @@ Body read_body(const JsonPlace& place, const std::vector<NamedMesh>& meshes) {
     return body;
 }
 
-template <class Entry>
-void check_new_name(const JsonPlace& place, const std::vector<Entry>& before,
-                    const std::string& name) {
-    for (const Entry& other : before)
-        if (other.name == name)
-            refuse(field(place, "name"), "the name \"" + name + "\" is taken; give another.");
+void add_name(const JsonPlace& place, Names& names, const std::string& name) {
+    if (!names.emplace(name, names.size()).second)
+        refuse(field(place, "name"), "the name \"" + name + "\" is taken; give another.");
 }
 
-void read_models(const JsonPlace& place, const SceneContext& context, Scene& scene) {
+Names read_models(const JsonPlace& place, const SceneContext& context, Scene& scene) {
     const std::size_t count = array_size(place, "a list of models");
     if (count == 0) refuse_value(place, "at least one model");
-    std::size_t procedural_triangles = 0;
+    Names names;
+    std::size_t procedural_bytes = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const JsonPlace model = element(place, i);
         NamedMesh mesh = read_model(model, context);
-        check_new_name(model, scene.meshes, mesh.name);
-        if (!has(model, "file")) procedural_triangles += mesh.mesh.triangles.size();
-        if (procedural_triangles > most_procedural_triangles)
-            refuse(model, "the models add up to more than " +
-                              std::to_string(most_procedural_triangles) +
-                              " triangles; make them coarser.");
+        add_name(model, names, mesh.name);
+        if (!has(model, "file"))
+            procedural_bytes += mesh.mesh.vertices.size() * sizeof(Vec3) +
+                                mesh.mesh.triangles.size() * sizeof(Triangle);
+        if (procedural_bytes > most_procedural_bytes)
+            refuse(model, "the models that are made by formula take more than " +
+                              std::to_string(most_procedural_bytes >> 20) +
+                              " MiB together; make them coarser.");
         scene.meshes.push_back(std::move(mesh));
     }
+    return names;
 }
 
-void read_bodies(const JsonPlace& place, Scene& scene) {
+void read_bodies(const JsonPlace& place, const Names& models, Scene& scene) {
     const std::size_t count = array_size(place, "a list of bodies");
     if (count == 0) refuse_value(place, "at least one body");
+    Names names;
     for (std::size_t i = 0; i < count; ++i) {
-        Body body = read_body(element(place, i), scene.meshes);
-        check_new_name(element(place, i), scene.bodies, body.name);
+        Body body = read_body(element(place, i), models);
+        add_name(element(place, i), names, body.name);
         scene.bodies.push_back(std::move(body));
     }
 }
@@ -141,15 +145,17 @@ Scene parse_scene(std::string_view json_text, const SceneContext& context) {
         scene.default_frame =
             static_cast<int>(read_integer(field(root, "default_frame"), 0, scene.frames - 1));
     if (has(root, "camera")) scene.camera = read_camera(field(root, "camera"));
-    read_models(field(root, "models"), context, scene);
-    read_bodies(field(root, "bodies"), scene);
+    const Names models = read_models(field(root, "models"), context, scene);
+    read_bodies(field(root, "bodies"), models, scene);
     return scene;
 }
 
 Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
-    return parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
+    Scene scene = parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
+    scene.file = path;
+    return scene;
 }
 
 }  // namespace scb::scenes

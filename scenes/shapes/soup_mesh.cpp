@@ -21,6 +21,8 @@ Mesh soup_mesh(const SoupShape& shape) {
     require_length("triangle_size", shape.triangle_size);
     Random random(shape.seed);
     Mesh mesh;
+    mesh.vertices.reserve(3 * static_cast<std::size_t>(shape.count));
+    mesh.triangles.reserve(static_cast<std::size_t>(shape.count));
     for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(shape.count); ++t) {
         const Vec3 center = point_in_cube(random, shape.size);
         for (int corner = 0; corner < 3; ++corner)

@@ -48,13 +48,6 @@ std::string shown(const json& value) {
     return text;
 }
 
-std::string joined(std::initializer_list<std::string_view> names) {
-    std::string text;
-    for (const std::string_view name : names)
-        text += (text.empty() ? "" : ", ") + std::string(name);
-    return text;
-}
-
 /// Characters that say how far they were read.
 class Cursor {
   public:
@@ -167,7 +160,7 @@ void check_fields(const JsonPlace& place, std::initializer_list<std::string_view
     for (const auto& entry : place.value->items())
         if (std::find(known.begin(), known.end(), entry.key()) == known.end())
             refuse(place, "unknown field " + shown(json(entry.key())) + "; known are " +
-                              joined(known) + ".");
+                              name_list(known) + ".");
 }
 
 bool has(const JsonPlace& object, const char* name) { return object.value->contains(name); }

@@ -193,7 +193,18 @@ TEST(SceneFile, RefusesMeshesThatAreTooLargeOrImpossible) {
     for (int i = 0; i < 8; ++i)
         document["models"].push_back(
             {{"name", "big" + std::to_string(i)}, {"plane", {{"cells", {2048, 2048}}}}});
-    expect_in("triangles", refusal([&] { parse(document.dump()); }));
+    expect_in("models[7]: the models that are made by formula take more than 1024 MiB together",
+              refusal([&] { parse(document.dump()); }));
+}
+
+TEST(SceneFile, NamesAFewOfManyModels) {
+    json document = json::parse(small_scene);
+    for (int i = 10; i < 40; ++i)
+        document["models"].push_back({{"name", "m" + std::to_string(i)}, {"box", json::object()}});
+    document["bodies"][0]["model"] = "other";
+    const std::string sentence = refusal([&] { parse(document.dump()); });
+    expect_in("the models are ball, crate, m10, m11, ", sentence);
+    expect_in("m27, ....", sentence);
 }
 
 TEST(SceneFile, PlacesABodyByTwelveNumbers) {
