@@ -5,7 +5,6 @@
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
 #include "app/explain/explain_volumes.h"
-#include "app/query/output_guard.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
@@ -55,8 +54,6 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
         return status;
     }
     PictureRun pictures(options.picture);
-    pictures.guard(
-        [&](const std::string& path) { refuse_inputs(path, "-o", options.scene, scene); });
     ExplainPicture picture;
     const auto& [a, b] = *pair.nodes;
     picture.name =

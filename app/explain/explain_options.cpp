@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "app/query/output_guard.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -41,21 +40,10 @@ void ExplainOptions::check() const {
         throw InputError(of_scenes[0] +
                          ": it is of scenes, and --pairs has raw volumes; leave it out.");
     query.overlap();
-    check_folder();
     picture.check();
     camera.check();
     if (!draws() && !of_pictures.empty())
         throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
-}
-
-void ExplainOptions::check_folder() const {
-    if (!draws()) return;
-    const std::filesystem::path index = std::filesystem::path(picture.output) / "index.json";
-    refuse_overwriting(index, "-o", scene);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(index, pairs_file, ignored))
-        throw InputError("-o " + picture.output +
-                         ": its index.json is the file that --pairs reads; name another folder.");
 }
 
 void add_explain_options(const Command& command, ExplainOptions& options) {

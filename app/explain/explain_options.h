@@ -31,7 +31,6 @@ struct ExplainOptions {
     std::array<std::int64_t, 2> nodes() const;
 
   private:
-    void check_folder() const;
 };
 
 void add_explain_options(const Command& command, ExplainOptions& options);

@@ -6,7 +6,6 @@
 #include "app/cli/progress.h"
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
-#include "app/query/output_guard.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
@@ -65,12 +64,7 @@ class VolumesReport {
   public:
     VolumesReport(const ExplainOptions& options, const Console& console, std::size_t pairs)
         : options_(options), console_(console), pairs_(pairs) {
-        if (options.draws()) {
-            pictures_.emplace(options.picture);
-            pictures_->guard([&](const std::string& path) {
-                refuse_overwriting(path, "-o", SceneOptions{{options.pairs_file}, {}, {}, {}});
-            });
-        }
+        if (options.draws()) pictures_.emplace(options.picture);
         if (json()) out("[");
     }
 

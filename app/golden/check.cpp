@@ -45,10 +45,10 @@ int run(const CheckOptions& options, const Console& console) {
             "--trace: traces are kept in the folder of the report; name one with --report DIR.");
     const golden::Suite suite = golden::load_suite(options.suite);
     golden::check_readable(options.baselines_folder());
-    options.files.check(options.suite, options.baselines_folder());
     const golden::GoldenWork work;
     golden::GoldenCheck check;
     check.cases = cases_of(options, suite);
+    options.files.check(options.suite, options.baselines_folder());
     check.settings = options.settings();
     check.folders = {options.baselines_folder(), work.candidates(), work.report()};
     check.jobs = options.job_count();

@@ -9,6 +9,8 @@
 #include "app/query/scene_options.h"
 #include "golden/suite/shell_word.h"
 #include "scb/error.h"
+#include "scenes/scene/scene_inputs.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -28,9 +30,13 @@ std::filesystem::path GoldenOptions::baselines_folder() const {
 std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) const {
     std::set<std::string> wanted(names.begin(), names.end());
     std::vector<golden::GoldenCase> cases;
-    for (const golden::GoldenCase& golden : all.cases)
-        if (names.empty() || wanted.erase(golden.name) > 0)
-            cases.push_back(golden::seen_from_here(golden, all.file.parent_path(), models));
+    for (const golden::GoldenCase& golden : all.cases) {
+        golden::GoldenCase seen = golden::seen_from_here(golden, all.file.parent_path(), models);
+        // Others read them; nothing may replace them here.
+        scenes::note_scene_inputs(seen.scene, models);
+        for (const std::string& argument : seen.arguments) scenes::note_input(argument);
+        if (names.empty() || wanted.erase(golden.name) > 0) cases.push_back(std::move(seen));
+    }
     if (!wanted.empty())
         throw InputError(*wanted.begin() + ": " + suite +
                          " has no case of that name; `scb golden list` shows them.");

@@ -11,6 +11,7 @@
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::app {
@@ -40,6 +41,8 @@ void gather(const golden::CaseResult& result, const fs::path& folder, const fs::
 int run(const ReportOptions& options, const Console& console) {
     const golden::GoldenWork work;
     std::vector<golden::ResultPart> parts;
+    for (const std::string& file : options.from) scenes::note_input(file);
+    options.files.refuse_inputs();
     for (const std::string& file : options.from)
         parts.push_back(
             {file, golden::result_of(

@@ -16,6 +16,7 @@
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -40,6 +41,7 @@ void tell_github(const golden::SuiteResult& result) {
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
     std::error_code ignored;
+    scenes::refuse_input(summary, "GITHUB_STEP_SUMMARY");
     // A pipe would wait for a reader.
     if (fs::exists(summary, ignored) && !render::is_there(summary))
         throw render::OutputError(
@@ -72,17 +74,27 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
     }
 }
 
+std::vector<std::pair<std::string, fs::path>> ResultFiles::written() const {
+    std::vector<std::pair<std::string, fs::path>> files;
+    if (!junit.empty()) files.emplace_back("--junit", junit);
+    if (!json.empty()) files.emplace_back("--json", json);
+    for (const char* name : {"report.html", "results.json"})
+        if (!report.empty()) files.emplace_back("--report", fs::path(report) / name);
+    return files;
+}
+
+void ResultFiles::refuse_inputs() const {
+    for (const auto& [option, file] : written()) scenes::refuse_input(file, option);
+}
+
 void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const {
     const fs::path folder(report);
     if (!report.empty() && one_name(folder) == one_name(baselines))
         throw InputError("--report " + report +
                          ": this is the folder of the baselines, which only an update changes; "
                          "name another.");
-    std::vector<std::pair<std::string, fs::path>> written = {{"--junit", junit}, {"--json", json}};
-    for (const char* name : {"report.html", "results.json"})
-        if (!report.empty()) written.emplace_back("--report", folder / name);
-    for (const auto& [option, file] : written) {
-        if (file.empty()) continue;
+    refuse_inputs();
+    for (const auto& [option, file] : written()) {
         const fs::path name = one_name(file);
         if (name == one_name(suite) || name.parent_path() == one_name(baselines))
             throw InputError(option + " would write " + file.string() +

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
@@ -22,8 +24,15 @@ inline constexpr const char* why_uncompared =
 struct ResultFiles {
     std::string report, junit, json;
 
-    /// Throws InputError where they would come among the baselines, or over the suite.
+    /// Throws InputError where they would come among the baselines, or over the suite or another
+    /// file that was read.
     void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
+    /// Throws InputError where they would replace a file that was read.
+    void refuse_inputs() const;
+
+  private:
+    /// The files, each with its option.
+    std::vector<std::pair<std::string, std::filesystem::path>> written() const;
 };
 
 void add_result_files(const Command& command, ResultFiles& files);

@@ -12,7 +12,6 @@
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
-#include "app/query/output_guard.h"
 #include "app/query/query_source.h"
 #include "core/base/exit_status.h"
 #include "scb/error.h"
@@ -56,10 +55,6 @@ void InspectOptions::check() {
     if (top > most_pictured)
         throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
                          std::to_string(most_pictured) + " pairs, each of which is drawn.");
-    std::vector<std::string> files = tables;
-    files.emplace_back("index.json");
-    for (const std::string& file : files)
-        refuse_overwriting(std::filesystem::path(picture.output) / file, "-o", scene);
 }
 
 /// Adds frame after frame.
@@ -155,19 +150,7 @@ int run(InspectOptions& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
     std::optional<PictureRun> pictures;
-    if (options.draws()) {
-        // Before the old page is removed: it may be a link to one of these.
-        const auto refuse = [&](const std::string& path) {
-            refuse_inputs(path, "-o", options.scene, query.scene);
-            for (const std::string& name : source.header().source)
-                refuse_overwriting(path, "-o",
-                                   SceneOptions{{name}, {}, options.scene.models_dir, {}});
-        };
-        for (const std::string& file : tables)
-            refuse((std::filesystem::path(options.picture.output) / file).string());
-        pictures.emplace(options.picture, tables);
-        pictures->guard(refuse);
-    }
+    if (options.draws()) pictures.emplace(options.picture, tables);
 
     Progress progress(console, source.frames().size());
     Inspector inspector(source, options.top);

@@ -1,14 +1,12 @@
 #include "app/pictures/level_options.h"
 
 #include "app/cli/choice.h"
-#include "app/query/output_guard.h"
 #include "scb/error.h"
 
 namespace scb::app {
 
 void LevelOptions::check() const {
     picture.check();
-    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
     camera.check();
     if (camera.follows_contact())
         throw InputError(

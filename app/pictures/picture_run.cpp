@@ -5,6 +5,7 @@
 #include "app/cli/version.h"
 #include "app/pictures/shifted_colors.h"
 #include "render/files/output_file.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -21,9 +22,10 @@ PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::str
       queue_(8, options.jobs()) {
     std::vector<std::string> stale = tables;
     stale.emplace_back("index.json");
+    for (const std::string& name : stale) place(name);
     for (const std::string& name : stale) {
         std::error_code ignored;
-        const std::filesystem::path path = place(name);
+        const std::filesystem::path path = folder_ / name;
         if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
     }
     if (options.video.wanted())
@@ -55,7 +57,7 @@ std::uint32_t PictureRun::id_at(int x, int y) const { return render::pixel(last_
 
 std::filesystem::path PictureRun::place(const std::string& name) const {
     const std::filesystem::path path = folder_ / name;
-    if (refuse_) refuse_(path.string());
+    scenes::refuse_input(path, "-o " + options_.output);
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&

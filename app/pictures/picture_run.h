@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -21,8 +20,9 @@ namespace scb::app {
 class PictureRun {
   public:
     /// Makes the folder and removes from it what would describe other pictures should this run not
-    /// finish: index.json and the `tables` that are written at the end. Throws InputError,
-    /// OutputError, GlError.
+    /// finish: index.json and the `tables` that are written at the end. By then all must have been
+    /// read. Nothing that was read is removed or replaced, now or later: that throws InputError.
+    /// Also OutputError, GlError.
     explicit PictureRun(const PictureOptions& options, const std::vector<std::string>& tables = {});
 
     render::Renderer& renderer() { return renderer_; }
@@ -42,10 +42,6 @@ class PictureRun {
     /// says of it beside the file names.
     void draw(const std::string& name, const render::Picture& picture, nlohmann::ordered_json entry,
               bool of_sequence = true);
-
-    /// Asked before each file is written, with its path: refuses one that must not be replaced, by
-    /// throwing.
-    void guard(std::function<void(const std::string&)> refuse) { refuse_ = std::move(refuse); }
 
     /// Writes a file beside the pictures.
     void write(const std::string& name, const std::string& text);
@@ -67,7 +63,6 @@ class PictureRun {
     /// Where a file of that name goes; throws where it must not.
     std::filesystem::path place(const std::string& name) const;
 
-    std::function<void(const std::string&)> refuse_;
     const PictureOptions& options_;
     render::Context context_;
     render::Renderer renderer_;

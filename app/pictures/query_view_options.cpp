@@ -15,8 +15,7 @@ void QueryViewOptions::check() {
     query.collide();
     for (const std::string& name : scene.names)
         if (scenes::names_trace(name)) refuse_for_trace(recording, name);
-    refuse_overwriting(std::filesystem::path(picture.output) / "index.json", "-o", scene);
-    picture.video.check(scene, picture.output);
+    picture.video.check(picture.output);
     if (pick.empty()) return;
     const std::vector<std::string> parts = scenes::split_list(pick);
     const std::string hint = "; give X,Y in pixels from the left and the top.";
@@ -33,8 +32,7 @@ void QueryViewOptions::check() {
 QuerySources QueryViewOptions::open(const Console& console) const {
     QuerySources sources =
         open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
-    if (picture.video.wanted())
-        check_output(picture.video.file, "--video", sources.front().query().scene);
+    if (picture.video.wanted()) check_output(picture.video.file, "--video", picture.output);
     return sources;
 }
 

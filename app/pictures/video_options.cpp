@@ -8,7 +8,7 @@
 
 namespace scb::app {
 
-void VideoOptions::check(const SceneOptions& scene, const std::string& folder) const {
+void VideoOptions::check(const std::string& folder) const {
     if (frames_per_second) {
         const std::string given = "--fps " + std::to_string(*frames_per_second);
         if (!wanted()) throw InputError(given + ": there is no video; give --video FILE.mp4 too.");
@@ -22,7 +22,7 @@ void VideoOptions::check(const SceneOptions& scene, const std::string& folder) c
         throw render::OutputError("--video " + file + ": there is no program " +
                                   render::video_program + " on PATH; install the package " +
                                   render::video_program + ", or leave out --video.");
-    check_output(file, "--video", scene, folder);
+    check_output(file, "--video", folder);
 }
 
 void add_video_options(const Command& command, VideoOptions& options) {

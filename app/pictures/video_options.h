@@ -18,7 +18,7 @@ struct VideoOptions {
 
     /// Refuses what makes no sense, and a video that could not be made, before any work is done;
     /// throws InputError and OutputError. `folder` is going to be made where it is missing.
-    void check(const SceneOptions& scene, const std::string& folder) const;
+    void check(const std::string& folder) const;
 };
 
 void add_video_options(const Command& command, VideoOptions& options);

@@ -126,9 +126,9 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
 int run(const CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
-    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", options.scene);
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
-    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out", query.scene);
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
     note_doubts(options.scene, options.query, {query.kind}, console);
 

@@ -47,9 +47,9 @@ int run(const ExportOptions& options, const Console& console) {
     if (kinds.size() != 1)
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
-    check_output(options.output, "-o", options.scene);
+    check_output(options.output, "-o");
     const scenes::Scene scene = options.scene.load();
-    check_output(options.output, "-o", scene);
+    check_output(options.output, "-o");
     const int frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies =
         scenes::build_topologies(scene, options.hierarchy.build().topology());

@@ -4,43 +4,14 @@
 
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::app {
-namespace {
-
-void refuse_same_file(const std::string& output, const std::string& option,
-                      const std::filesystem::path& input) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(output, input, ignored))
-        throw InputError(option + " " + output +
-                         ": the scene is read from this file; name another.");
-}
-
-}  // namespace
-
-void refuse_overwriting(const std::string& path, const std::string& option,
-                        const SceneOptions& scene) {
-    for (const std::string& name : scene.names)
-        for (const std::filesystem::path& folder :
-             {std::filesystem::path(), std::filesystem::path(scene.models_dir)})
-            refuse_same_file(path, option, folder / name);
-}
-
-void check_output(const std::string& path, const std::string& option, const scenes::Scene& scene) {
-    for (const scenes::NamedMesh& mesh : scene.meshes) refuse_same_file(path, option, mesh.file);
-}
-
-void refuse_inputs(const std::string& path, const std::string& option, const SceneOptions& options,
-                   const scenes::Scene& scene) {
-    refuse_overwriting(path, option, options);
-    check_output(path, option, scene);
-}
-
-void check_output(const std::string& path, const std::string& option, const SceneOptions& scene,
+void check_output(const std::string& path, const std::string& option,
                   const std::string& folder_to_make) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
-    refuse_overwriting(path, option, scene);
+    scenes::refuse_input(path, option);
     // Before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";

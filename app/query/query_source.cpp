@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -68,6 +69,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     const std::string& path = scene.names[0];
     std::vector<int> wanted =
         scenes::frames_in_trace(path, frames == scenes::auto_frames ? "all" : frames);
+    scenes::note_input(path);
     trace_ = std::make_unique<scenes::TraceInput>(path);
     header_ = trace_->reader.header();
     if (header_.scb_version != SCB_VERSION)

@@ -38,9 +38,9 @@ int record(const TraceOptions& options, const Console& console) {
     if (options.json || options.events)
         throw InputError(std::string(options.json ? "--json" : "--events") +
                          " prints a trace that exists; record it first, then give its file.");
-    check_output(options.output, "-o", options.scene);
+    check_output(options.output, "-o");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
-    check_output(options.output, "-o", query.scene);
+    check_output(options.output, "-o");
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;

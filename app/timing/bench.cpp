@@ -21,6 +21,7 @@
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -212,6 +213,8 @@ struct Report {
     }
 };
 
+std::string bench_picture_name(const scenes::Scene& scene) { return scene.name + "_bench.png"; }
+
 int run(const BenchCommandOptions& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
@@ -243,6 +246,12 @@ int run(const BenchCommandOptions& options, const Console& console) {
             }
 
     const bool writes = !options.picture.output.empty();
+    if (writes) {
+        std::vector<std::string> files = {"bench.csv", "bench.json"};
+        for (const Entry& entry : all) files.push_back(bench_picture_name(entry.scene));
+        for (const std::string& file : files)
+            scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
+    }
     std::filesystem::path folder;
     std::optional<render::Context> context;
     std::optional<render::Renderer> renderer;
@@ -286,7 +295,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
             render::compose(figure, options.picture.width(), options.picture.height(), overlay);
         const std::vector<std::uint8_t> png =
             render::encode_png(renderer->draw(picture, &overlay).image);
-        render::write_file_whole(folder / (entry.scene.name + "_bench.png"), png);
+        render::write_file_whole(folder / bench_picture_name(entry.scene), png);
         render::write_file_whole(folder / "bench.csv", report.csv);
         render::write_file_whole(folder / "bench.json", json());
         return true;

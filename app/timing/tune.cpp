@@ -9,13 +9,13 @@
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_options.h"
-#include "app/query/output_guard.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -108,8 +108,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
     if (!options.picture.output.empty())
         for (const std::string& file :
              {std::string("tune.csv"), std::string("tune.json"), picture_name(scene)})
-            refuse_inputs((std::filesystem::path(options.picture.output) / file).string(), "-o",
-                          options.scene, scene);
+            scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
     // The threshold counts whatever the base's test is.

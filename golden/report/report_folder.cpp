@@ -6,12 +6,26 @@
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The place of a file of the report. Not a pipe: it would wait for a reader.
+fs::path place_of(const fs::path& folder, const fs::path& name) {
+    const fs::path place = folder / name;
+    scenes::refuse_input(place, "--report " + folder.string());
+    std::error_code ignored;
+    if (fs::exists(place, ignored) && !render::is_there(place))
+        throw render::OutputError(
+            place.string() +
+            ": there is something of that name that is not a file; remove it, or name "
+            "another folder with --report.");
+    return place;
+}
 
 void clear_report(const fs::path& folder) {
     const std::string list = (folder / "results.json").string();
@@ -26,21 +40,9 @@ void clear_report(const fs::path& folder) {
     }
     for (const CaseResult& c : old.cases)
         for (const std::string& name : files_of(c))
-            if (fs::path(name).filename() == name) fs::remove(folder / name, ignored);
+            if (fs::path(name).filename() == name) fs::remove(place_of(folder, name), ignored);
     fs::remove(folder / "report.html", ignored);
     fs::remove(list, ignored);
-}
-
-/// The place of a file of the report. Not a pipe: it would wait for a reader.
-fs::path place_of(const fs::path& folder, const fs::path& name) {
-    const fs::path place = folder / name;
-    std::error_code ignored;
-    if (fs::exists(place, ignored) && !render::is_there(place))
-        throw render::OutputError(
-            place.string() +
-            ": there is something of that name that is not a file; remove it, or name "
-            "another folder with --report.");
-    return place;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "render/files/output_file.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::golden {
 namespace {
@@ -52,6 +53,7 @@ class Replacement {
     /// InputError; then nothing has changed.
     void run(const std::vector<std::pair<fs::path, fs::path>>& changed,
              const std::vector<fs::path>& gone) {
+        for (const auto& [source, target] : changed) scenes::refuse_input(target, "the update");
         for (const auto& [source, target] : changed)
             render::write_file_whole(staged(target), scenes::file_bytes(source.string()));
         try {

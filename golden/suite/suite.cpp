@@ -10,6 +10,7 @@
 #include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/scene/scene.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
@@ -248,6 +249,7 @@ bool has_ids(GoldenRun run) {
 }
 
 Suite load_suite(const std::filesystem::path& file) {
+    scenes::note_input(file);
     std::error_code ignored;
     if (std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found)
         throw InputError(file.string() +

@@ -153,10 +153,11 @@ Mesh joined(const aiScene& scene, const std::string& name) {
 
 }  // namespace
 
-Mesh assimp_mesh(const std::string& path) {
+AssimpMesh assimp_mesh(const std::string& path) {
     std::string refused;
     Assimp::Importer importer;
-    importer.SetIOHandler(new MeshFolder(path, refused));  // the importer deletes it
+    auto* const folder = new MeshFolder(path, refused);
+    importer.SetIOHandler(folder);  // the importer deletes it
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
@@ -176,7 +177,7 @@ Mesh assimp_mesh(const std::string& path) {
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    return joined(*scene, path);
+    return {joined(*scene, path), {folder->opened().begin(), folder->opened().end()}};
 }
 
 }  // namespace scb::scenes

@@ -20,6 +20,7 @@
 
 #include "scb/error.h"
 #include "scenes/meshes/mesh_answer.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {
@@ -228,11 +229,12 @@ Mesh isolated_mesh(const std::string& path) {
         fail_to_start(reader.program(), "what was started is another program");
     MeshAnswer answer;
     Mesh mesh;
-    std::string sentence;
+    std::string sentence, names;
     const bool whole =
         reader.read(std::span(&answer, 1)) && answer.kind <= MeshAnswer::failure &&
         (answer.kind == MeshAnswer::mesh ? read_into(reader, mesh.vertices, answer.first) &&
-                                               read_into(reader, mesh.triangles, answer.second)
+                                               read_into(reader, mesh.triangles, answer.second) &&
+                                               read_into(reader, names, answer.third)
                                          : read_into(reader, sentence, answer.first));
     const std::optional<int> status = reader.wait();
     if (!whole || (status && *status != 0)) refuse_after(status, path);
@@ -242,6 +244,8 @@ Mesh isolated_mesh(const std::string& path) {
                               " that is confined, which this system does not allow (" + sentence +
                               "); use a PLY file, or a system with seccomp.");
     if (answer.kind == MeshAnswer::failure) throw std::runtime_error(sentence);
+    for (std::size_t at = 0; at < names.size(); at += std::strlen(names.c_str() + at) + 1)
+        note_input(names.c_str() + at);
     return mesh;
 }
 

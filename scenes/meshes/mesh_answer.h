@@ -16,16 +16,17 @@ inline constexpr int mesh_answer_descriptor = 3;
 
 using MeshGreeting = std::array<char, 16>;
 inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's', 'h',
-                                               ' ', '1', 0,   0,   0,   0,   0,   0};
+                                               ' ', '2', 0,   0,   0,   0,   0,   0};
 
-/// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory, or
-/// a sentence.
+/// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory,
+/// and the names of its side files, each with a zero behind it; or a sentence.
 struct MeshAnswer {
     enum Kind : std::uint64_t { mesh, refusal, unconfined, failure };
     std::uint64_t kind = failure;
     std::uint64_t first = 0;   ///< how many vertices, or characters
     std::uint64_t second = 0;  ///< how many triangles
+    std::uint64_t third = 0;   ///< how many characters of names
 };
-static_assert(sizeof(MeshAnswer) == 24 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+static_assert(sizeof(MeshAnswer) == 32 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
 
 }  // namespace scb::scenes

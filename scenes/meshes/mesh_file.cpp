@@ -9,6 +9,7 @@
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/ply_mesh.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {
@@ -37,6 +38,7 @@ bool is_ply(const fs::path& path) {
 Mesh load_mesh(const fs::path& path) {
     const std::string name = path.string();
     check_file(path);
+    note_input(path);
     try {
         // assimp's readers have been seen to crash on broken files.
         Mesh mesh = is_ply(path) ? ply_mesh(name) : isolated_mesh(name);

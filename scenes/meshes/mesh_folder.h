@@ -22,6 +22,9 @@ class MeshFolder : public Assimp::DefaultIOSystem {
     bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
+    /// The side files that were opened.
+    const std::set<std::string>& opened() const { return opened_; }
+
   private:
     bool allows(const char* file) const;
 

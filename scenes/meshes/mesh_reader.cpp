@@ -36,19 +36,24 @@ bool write_all(std::span<const T> values) {
 }
 
 bool write_sentence(MeshAnswer::Kind kind, const std::string& sentence) {
-    const MeshAnswer answer{kind, sentence.size(), 0};
+    const MeshAnswer answer{kind, sentence.size(), 0, 0};
     return write_all(std::span(&answer, 1)) && write_all(std::span<const char>(sentence));
 }
 
-bool write_mesh(const Mesh& mesh) {
-    const MeshAnswer answer{MeshAnswer::mesh, mesh.vertices.size(), mesh.triangles.size()};
+bool write_mesh(const AssimpMesh& read) {
+    const Mesh& mesh = read.mesh;
+    std::string names;
+    for (const std::string& name : read.side_files) names.append(name).push_back('\0');
+    const MeshAnswer answer{MeshAnswer::mesh, mesh.vertices.size(), mesh.triangles.size(),
+                            names.size()};
     return write_all(std::span(&answer, 1)) && write_all(std::span<const Vec3>(mesh.vertices)) &&
-           write_all(std::span<const Triangle>(mesh.triangles));
+           write_all(std::span<const Triangle>(mesh.triangles)) &&
+           write_all(std::span<const char>(names));
 }
 
 /// After the checks that assimp's readers of these formats lack. They go by content as well as by
 /// name, as assimp does.
-Mesh checked_mesh(const std::string& path) {
+AssimpMesh checked_mesh(const std::string& path) {
     allow_for(std::filesystem::file_size(path));
     const std::string start = file_bytes(path, 16);
     std::string extension = std::filesystem::path(path).extension().string();
@@ -64,7 +69,7 @@ Mesh checked_mesh(const std::string& path) {
 /// Whether the answer was written.
 bool answer_for(const std::string& path) {
     try {
-        const Mesh mesh = checked_mesh(path);
+        const AssimpMesh mesh = checked_mesh(path);
         // Now it waits for who started it, who may be stopped.
         ::alarm(0);
         return write_mesh(mesh);

@@ -7,6 +7,7 @@
 
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {
@@ -88,6 +89,7 @@ CameraView parse_camera(std::string_view text) {
     if (text.empty() || (text.find('.') == text.npos && text.find('/') == text.npos))
         throw InputError("--camera " + file + ": this is not a camera; " +
                          std::string(option_help));
+    note_input(file);
     return parse_camera_json(read_text_file(file), file);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::scenes {
@@ -211,6 +212,7 @@ std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::s
 }
 
 std::vector<AnyRawPair> read_raw_pairs(const std::string& file) {
+    note_input(file);
     return parse_raw_pairs(read_text_file(file, std::size_t{512} << 20), file);
 }
 

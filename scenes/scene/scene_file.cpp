@@ -7,6 +7,7 @@
 #include "scb/error.h"
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/model_json.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {
@@ -155,6 +156,7 @@ Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::
     if (folder.empty()) folder = ".";
     Scene scene = parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
     scene.file = path;
+    note_input(path);
     return scene;
 }
 

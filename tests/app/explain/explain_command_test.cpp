@@ -304,7 +304,7 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
         {"spheres-l1 --pairs " + file, "leave out one of them"},
         {"--pairs " + file + " --frame 3", "--frames: it is of scenes"},
         {"--pairs " + file + " --volume obb", "--volume: it is of scenes"},
-        {"--pairs " + index_file + " -o " + folder.path.string(), "its index.json is the file"},
+        {"--pairs " + index_file + " -o " + folder.path.string(), "index.json, which this command reads"},
         {"--pairs none.json", "none.json: there is no such file"},
         {"--pairs " + many_file + " -o " + (folder / "new"), "at most 1000 are drawn"},
         {"cone.off --pair 0,0", "there is no such file"},

@@ -158,7 +158,7 @@ TEST_F(RenderQueries, DoNotReplaceWhatTheyRead) {
     for (const char* command : {"pairs ", "rejections ", "traversal "}) {
         const ProgramRun run = run_scb("render " + std::string(command) + input + " -o " + out);
         EXPECT_EQ(run.status, 2) << command;
-        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("which this command reads"), std::string::npos) << run.err;
         EXPECT_EQ(file_text(input), before) << command;
     }
 }

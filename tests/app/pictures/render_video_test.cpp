@@ -167,7 +167,7 @@ TEST_F(RenderVideoWithout, ReasonIsRefusedBeforeAnyWork) {
         refused(command + " spheres-l1 --fps 25", 2, "give --video FILE.mp4 too", with);
     }
     write_text(file, "OFF\n");
-    refused("pairs " + file + " --video " + file, 2, "the scene is read from this file", with);
+    refused("pairs " + file + " --video " + file, 2, file, with);
     refused("pairs spheres-l1 --frames 999 --video " + out + "/v.mp4", 2, "frames 0 to 499", with);
     EXPECT_EQ(run_scb("render levels spheres-l1 --video " + file).status, 2);
     EXPECT_FALSE(std::filesystem::exists(out));

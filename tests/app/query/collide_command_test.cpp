@@ -208,7 +208,7 @@ TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
           "trace " + scene + " -o ", "export " + scene + " --level 0 -o "}) {
         const ProgramRun run = run_scb(arguments + mesh);
         EXPECT_EQ(run.status, 2) << arguments;
-        EXPECT_NE(run.err.find("the scene is read from this file"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("which this command reads"), std::string::npos) << run.err;
         EXPECT_EQ(file_text(mesh), bytes);
     }
 }

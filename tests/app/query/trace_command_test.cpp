@@ -198,7 +198,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace spheres-l1 --threshold 0x1p-1 --test corrected" + out, "--threshold: '0x1p-1'"},
         {"trace " + (folder / "one.off") + " " + (folder / "one.off") + " -o " +
              (folder / "one.off"),
-         "the scene is read from this file"},
+         "which this command reads"},
         {"collide " + corrected, "this is a trace"},
         {"trace spheres-l1", "-o FILE"},
         {"trace spheres-l1 --events" + out, "--events"},

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scb::scenes {
+
+/// Notes the files that load_scene would read for these names, see note_input: scene files and the
+/// meshes that they name, mesh files and traces. For a program that has others load them. What
+/// cannot be read, whoever loads it says.
+void note_scene_inputs(const std::vector<std::string>& names,
+                       const std::filesystem::path& models_dir);
+
+}  // namespace scb::scenes

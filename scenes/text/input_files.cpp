@@ -1,0 +1,54 @@
+#include "scenes/text/input_files.h"
+
+#include <sys/stat.h>
+
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "scb/error.h"
+
+namespace scb::scenes {
+namespace {
+
+/// A file whatever it is called.
+using Identity = std::pair<dev_t, ino_t>;
+
+std::optional<Identity> identity_of(const std::filesystem::path& file) {
+    struct stat status {};
+    if (file.empty() || ::stat(file.c_str(), &status) != 0) return std::nullopt;
+    return Identity(status.st_dev, status.st_ino);
+}
+
+struct InputFiles {
+    std::mutex mutex;
+    std::set<Identity> noted;
+};
+
+InputFiles& input_files() {
+    static InputFiles files;
+    return files;
+}
+
+}  // namespace
+
+void note_input(const std::filesystem::path& file) {
+    const auto identity = identity_of(file);
+    if (!identity) return;
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    files.noted.insert(*identity);
+}
+
+void refuse_input(const std::filesystem::path& output, const std::string& option) {
+    const auto identity = identity_of(output);
+    if (!identity) return;
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    if (files.noted.contains(*identity))
+        throw InputError(option + " would replace " + output.string() +
+                         ", which this command reads; name another place.");
+}
+
+}  // namespace scb::scenes
