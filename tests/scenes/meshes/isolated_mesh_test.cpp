@@ -53,7 +53,7 @@ TEST(IsolatedMesh, PassesRefusalsOn) {
 }
 
 /// A reader's script that greets; and one that writes a number of 64 bits, least byte first.
-const std::string greet = "printf 'scb mesh 1\\0\\0\\0\\0\\0\\0' >&3; ";
+const std::string greet = "printf 'scb mesh 2\\0\\0\\0\\0\\0\\0' >&3; ";
 std::string number(const std::string& low_byte) {
     return "printf '\\" + low_byte + "\\0\\0\\0\\0\\0\\0\\0' >&3; ";
 }
@@ -62,14 +62,17 @@ std::string text(const std::string& words) { return "printf '" + words + "' >&3;
 
 TEST(IsolatedMesh, TakesWhatTheReaderSaysForWhatItIs) {
     const std::string nine = number("11");
-    EXPECT_EQ(refused_by_reader(greet + number("1") + nine + number("0") + text("not this.")),
+    EXPECT_EQ(refused_by_reader(greet + number("1") + nine + number("0") + number("0") +
+                                text("not this.")),
               "not this.");
-    const std::string failed = greet + number("3") + nine + number("0") + text("too soon.");
+    const std::string failed =
+        greet + number("3") + nine + number("0") + number("0") + text("too soon.");
     expect_in("cannot be read (too soon.)", refused_by(failed));
 }
 
 TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
-    const FakeReader fake(greet + number("2") + number("11") + number("0") + text("no filter"));
+    const FakeReader fake(greet + number("2") + number("11") + number("0") + number("0") +
+                          text("no filter"));
     const std::string file = fake.folder.write("good.obj", triangle_obj);
     try {
         load_mesh(file);
@@ -80,13 +83,17 @@ TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
 }
 
 TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
-    const std::string whole = greet + number("1") + number("11") + number("0") + text("not this.");
+    const std::string whole =
+        greet + number("1") + number("11") + number("0") + number("0") + text("not this.");
     for (const std::string& script :
          {greet + "kill -SEGV $$", greet + "kill -ABRT $$", greet, greet + number("0"),
-          greet + number("1") + number("11") + number("0") + text("short"),
-          greet + number("0") + huge + number("0"), greet + number("0") + number("3") + huge,
-          greet + number("7") + number("0") + number("0"), greet + huge + number("0") + number("0"),
-          whole + "kill -SEGV $$", whole + "exit 1", whole + text("and more")})
+          greet + number("1") + number("11") + number("0") + number("0") + text("short"),
+          greet + number("0") + huge + number("0") + number("0"),
+          greet + number("0") + number("3") + huge + number("0"),
+          greet + number("0") + number("0") + number("0") + huge,
+          greet + number("7") + number("0") + number("0") + number("0"),
+          greet + huge + number("0") + number("0") + number("0"), whole + "kill -SEGV $$",
+          whole + "exit 1", whole + text("and more")})
         expect_in("its reader crashed", refused_by(script));
     expect_in("its reader was killed", refused_by(greet + "kill -KILL $$"));
     for (const char* signal : {"ALRM", "XCPU"})
