@@ -117,8 +117,10 @@ Image read_png(const std::filesystem::path& path) {
         stbi_load_from_file(file.get(), &image.width, &image.height, &channels, 4),
         stbi_image_free);
     if (!pixels) {
-        // The decoder takes what is behind the end for a chunk without a name.
-        const std::string reason = stbi_failure_reason();
+        // The decoder has no words for some damage, and takes what is behind the end for a chunk
+        // without a name.
+        const char* const words = stbi_failure_reason();
+        const std::string reason = words == nullptr ? "it is damaged" : words;
         throw InputError("\"" + path.string() + "\" is not a " +
                          (reason.empty() || reason[0] == ' ' ? "whole PNG file: it ends too early."
                                                              : "PNG file: " + reason + "."));
