@@ -11,10 +11,12 @@ float float_above(double value);
 struct RoundedCenter {
     Vec3 c;  ///< in the frame of the SCB that is rounded
     Vec3 n;
+    Vec3
+        origin;  ///< in that frame: what the center is stored relative to, and points are seen from
 };
 
-/// Radius, middle and half thickness that an SCB needs about another center and normal. Exact up to
-/// a relative 2^-40, by which it is larger.
+/// Radius, middle and half thickness that an SCB needs about another center and normal. Larger than
+/// that by a relative 2^-40, and by what doubles round where the origin is subtracted from points.
 struct GrownScb {
     double r, m, h;
 };

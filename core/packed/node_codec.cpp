@@ -63,7 +63,7 @@ void QuantizedCodec<width>::encode(std::span<const Scb> volumes, const Vec3& ori
     double thickest = 0;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         const Scb& scb = volumes[i];
-        RoundedCenter rounded;
+        RoundedCenter rounded{{}, {}, origin};
         for (int k = 0; k < 3; ++k) {
             c[k][i] = to_int16((scb.c[k] - origin[k]) / length);
             n[k][i] = to_int16(scb.n[k] * normal_shortening / static_cast<double>(normal_unit));

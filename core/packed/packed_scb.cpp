@@ -22,18 +22,22 @@ float float_above(double value) {
 
 GrownScb grown_about(const Scb& scb, const RoundedCenter& rounded) {
     const Vec3 shift = scb.c - rounded.c;
-    const double reach = (scb.r + std::sqrt(squared_norm(shift))) * (1 + slack);
+    // Of points that are seen from the origin, and of the two sums of `shift`: half a unit in the
+    // last place of each coordinate, whatever the radius, which may be 0.
+    const double blur =
+        0x1p-51 * (rounded.origin.cwiseAbs().maxCoeff() + scb.c.cwiseAbs().maxCoeff());
+    const double reach = (scb.r + std::sqrt(squared_norm(shift)) + blur) * (1 + slack);
     // n'.(x - c') = n.(x - c) + n.(c - c') + (n' - n).(x - c')
     const double turned = std::sqrt(squared_norm(rounded.n - scb.n)) * reach;
     return {reach, (scb.e + scb.f) / 2 + dot(scb.n, shift),
-            (scb.e - scb.f) / 2 + turned + slack * reach};
+            (scb.e - scb.f) / 2 + turned + blur + slack * reach};
 }
 
 double half_thickness(const GrownScb& grown, double m) { return grown.h + std::abs(grown.m - m); }
 
 PackedScb packed(const Scb& scb, const Vec3& origin) {
     PackedScb result;
-    RoundedCenter rounded;
+    RoundedCenter rounded{{}, {}, origin};
     for (int i = 0; i < 3; ++i) {
         result.c[i] = static_cast<float>(scb.c[i] - origin[i]);
         result.n[i] = static_cast<float>(scb.n[i]);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/random.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/packed/packed_variants.h"
 
@@ -37,6 +40,40 @@ TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
                     EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf, corners), mesh), "")
                         << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
         });
+    }
+}
+
+// Volumes without a radius, which roundings of their coordinates may not leave.
+TEST(PackedHierarchy, HoldsTrianglesThatArePoints) {
+    const auto expect_valid = [](const Mesh& mesh) {
+        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+            for (const int leaf : {1, 4})
+                EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf), mesh), "")
+                    << name << ", " << leaf;
+        });
+    };
+    expect_valid({{{0, 6.125e-06, 1.125e-06},
+                   {-3.333333333333333e-07, 2e-07, 1e-14},
+                   {-3.9375e-06, 1.75e-06, 3e-07}},
+                  {{0, 1, 2}, {1, 1, 1}}});
+    expect_valid({{{0, 6.125, 1.125}, {-1.0 / 3, 0.2, 1e-8}, {-3.9375, 1.75, 0.3}},
+                  {{0, 1, 2}, {1, 1, 1}, {0, 2, 0}, {2, 2, 2}, {0, 0, 0}}});
+    Random random(17);
+    for (int i = 0; i < 500; ++i) {
+        const double size = std::pow(10.0, random.uniform(-6, 7));
+        Mesh mesh;
+        for (std::uint32_t v = 0; v < 4; ++v) {
+            Vec3 point;
+            for (int axis = 0; axis < 3; ++axis)
+                point[axis] = size * std::pow(10.0, random.uniform(-9, 0)) *
+                              (random.next() % 2 == 0 ? 1 : -1);
+            if (v == 0) point = {size, -size, size};
+            mesh.vertices.push_back(point);
+            mesh.triangles.push_back({v, v, v});
+        }
+        mesh.triangles.push_back({0, 1, 2});
+        expect_valid(mesh);
     }
 }
 
