@@ -1,6 +1,8 @@
 #include "golden/run/check_cases.h"
 
+#include <exception>
 #include <optional>
+#include <string>
 
 #include "golden/run/failure_lines.h"
 #include "golden/run/for_each_in_threads.h"
@@ -31,6 +33,23 @@ struct CheckedCase {
     bool lacked_gl = false;
 };
 
+/// What went wrong with one case is no reason to leave the others unchecked; but where nothing can
+/// be written, nothing can be told of them either.
+CaseResult compared(const GoldenCase& golden, const ComparisonFolders& folders) {
+    try {
+        return compare_case(golden, folders);
+    } catch (const render::OutputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        CaseResult result;
+        result.name = golden.name;
+        result.verdict = Verdict::could_not_run;
+        result.message =
+            "The comparison with the baseline failed: " + std::string(error.what()) + ".";
+        return result;
+    }
+}
+
 /// Nothing where it was stopped.
 std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenCheck& check) {
     const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
@@ -38,7 +57,7 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     CheckedCase checked{{}, run.lacked_gl};
     CaseResult& result = checked.result;
     if (run.ran) {
-        result = compare_case(golden, check.folders);
+        result = compared(golden, check.folders);
     } else {
         result.name = golden.name;
         result.verdict = run.skipped ? Verdict::skipped : Verdict::could_not_run;
