@@ -9,15 +9,15 @@
 namespace scb {
 namespace {
 
-constexpr int most = 8;
+constexpr int widest = 8;
 
 // The least cost of representing a binary subtree by at most i + 1 wide subtrees.
-using Costs = std::array<float, most>;
+using Costs = std::array<float, widest>;
 
 // How: by one leaf, by one node with children, by dividing the places among the children of the
 // binary node, or as with one place fewer.
 constexpr std::uint8_t by_leaf = 200, by_node = 201, by_fewer = 202;
-using Choices = std::array<std::uint8_t, most>;
+using Choices = std::array<std::uint8_t, widest>;
 
 class Collapse {
   public:
@@ -140,7 +140,7 @@ class Collapse {
 
 WideTopology collapse(const Topology& topology, const std::vector<double>& cost, int width,
                       int leaf_triangles, int threads) {
-    assert(width >= 2 && width <= most && leaf_triangles >= 1 && "see collapse");
+    assert(width >= 2 && width <= widest && leaf_triangles >= 1 && "see collapse");
     assert(cost.size() == topology.nodes.size() && "a cost for each node");
     return Collapse(topology, cost, width, leaf_triangles).run(threads);
 }

@@ -14,7 +14,7 @@ namespace scb::render {
 
 namespace {
 
-struct Corner {
+struct SegmentCorner {
     std::array<float, 3> position;
     Rgba8 color;
     std::uint32_t id;
@@ -33,7 +33,7 @@ ScreenPoint to_screen(const Vec3& eye, const EyeView& view) {
     return {eye[0] / divisor, eye[1] / divisor, depth};
 }
 
-void append(std::vector<Corner>& corners, const Segment& segment, const EyeView& view) {
+void append(std::vector<SegmentCorner>& corners, const Segment& segment, const EyeView& view) {
     Vec3 a = to_eye_units(view, segment.from), b = to_eye_units(view, segment.to);
     if (a[2] > b[2]) std::swap(a, b);  // a is the farther end
     const double limit = -view.near_plane;
@@ -69,22 +69,22 @@ SegmentPainter::SegmentPainter(const Gl& gl)
       buffer_(gl) {
     gl_.BindVertexArray(attributes_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                            buffer_offset(offsetof(Corner, position)));
-    gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner),
-                            buffer_offset(offsetof(Corner, color)));
-    gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Corner),
-                             buffer_offset(offsetof(Corner, id)));
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SegmentCorner),
+                            buffer_offset(offsetof(SegmentCorner, position)));
+    gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SegmentCorner),
+                            buffer_offset(offsetof(SegmentCorner, color)));
+    gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(SegmentCorner),
+                             buffer_offset(offsetof(SegmentCorner, id)));
     for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
 }
 
 void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& view, bool on_top) {
-    std::vector<Corner> corners;
+    std::vector<SegmentCorner> corners;
     for (const Segment& segment : segments)
         if (segment.on_top == on_top) append(corners, segment, view);
     if (corners.empty()) return;
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(SegmentCorner)),
                    corners.data(), GL_STREAM_DRAW);
     program_.use();
     set_eye_uniforms(program_, view);

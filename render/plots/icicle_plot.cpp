@@ -13,7 +13,7 @@ namespace {
 // Rectangles at least so wide end with a thin line, and rows at least so high with one of
 // background. Across a row background means that there are no tests.
 constexpr int least_parted_width = 5, least_parted_height = 5;
-constexpr int least_text = 10;
+constexpr int least_icicle_text = 10;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& eve
         overlay.rectangle(box, divided ? divided_color(theme) : groups[run.group].color);
         if (box.width >= least_parted_width && run.test != IcicleRun::several)
             overlay.rectangle({--box.width + box.x, box.y, 1, box.height}, theme.border);
-        if (!divided || run.test == IcicleRun::several || text < least_text) continue;
+        if (!divided || run.test == IcicleRun::several || text < least_icicle_text) continue;
         const TextStyle number{text, FontWeight::regular, theme.text, Align::center};
         const std::string count = count_text(sizes[run.test]);
         if (overlay.measure(count, number).width + unit / 2 <= box.width)
