@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "app/cli/commands.h"
 #include "app/cli/version.h"
@@ -176,6 +177,11 @@ int run(int argc, char** argv) {
         return exit_environment;
     } catch (const std::filesystem::filesystem_error& error) {
         console.error(std::string(error.what()) + ".");
+        return exit_environment;
+    } catch (const std::system_error& error) {
+        console.error(std::string("a thread cannot be started or a system call failed (") +
+                      error.what() +
+                      "); check the limits of processes and memory (ulimit -u, -v).");
         return exit_environment;
     } catch (const std::bad_alloc&) {
         console.error(

@@ -50,6 +50,7 @@ int run(const CheckOptions& options, const Console& console) {
     check.cases = cases_of(options, suite);
     options.files.check(options.suite, options.baselines_folder());
     check.settings = options.settings();
+    check.settings.work = &work;
     check.folders = {options.baselines_folder(), work.candidates(), work.report()};
     check.jobs = options.job_count();
     check.traces = options.trace;

@@ -137,6 +137,7 @@ int run(const GoldenOptions& options, const Console& console) {
     Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
     const auto results = [&](const golden::RunMutation& mutation) {
         const golden::GoldenWork work;
+        check.settings.work = &work;
         check.folders = {options.baselines_folder(), work.candidates(), ""};
         check.settings.mutation = mutation;
         return golden::check_cases(check,

@@ -91,6 +91,7 @@ int run(const UpdateOptions& options, const Console& console) {
     golden::GoldenCheck check;
     check.cases = options.chosen(suite);
     check.settings = options.settings();
+    check.settings.work = &work;
     check.folders = {options.baselines_folder(), work.candidates(), ""};
     check.jobs = options.job_count();
     const golden::BaselineLock lock(check.folders.baselines);

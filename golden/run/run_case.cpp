@@ -32,8 +32,11 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     words.insert(words.end(), command.begin(), command.end());
     const render::UnnamedFile unused;
     render::ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
+    const pid_t group = child.id();
+    if (settings.work != nullptr) settings.work->has_started(group);
     ChildEnd result;
     result.end = child.wait(settings.patience, settings.stopped);
+    if (settings.work != nullptr) settings.work->has_ended(group);
     result.stopped = !result.end && settings.stopped();
     result.printed = child.printed();
     result.last_line = child.last_line();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/run/work_folder.h"
 #include "golden/suite/case_command.h"
 #include "golden/suite/suite.h"
 
@@ -26,6 +27,7 @@ struct GoldenRunSettings {
     std::string gl;                     ///< --gl
     RunMutation mutation{};             ///< of the runs
     std::chrono::seconds patience{300};
+    const GoldenWork* work = nullptr;  ///< is told of the processes that run, if there is one
     /// Asked while a case runs; where it says true, that is ended.
     std::function<bool()> stopped = [] { return false; };
 };

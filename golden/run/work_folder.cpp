@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <string>
 
 #include "render/files/output_file.h"
@@ -17,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits until the other end of the pipe is closed, then removes the folder.
+/// Hears of process groups until the other end of the pipe is closed; then ends those that are
+/// left, and removes the folder.
 [[noreturn]] void remove_at_end(int pipe, const fs::path& folder) {
     // What ends the program, its terminal or its group of processes must be outlived.
     ::setsid();
@@ -25,8 +27,17 @@ namespace fs = std::filesystem;
     // Whoever reads what the program prints waits until nobody can print any more.
     ::dup2(pipe, STDIN_FILENO);
     ::closefrom(STDIN_FILENO + 1);
-    char none = 0;
-    while (::read(STDIN_FILENO, &none, 1) < 0 && errno == EINTR) continue;
+    std::set<pid_t> groups;
+    pid_t told = 0;
+    ssize_t got = 0;
+    while ((got = ::read(STDIN_FILENO, &told, sizeof told)) > 0 || (got < 0 && errno == EINTR)) {
+        if (got != sizeof told) continue;
+        if (told > 0)
+            groups.insert(told);
+        else
+            groups.erase(-told);
+    }
+    for (const pid_t group : groups) ::kill(-group, SIGKILL);
     std::error_code ignored;
     fs::remove_all(folder, ignored);
     ::_exit(0);
@@ -56,6 +67,12 @@ GoldenWork::~GoldenWork() {
     if (remover_ < 0) return;
     ::close(lifeline_);
     while (::waitpid(remover_, nullptr, 0) < 0 && errno == EINTR) continue;
+}
+
+void GoldenWork::tell(pid_t group) const {
+    // So few bytes are written whole. Without a remover nobody hears them.
+    if (remover_ >= 0)
+        while (::write(lifeline_, &group, sizeof group) < 0 && errno == EINTR) continue;
 }
 
 // A handler of signals must not remove a folder, and of SIGKILL there is none.

@@ -1,10 +1,10 @@
 #include "golden/suite/files_equal.h"
 
-#include <array>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 namespace scb::golden {
 namespace {
@@ -25,7 +25,8 @@ bool files_equal(const std::filesystem::path& a, const std::filesystem::path& b)
     if (no_size_a || no_size_b || size_a != size_b) return false;
     const File file_a = open_file(a), file_b = open_file(b);
     if (!file_a || !file_b) return false;
-    std::array<char, 1 << 16> block_a, block_b;
+    constexpr std::size_t block = std::size_t{1} << 16;  // stacks may be smaller
+    std::vector<char> block_a(block), block_b(block);
     for (;;) {
         const std::size_t read_a = std::fread(block_a.data(), 1, block_a.size(), file_a.get()),
                           read_b = std::fread(block_b.data(), 1, block_b.size(), file_b.get());

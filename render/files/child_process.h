@@ -59,6 +59,9 @@ class ChildProcess {
     std::optional<ProcessEnd> wait(std::chrono::milliseconds most,
                                    const std::function<bool()>& stopped = {});
 
+    /// Its process, which is its process group too; -1 once it was waited for.
+    pid_t id() const { return id_; }
+
     /// All of its standard output so far.
     std::string printed() const;
 

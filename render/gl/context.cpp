@@ -1,7 +1,11 @@
 #include "render/gl/context.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <thread>
 
+#include "render/gl/address_space.h"
 #include "render/gl/context_platform.h"
 
 namespace scb::render {
@@ -70,6 +74,10 @@ bool is_compiled_in(GlBackend backend) {
 
 Context::Context(GlBackend backend) {
     pin_environment(backend);
+    // What Mesa takes for itself, its compiler and its threads (measured with 22.3.6).
+    constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
+    require_address_space(400 * mebi +
+                          72 * mebi * std::max(1u, std::thread::hardware_concurrency()));
     platform_ = backend == GlBackend::osmesa ? make_osmesa_platform() : make_egl_platform();
     platform_->make_current();
 #define SCB_GL_LOAD(TYPE, NAME)                                                      \

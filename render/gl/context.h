@@ -54,9 +54,8 @@ struct GlInfo {
 ///   and OSMesa crashes on a name it does not know;
 /// - `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (where unset), so that pixels do not depend on
 ///   whether the CPU has fused multiply-add;
-/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each where unset): what goes
-/// wrong
-///   is said by the exception, not by warnings on the standard error stream.
+/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each where unset): the exception
+///   says what goes wrong, not warnings on the standard error stream.
 class Context {
   public:
     /// Throws GlError where the back end is not compiled in, or gives no such context.

@@ -1,7 +1,9 @@
 #include "render/gl/render_target.h"
 
+#include <cstdint>
 #include <string>
 
+#include "render/gl/address_space.h"
 #include "render/gl/context.h"
 
 namespace scb::render {
@@ -22,6 +24,10 @@ void attach(const Gl& gl, GLuint texture, GLenum attachment, GLint internal, GLe
 
 RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
     : width_(width), height_(height), colors_(gl), ids_(gl), depth_(gl), framebuffer_(gl) {
+    // Twelve for what is drawn into, as many for what is read back and encoded.
+    constexpr std::uint64_t bytes_per_pixel = 24;
+    require_address_space(bytes_per_pixel * static_cast<std::uint64_t>(width) *
+                          static_cast<std::uint64_t>(height));
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     attach(gl, colors_.name(), GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width,
            height);

@@ -87,9 +87,11 @@ TEST_F(GoldenCommandInterrupt, LeavesNoTemporaryFolderHoweverItEnds) {
     // Its output is closed before it prints.
     run_scb("golden check --suite " + suite + " | true", environment);
     EXPECT_TRUE(soon_empty());
-    write_runner("sleep 20");  // nobody ends it once that is killed
-    golden("check --runner " + runner, environment + "timeout -s KILL 2");
+    // Nobody but who removes the folder can end these once that is killed.
+    const ProgramRun run = stopped_by(SIGKILL, "check --jobs 2");
+    EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
     EXPECT_TRUE(soon_empty());
+    expect_nothing_is_left("killed");
     run_scb("golden selftest collide --suite " + suite, environment);
     EXPECT_TRUE(soon_empty());
 }
