@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -21,6 +23,9 @@
 
 namespace scb::app {
 namespace {
+
+constexpr const char* out_of_memory =
+    "out of memory; use a smaller mesh or picture, fewer levels, or --max-pairs.";
 
 // The command that was named last, and what stands before it.
 struct Named {
@@ -184,13 +189,25 @@ int run(int argc, char** argv) {
                       "); check the limits of processes and memory (ulimit -u, -v).");
         return exit_environment;
     } catch (const std::bad_alloc&) {
-        console.error(
-            "out of memory; use a smaller mesh or picture, fewer levels, or --max-pairs.");
+        console.error(out_of_memory);
         return exit_environment;
     } catch (const std::exception& error) {
         console.error(std::string("unexpected: ") + error.what() + "; please report this.");
         return exit_environment;
     }
+}
+
+// Memory may run out where no exception can pass: destructors of JSON documents take some.
+[[noreturn]] void end_at_once() {
+    try {
+        if (const std::exception_ptr error = std::current_exception())
+            std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "scb: error: %s\n", out_of_memory);
+        ::_exit(exit_environment);
+    } catch (...) {
+    }
+    std::abort();
 }
 
 // A file that is opened must not become the standard output of a program that was started without
@@ -204,6 +221,7 @@ void hold_standard_descriptors() {
 }  // namespace scb::app
 
 int main(int argc, char** argv) {
+    std::set_terminate(scb::app::end_at_once);
     scb::app::hold_standard_descriptors();
     // A file that may not grow is reported as an error of the write. A closed pipe ends the program
     // silently, as it does others.

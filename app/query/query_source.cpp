@@ -53,6 +53,23 @@ std::string mesh_words(const TraceBody& then, const MeshFingerprint& now,
            " has another of " + text_of(now);
 }
 
+/// Why the scene of a trace cannot be opened, without what its files hold: a trace may come from
+/// anybody and name any file.
+std::string plain_reason(const InputError& error, const SceneOptions& scene) {
+    std::string there;
+    for (const std::string& name : scene.names) {
+        std::error_code ignored;
+        std::filesystem::path file = name;
+        if (!std::filesystem::exists(file, ignored))
+            file = std::filesystem::path(scene.models_dir) / name;
+        // What is said of a missing file, or of a built-in scene, is nothing that a file holds.
+        if (!std::filesystem::exists(file, ignored)) return error.what();
+        if (there.empty()) there = file.string();
+    }
+    return there + " is not, or no longer, the scene or mesh that it was; `scb stats " + there +
+           "` says why.";
+}
+
 }  // namespace
 
 QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -91,8 +108,8 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     try {
         query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
     } catch (const InputError& error) {
-        throw InputError(
-            path + ": the query that it recorded cannot be opened from here: " + error.what());
+        throw InputError(path + ": the query that it recorded cannot be opened from here: " +
+                         plain_reason(error, recorded.scene));
     }
     for (std::size_t side = 0; side < 2; ++side) {
         const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -82,12 +83,13 @@ constexpr mode_t mode = 0666;
 /// Writes into a file without a name, and gives it one only once it is whole. False where the file
 /// system has no such files; else `error` is 0 or the errno of what went wrong.
 bool write_unnamed(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
-                   std::string& name, int& error) {
+                   std::optional<mode_t> kept, std::string& name, int& error) {
 #ifdef O_TMPFILE
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
     if (file < 0) return false;
     error = write_all(file, bytes);
+    if (error == 0 && kept && ::fchmod(file, *kept) != 0) error = errno;
     if (error == 0) error = synchronized(file);
     const std::string self = "/proc/self/fd/" + std::to_string(file);
     bool named = true;
@@ -98,15 +100,15 @@ bool write_unnamed(const std::filesystem::path& path, std::span<const std::uint8
     if (::close(file) != 0 && error == 0) error = errno;
     return named;
 #else
-    static_cast<void>(path), static_cast<void>(bytes), static_cast<void>(name),
-        static_cast<void>(error);
+    static_cast<void>(path), static_cast<void>(bytes), static_cast<void>(kept),
+        static_cast<void>(name), static_cast<void>(error);
     return false;
 #endif
 }
 
 /// The same into a file that has a name from the start.
 int write_named(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
-                std::string& name) {
+                std::optional<mode_t> kept, std::string& name) {
     const int file = take_name_beside(path, name, [](const char* beside) {
         return ::open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     });
@@ -115,6 +117,7 @@ int write_named(const std::filesystem::path& path, std::span<const std::uint8_t>
         return errno;
     }
     int error = write_all(file, bytes);
+    if (error == 0 && kept && ::fchmod(file, *kept) != 0) error = errno;
     if (error == 0) error = synchronized(file);
     if (::close(file) != 0 && error == 0) error = errno;
     return error;
@@ -156,10 +159,13 @@ void write_file_whole(const std::filesystem::path& given, std::span<const std::u
                    standard_stream(existing) >= 0)) {
         error = write_in_place(path, existing, bytes);
     } else {
+        // Who could not read the file before cannot read it now.
+        std::optional<mode_t> kept;
+        if (exists) kept = existing.st_mode & 0777;
         std::string name;  // empty where there is no such file
-        if (!write_unnamed(path, bytes, name, error)) {
+        if (!write_unnamed(path, bytes, kept, name, error)) {
             name.clear();
-            error = write_named(path, bytes, name);
+            error = write_named(path, bytes, kept, name);
         }
         if (error == 0 && ::rename(name.c_str(), path.c_str()) != 0) error = errno;
         if (error != 0 && !name.empty()) ::unlink(name.c_str());

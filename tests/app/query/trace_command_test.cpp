@@ -238,6 +238,38 @@ TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
                            (folder / "b.off") + ": there is no such file; check the path.\n");
 }
 
+// Whoever made a trace may have named a file of somebody else.
+TEST_F(TraceCommand, TellsNothingOfWhatUnrelatedFilesHold) {
+    const std::string scene = folder / "scene.json", mesh = folder / "mesh.ply";
+    write_text(scene, R"({"scb_scene": 1, "name": "s", "frames": 1,
+        "models": [{"name": "m", "box": {}}], "bodies": [{"name": "A", "model": "m"},
+        {"name": "B", "model": "m", "position": [0.5, 0, 0]}]})");
+    write_text(mesh,
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const std::string of_scene_trace = folder / "s.scbtrace", of_mesh_trace = folder / "m.scbtrace";
+    ASSERT_EQ(run_scb("trace " + scene + " -o " + of_scene_trace).status, 0);
+    ASSERT_EQ(run_scb("trace " + mesh + " " + mesh + " -o " + of_mesh_trace).status, 0);
+    const auto tells_nothing = [](const std::string& trace, const std::string& what) {
+        const ProgramRun run = run_scb("inspect " + trace);
+        EXPECT_EQ(run.status, 2) << what << run.err;
+        EXPECT_EQ(run.err.find("secret"), std::string::npos) << what << run.err;
+        EXPECT_NE(run.err.find("` says why."), std::string::npos) << what << run.err;
+    };
+    for (const char* text : {"secret", "\"secret", R"({"secret": 1})", R"({"scb_scene": "secret"})",
+                             R"({"scb_scene": 1, "name": "x", "models": [{"name": "m", "box": {}}],
+              "bodies": [{"name": "secret", "model": "m"}, {"name": "B", "model": "m"}]})"}) {
+        write_text(scene, text);
+        tells_nothing(of_scene_trace, text);
+    }
+    for (const char* text : {"secret\n", "ply\nsecret 1 2\n", "ply\nformat secret 1.0\n",
+                             "ply\nformat ascii 1.0\nelement vertex 3\nproperty secret x\n"}) {
+        write_text(mesh, text);
+        tells_nothing(of_mesh_trace, text);
+    }
+}
+
 TEST_F(TraceCommand, WhatCannotBeWrittenIsStatus3AndLeavesNothing) {
     const ProgramRun nowhere = run_scb("trace spheres-l1 --frames 0 -o /proc/none/t");
     EXPECT_EQ(nowhere.status, 3) << nowhere.err;

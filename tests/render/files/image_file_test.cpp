@@ -157,11 +157,14 @@ TEST_F(ImageFile, AFullDiskIsReported) {
     EXPECT_TRUE(fs::exists("/dev/full"));
 }
 
-TEST_F(ImageFile, AFileHasThePermissionsOfAnyNewFile) {
+TEST_F(ImageFile, AFileHasThePermissionsOfTheOneBeforeOrOfAnyNewFile) {
     const mode_t before = ::umask(027);
     write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
     ::umask(before);
     EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0640});
+    fs::permissions(folder / "file", fs::perms{0600});
+    write_file_whole(folder / "file", "other");
+    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0600});
 }
 
 TEST_F(ImageFile, ALinkStaysAndWhatItLeadsToIsReplaced) {
