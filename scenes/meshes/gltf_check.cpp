@@ -133,13 +133,19 @@ std::optional<Indices> indices_of(Document& document, const json& accessor) {
 void check_primitive(Document& document, const json& primitive, const std::string& place) {
     constexpr int triangles = 4, triangle_fan = 6;
     const int mode = primitive.value("mode", triangles);
-    if (mode < triangles || mode > triangle_fan || !primitive.contains("indices")) return;
+    if (mode < triangles || mode > triangle_fan) return;
     if (primitive.contains("extensions") &&
         primitive.at("extensions").contains("KHR_draco_mesh_compression"))
         return;
     const json& accessors = document.root.at("accessors");
-    const std::size_t vertices =
-        natural(accessors.at(natural(primitive.at("attributes"), "POSITION")), "count");
+    const json& position = accessors.at(natural(primitive.at("attributes"), "POSITION"));
+    constexpr std::size_t is_float = 5126;
+    if (natural(position, "componentType") != is_float)
+        throw InputError(place +
+                         ": its positions are not float (KHR_mesh_quantization), which would be "
+                         "misread; export it without quantization.");
+    if (!primitive.contains("indices")) return;
+    const std::size_t vertices = natural(position, "count");
     const auto indices = indices_of(document, accessors.at(natural(primitive, "indices")));
     if (!indices) return;
     std::string_view rest = indices->bytes;

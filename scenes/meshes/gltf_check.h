@@ -6,8 +6,8 @@
 namespace scb::scenes {
 
 /// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
-/// index against the count of the primitive's POSITION accessor. assimp's reader quietly drops
-/// triangles that do not.
+/// index against the count of the primitive's POSITION accessor; and that positions are float.
+/// assimp's reader quietly drops triangles that do not, and misreads other positions.
 ///
 /// Says nothing about what this cannot look into: glTF 1, broken files, sparse or compressed
 /// indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp to read or

@@ -14,10 +14,12 @@
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
+#include "scenes/meshes/collada_check.h"
 #include "scenes/meshes/confinement.h"
 #include "scenes/meshes/gltf_check.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/off_check.h"
+#include "scenes/meshes/tds_check.h"
 #include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
@@ -63,6 +65,8 @@ AssimpMesh checked_mesh(const std::string& path) {
         check_off(file_bytes(path), path);
     if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF"))
         check_gltf(file_bytes(path), path);
+    if (extension == ".dae") check_collada(file_bytes(path), path);
+    if (extension == ".3ds") check_3ds(file_bytes(path), path);
     return assimp_mesh(path);
 }
 

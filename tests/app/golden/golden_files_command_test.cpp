@@ -44,6 +44,13 @@ TEST_F(GoldenCommandFiles, APipeIsNoFileOfABaseline) {
     EXPECT_EQ(limited("check").status, 2);
 }
 
+TEST_F(GoldenCommandFiles, NeedNoLargeStack) {
+#ifdef SCB_SANITIZED
+    GTEST_SKIP() << "a sanitizer takes more";
+#endif
+    EXPECT_EQ(golden("check", "ulimit -s 128; env -u CI").status, 0);
+}
+
 TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
     const std::string pipe = folder / "summary.md";
     put_pipe(pipe);

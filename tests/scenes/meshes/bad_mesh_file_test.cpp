@@ -82,6 +82,48 @@ TEST(BadMeshFile, WithAnIndexOutOfRangeNamesIt) {
                                                      std::string(face) + "\n"));
 }
 
+/// A triangle whose last index is another one.
+std::string dae_with(const std::string& index) {
+    return R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh><source id="p">
+<float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
+<accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 )" +
+           index + R"(</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node>
+</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
+std::string tds_with(std::uint16_t index) {
+    const auto raw16 = [](std::uint16_t value) {
+        return std::string{static_cast<char>(value & 255), static_cast<char>(value >> 8)};
+    };
+    const auto chunk = [&](std::uint16_t id, const std::string& inside) {
+        const auto size = static_cast<std::uint16_t>(inside.size() + 6);
+        return raw16(id) + raw16(size) + raw16(0) + inside;
+    };
+    std::string vertices = raw16(3);
+    for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+        vertices.append(reinterpret_cast<const char*>(&value), sizeof value);
+    const std::string faces = raw16(1) + raw16(0) + raw16(1) + raw16(index) + raw16(0);
+    const std::string mesh = chunk(0x4100, chunk(0x4120, faces) + chunk(0x4110, vertices));
+    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("m\0", 2) + mesh)));
+}
+
+TEST(BadMeshFile, WithAnIndexThatAssimpTakesForAnotherIsRefused) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(load_mesh(folder.write("good.dae", dae_with("2"))).triangles.size(), 1u);
+    expect_in("index 2 of list 0 of <p> is -1", refused_file("a.dae", dae_with("-1")));
+    refused_file("b.dae", dae_with("3"));
+    EXPECT_EQ(load_mesh(folder.write("good.3ds", tds_with(2))).triangles.size(), 1u);
+    expect_in("mesh 0, face 0 names vertex 3, but there are 3 vertices",
+              refused_file("a.3ds", tds_with(3)));
+}
+
 TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
     const std::string nan_line = "0 0 0\nnan 0 0\n0 1 0\n";
     expect_in("vertex 1 of triangle 0 has the coordinate x = nan",

@@ -56,6 +56,15 @@ TEST(MeshFile, TakesGltfMeshesInTheOrderOfTheNodes) {
     EXPECT_EQ(mesh.vertices[mesh.triangles[1][2]], Vec3(0, 0, 3));
 }
 
+TEST(MeshFile, RefusesGltfPositionsThatAreNotFloat) {
+    const TemporaryFolder folder;
+    std::string text = gltf_of_two(4);
+    const std::string type = "5126";
+    text.replace(text.find(type), type.size(), "5122");
+    expect_in("mesh 0, primitive 0: its positions are not float (KHR_mesh_quantization)",
+              refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+}
+
 TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
     const TemporaryFolder folder;
     const std::string sentence = "mesh 1, primitive 0: index 5 names vertex 3, but there are 3 ";

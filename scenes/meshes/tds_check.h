@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace scb::scenes {
+
+/// Checks that the triangles of a 3DS file name vertices that exist: assimp's reader quietly takes
+/// the last vertex for others. Says nothing about files that are broken otherwise, which are for
+/// assimp to refuse. Throws InputError that names the file, the mesh, the face and the index.
+void check_3ds(std::string_view bytes, const std::string& name);
+
+}  // namespace scb::scenes

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace scb::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files that broke something, where they are.
+const fs::path hostile = fs::path(SCB_SOURCE_DIR) / "../shared/hostile";
+
+/// Those with triangles in them; all others are refused.
+const std::map<std::string, int> triangles_of_those_read = {{"a2_vert_indices_ok.ply", 1},
+                                                            {"a3_vertex_indexes.ply", 1},
+                                                            {"c3_tristrips.ply", 2},
+                                                            {"g_face_first.ply", 1},
+                                                            {"i2_tex_many.ply", 1},
+                                                            {"i3_tex_first.ply", 1},
+                                                            {"i_tex_odd.ply", 1},
+                                                            {"j_tex_tristrip.ply", 1},
+                                                            {"k_matidx.ply", 1},
+                                                            {"l_listvertex.ply", 1},
+                                                            {"m_float_index.ply", 1},
+                                                            {"n_double_index.ply", 1},
+                                                            {"o_material.ply", 1},
+                                                            {"p_textureFile.ply", 1},
+                                                            {"r_CR.ply", 1},
+                                                            {"s_CRonly.ply", 1},
+                                                            {"t_bigface.ply", 59998},
+                                                            {"tex2.ply", 1},
+                                                            {"tristrips_restart.ply", 3},
+                                                            {"w_vertex_late.ply", 1},
+                                                            {"x_tex_4.ply", 3},
+                                                            {"mtlfifo.obj", 1},
+                                                            {"mtlself.obj", 1},
+                                                            {"mtltty.obj", 1},
+                                                            {"mtlurandom.obj", 1}};
+
+long most_kilobytes_of_children() {
+    rusage usage{};
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+    return usage.ru_maxrss;
+}
+
+TEST(HostileFiles, AreReadOrRefusedInOneSentence) {
+    if (!fs::is_directory(hostile)) GTEST_SKIP() << "../shared/hostile is not there";
+    const TemporaryFolder folder;
+    fs::copy(hostile / "mesh", folder.path / "mesh");
+    fs::copy(hostile / "ply", folder.path / "ply");
+    fs::copy(hostile / "scene", folder.path / "scene");
+    ASSERT_EQ(::mkfifo((folder / "mesh/fifo.ply").c_str(), 0600), 0);
+    std::size_t files = 0;
+    for (const char* kind : {"mesh", "ply", "scene"})
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder.path / kind)) {
+            if (!entry.is_regular_file()) continue;
+            ++files;
+            const std::string name = entry.path().filename().string();
+            const ProgramRun run = run_scb("stats --json " + entry.path().string());
+            const auto expected = triangles_of_those_read.find(name);
+            if (expected != triangles_of_those_read.end()) {
+                ASSERT_EQ(run.status, 0) << name << run.err;
+                const auto document = nlohmann::json::parse(run.out);
+                EXPECT_EQ(document["hierarchies"][0]["triangles"], expected->second) << name;
+                continue;
+            }
+            EXPECT_EQ(run.status, 2) << name << run.err;
+            EXPECT_EQ(run.out, "") << name;
+            EXPECT_EQ(lines_of(run.err), 1u) << name << run.err;
+            EXPECT_NE(run.err.find(name + ": "), std::string::npos) << name << run.err;
+        }
+    EXPECT_GT(files, 50u);
+#ifndef SCB_SANITIZED
+    EXPECT_LT(most_kilobytes_of_children(), 2'000'000);
+#endif
+}
+
+// What is left of the address space may be too little for anything.
+TEST(HostileLimits, OfMemoryEndInASentence) {
+#ifdef SCB_SANITIZED
+    GTEST_SKIP() << "a sanitizer's shadow takes more";
+#endif
+    const TemporaryFolder folder;
+    std::string pairs = "[";
+    for (int i = 0; i < 20'000; ++i)
+        pairs +=
+            std::string(i == 0 ? "" : ",") +
+            R"({"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [1, 0, 0], "radius": 1}})";
+    const std::string file = folder.write("pairs.json", pairs + "]");
+    bool drawn = false, explained = false;
+    for (int megabytes = 250; megabytes <= 4000; megabytes += megabytes < 800 ? 50 : 1600) {
+        const std::string limit = "ulimit -v " + std::to_string(1000 * megabytes) + ";";
+        for (const std::string& command :
+             {"render levels cone --levels 3 --size 320x240 -o " + (folder / "out"),
+              "explain --json --pairs " + file}) {
+            const ProgramRun run = run_scb(command, limit);
+            if (run.status == 0) {
+                (command[0] == 'r' ? drawn : explained) = true;
+                continue;
+            }
+            EXPECT_EQ(run.status, 3) << limit << command << run.err;
+            EXPECT_EQ(lines_of(run.err), 1u) << limit << command << run.err;
+            EXPECT_EQ(run.err.find("please report"), std::string::npos) << limit << run.err;
+        }
+    }
+    EXPECT_TRUE(drawn);
+    EXPECT_TRUE(explained);
+}
+
+}  // namespace
+}  // namespace scb::app
