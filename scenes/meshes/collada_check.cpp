@@ -10,7 +10,9 @@ void check_collada(std::string_view bytes, const std::string& name) {
     std::size_t list = 0;
     for (std::size_t at = bytes.find(open); at != bytes.npos; at = bytes.find(open, at), ++list) {
         at += open.size();
-        Words words{bytes.substr(at, bytes.find(close, at) - at)};
+        const std::string_view indices = bytes.substr(at, bytes.find(close, at) - at);
+        if (indices.find('-') == indices.npos) continue;
+        Words words{indices};
         std::size_t i = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++i)
             if (word[0] == '-' && word != "-0")

@@ -199,11 +199,12 @@ class Reader {
                      ": its reader crashed, so the file is broken; repair it or export it again.");
 }
 
-/// Takes memory only for what comes.
+/// Writes to memory only where something comes.
 template <class T>
 bool read_into(const Reader& reader, T& values, std::uint64_t count) {
     if (count > most_values) return false;
     constexpr std::uint64_t block = std::uint64_t{1} << 20;
+    values.reserve(count);
     while (values.size() < count) {
         const std::size_t before = values.size();
         values.resize(before + std::min(block, count - before));

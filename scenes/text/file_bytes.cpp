@@ -1,6 +1,7 @@
 #include "scenes/text/file_bytes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -27,6 +28,9 @@ std::string file_bytes(const std::string& path, std::size_t most) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError(path + ": cannot be opened; check its permissions.");
     std::string bytes;
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    if (!ignored) bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, most)) + 1);
     constexpr std::size_t block = std::size_t{1} << 20;
     while (bytes.size() < most && stream) {
         const std::size_t before = bytes.size(), wanted = std::min(block, most - before);
