@@ -15,8 +15,13 @@ struct RoundedCenter {
         origin;  ///< in that frame: what the center is stored relative to, and points are seen from
 };
 
+/// How far a point is moved at most by rounding where it is seen from the origin, and the center by
+/// its rounding: some units in the last place of the coordinates, whatever the radius, which may be
+/// 0.
+double blur_of(const Scb& scb, const Vec3& origin);
+
 /// Radius, middle and half thickness that an SCB needs about another center and normal. Larger than
-/// that by a relative 2^-40, and by what doubles round where the origin is subtracted from points.
+/// that by a relative 2^-40, and by blur_of.
 struct GrownScb {
     double r, m, h;
 };

@@ -54,8 +54,8 @@ void QuantizedCodec<width>::encode(std::span<const Scb> volumes, const Vec3& ori
     // Radii grow by up to one unit for the center's rounding and one for their own.
     double largest = 0;
     for (const Scb& scb : volumes)
-        largest =
-            std::max({largest, (scb.c - origin).cwiseAbs().maxCoeff() / 32767, scb.r / 65000});
+        largest = std::max({largest, (scb.c - origin).cwiseAbs().maxCoeff() / 32767,
+                            (scb.r + blur_of(scb, origin)) / 65000});
     const double length = unit_for(largest, 1);
     length_unit = static_cast<float>(length);
 

@@ -20,12 +20,13 @@ float float_above(double value) {
     return std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
+double blur_of(const Scb& scb, const Vec3& origin) {
+    return 0x1p-51 * (origin.cwiseAbs().maxCoeff() + scb.c.cwiseAbs().maxCoeff());
+}
+
 GrownScb grown_about(const Scb& scb, const RoundedCenter& rounded) {
     const Vec3 shift = scb.c - rounded.c;
-    // Of points that are seen from the origin, and of the two sums of `shift`: half a unit in the
-    // last place of each coordinate, whatever the radius, which may be 0.
-    const double blur =
-        0x1p-51 * (rounded.origin.cwiseAbs().maxCoeff() + scb.c.cwiseAbs().maxCoeff());
+    const double blur = blur_of(scb, rounded.origin);
     const double reach = (scb.r + std::sqrt(squared_norm(shift)) + blur) * (1 + slack);
     // n'.(x - c') = n.(x - c) + n.(c - c') + (n' - n).(x - c')
     const double turned = std::sqrt(squared_norm(rounded.n - scb.n)) * reach;

@@ -59,6 +59,9 @@ TEST(PackedHierarchy, HoldsTrianglesThatArePoints) {
                   {{0, 1, 2}, {1, 1, 1}}});
     expect_valid({{{0, 6.125, 1.125}, {-1.0 / 3, 0.2, 1e-8}, {-3.9375, 1.75, 0.3}},
                   {{0, 1, 2}, {1, 1, 1}, {0, 2, 0}, {2, 2, 2}, {0, 0, 0}}});
+    // All of them at the center of their node.
+    for (const double far : {1.0, 1e6, 1e8})
+        expect_valid({{{far, -far, far / 3}}, std::vector<Triangle>(9, {0, 0, 0})});
     Random random(17);
     for (int i = 0; i < 500; ++i) {
         const double size = std::pow(10.0, random.uniform(-6, 7));
