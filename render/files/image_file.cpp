@@ -120,7 +120,10 @@ Image read_png(const std::filesystem::path& path) {
         // The decoder has no words for some damage, and takes what is behind the end for a chunk
         // without a name.
         const char* const words = stbi_failure_reason();
-        const std::string reason = words == nullptr ? "it is damaged" : words;
+        std::string reason = words == nullptr ? "it is damaged" : words;
+        // They may quote the file.
+        for (char& c : reason)
+            if (c < ' ' || c > '~') c = '?';
         throw InputError("\"" + path.string() + "\" is not a " +
                          (reason.empty() || reason[0] == ' ' ? "whole PNG file: it ends too early."
                                                              : "PNG file: " + reason + "."));

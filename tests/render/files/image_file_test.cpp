@@ -101,6 +101,24 @@ TEST_F(ImageFile, MayBeDamagedInAWayThatTheDecoderHasNoWordsFor) {
     std::jthread([&] { EXPECT_THROW(read_png(folder / "block.png"), InputError); });
 }
 
+// The decoder names chunks that it does not know, whatever their names.
+TEST_F(ImageFile, IsRefusedOnOneLineOfPlainCharacters) {
+    std::vector<std::uint8_t> bytes = encode_png(gradient(true));
+    constexpr std::size_t data_chunk = 33;
+    const std::uint8_t name[] = {0x0a, 0xff, 0x0d, 0x1b};
+    std::copy(std::begin(name), std::end(name), bytes.begin() + data_chunk + 4);
+    write_file_whole(folder / "chunk.png", bytes);
+    try {
+        read_png(folder / "chunk.png");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        const std::string sentence = error.what();
+        EXPECT_TRUE(std::all_of(sentence.begin(), sentence.end(), [](char c) {
+            return c >= ' ' && c <= '~';
+        })) << sentence;
+    }
+}
+
 // Two grey pixels of 16 bits, 0x8000 and 0x80ff: of 8 bits they would be the same.
 TEST_F(ImageFile, OfAnotherDepthIsRefused) {
     constexpr std::uint8_t sixteen[] = {
