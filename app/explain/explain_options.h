@@ -29,8 +29,6 @@ struct ExplainOptions {
     void check() const;
     /// The numbers of --pair; throws InputError.
     std::array<std::int64_t, 2> nodes() const;
-
-  private:
 };
 
 void add_explain_options(const Command& command, ExplainOptions& options);

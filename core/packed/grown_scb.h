@@ -11,8 +11,7 @@ float float_above(double value);
 struct RoundedCenter {
     Vec3 c;  ///< in the frame of the SCB that is rounded
     Vec3 n;
-    Vec3
-        origin;  ///< in that frame: what the center is stored relative to, and points are seen from
+    Vec3 origin;  ///< in that frame: what the center is stored relative to
 };
 
 /// How far a point is moved at most by rounding where it is seen from the origin, and the center by

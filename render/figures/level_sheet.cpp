@@ -9,11 +9,10 @@ namespace scb::render {
 namespace {
 
 constexpr int most_level_columns = 5;
-constexpr int sheet_edge = sheet_margin;
 
 // Title and keys.
 constexpr int level_heading_height(int unit) {
-    return sheet_edge + title_size(unit) + 9 * unit / 2;
+    return sheet_margin + title_size(unit) + 9 * unit / 2;
 }
 
 int cell_height(const LevelSheetLayout& layout) {
@@ -56,15 +55,15 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
 
     FigureLayout frame;
     frame.unit = unit;
-    frame.heading = {sheet_edge, sheet_edge, layout.width - 2 * sheet_edge, title_size(unit)};
+    frame.heading = {sheet_margin, sheet_margin, layout.width - 2 * sheet_margin, title_size(unit)};
     draw_heading(overlay, frame, theme, sheet.title, sheet.subtitle);
 
     // Keys in one line under the heading: bodies by color, or the scale.
-    const int key_y = sheet_edge + title_size(unit) + unit / 2;
+    const int key_y = sheet_margin + title_size(unit) + unit / 2;
     if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
-        draw_side_panel(overlay, {sheet_edge, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
+        draw_side_panel(overlay, {sheet_margin, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
     } else {
-        int x = sheet_edge;
+        int x = sheet_margin;
         const auto& bodies = sheet.rows.front().front().bodies;
         const TextStyle style{unit, FontWeight::regular, theme.text};
         for (std::size_t b = 0; b < bodies.size(); ++b) {

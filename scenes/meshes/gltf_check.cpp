@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "scb/error.h"
+#include "scenes/meshes/little_endian.h"
 #include "scenes/meshes/mesh_folder.h"
 #include "scenes/text/file_bytes.h"
 
@@ -15,13 +16,6 @@ namespace scb::scenes {
 namespace {
 
 using nlohmann::json;
-
-std::uint32_t little_endian(std::string_view bytes, std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-    return value;
-}
 
 struct Container {
     std::string_view text;    ///< the JSON

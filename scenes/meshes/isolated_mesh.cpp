@@ -203,8 +203,8 @@ class Reader {
 template <class T>
 bool read_into(const Reader& reader, T& values, std::uint64_t count) {
     if (count > most_values) return false;
-    constexpr std::uint64_t block = std::uint64_t{1} << 20;
-    values.reserve(count);
+    constexpr std::uint64_t block = std::uint64_t{1} << 20, believed = std::uint64_t{1} << 24;
+    values.reserve(std::min(count, believed));
     while (values.size() < count) {
         const std::size_t before = values.size();
         values.resize(before + std::min(block, count - before));

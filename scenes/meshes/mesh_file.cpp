@@ -25,12 +25,9 @@ void check_file(const fs::path& path) {
 }
 
 /// By content as well as by name.
-bool is_ply(const fs::path& path) {
-    const std::string start = file_bytes(path.string(), 4), extension = path.extension().string();
-    return start == "ply\n" || start == "ply\r" ||
-           (extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P') &&
-            (extension[2] == 'l' || extension[2] == 'L') &&
-            (extension[3] == 'y' || extension[3] == 'Y'));
+bool is_ply(const std::string& path) {
+    const std::string start = file_bytes(path, 4);
+    return start == "ply\n" || start == "ply\r" || lower_case_extension(path) == ".ply";
 }
 
 }  // namespace
@@ -41,7 +38,7 @@ Mesh load_mesh(const fs::path& path) {
     note_input(path);
     try {
         // assimp's readers have been seen to crash on broken files.
-        Mesh mesh = is_ply(path) ? ply_mesh(name) : isolated_mesh(name);
+        Mesh mesh = is_ply(name) ? ply_mesh(name) : isolated_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {

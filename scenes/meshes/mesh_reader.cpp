@@ -57,10 +57,7 @@ bool write_mesh(const AssimpMesh& read) {
 /// name, as assimp does.
 AssimpMesh checked_mesh(const std::string& path) {
     allow_for(std::filesystem::file_size(path));
-    const std::string start = file_bytes(path, 16);
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string start = file_bytes(path, 16), extension = lower_case_extension(path);
     if (extension == ".off" || start.find("OFF") != std::string::npos)
         check_off(file_bytes(path), path);
     if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF"))

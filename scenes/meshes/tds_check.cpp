@@ -4,16 +4,10 @@
 #include <cstdint>
 
 #include "scb/error.h"
+#include "scenes/meshes/little_endian.h"
 
 namespace scb::scenes {
 namespace {
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size && at + i < bytes.size(); ++i)
-        value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-    return value;
-}
 
 /// A file is chunks in chunks: a number of 16 bits that says what it is, the size of all of it in
 /// 32 bits, and what is in it (the ids of Autodesk's 3D Studio).
@@ -27,7 +21,8 @@ class Check {
     void run(std::string_view chunks) {
         constexpr std::size_t head = 6;
         while (chunks.size() >= head) {
-            const std::uint32_t id = number_at(chunks, 0, 2), size = number_at(chunks, 2, 4);
+            const std::uint32_t id = little_endian(chunks, 0, 2),
+                                size = little_endian(chunks, 2, 4);
             if (size < head) return;
             check_chunk(id, chunks.substr(head, size - head));
             chunks.remove_prefix(std::min<std::size_t>(size, chunks.size()));
@@ -47,17 +42,17 @@ class Check {
             check_faces();
             ++meshes_;
         }
-        if (id == vertices_id) vertices_ = number_at(inside, 0, 2);
+        if (id == vertices_id) vertices_ = little_endian(inside, 0, 2);
         if (id == faces_id) faces_ = inside;
     }
 
     void check_faces() const {
         constexpr std::size_t start = 2, face_size = 8;
-        const std::size_t count = number_at(faces_, 0, 2);
+        const std::size_t count = little_endian(faces_, 0, 2);
         for (std::size_t f = 0; f < count && start + (f + 1) * face_size <= faces_.size(); ++f)
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex =
-                    number_at(faces_, start + f * face_size + 2 * corner, 2);
+                    little_endian(faces_, start + f * face_size + 2 * corner, 2);
                 if (vertex >= vertices_)
                     throw InputError(name_ + ": mesh " + std::to_string(meshes_) + ", face " +
                                      std::to_string(f) + " names vertex " + std::to_string(vertex) +

@@ -23,6 +23,13 @@ void check_is_file(const std::string& path) {
         throw InputError(path + ": this is not a regular file; save it to one first.");
 }
 
+std::string lower_case_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
 std::string file_bytes(const std::string& path, std::size_t most) {
     check_is_file(path);
     std::ifstream stream(path, std::ios::binary);

@@ -10,6 +10,9 @@ namespace scb::scenes {
 /// file.
 void check_is_file(const std::string& path);
 
+/// ".ply" of a.PLY: what stands behind the last dot of a name, in lower case.
+std::string lower_case_extension(const std::string& path);
+
 /// The bytes of a file from its start, at most `most` of them. Throws InputError, naming the file,
 /// where check_is_file does, and where it cannot be read.
 std::string file_bytes(const std::string& path,
