@@ -27,9 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Twice what assimp_mesh gives at most.
-constexpr std::uint64_t most_values = std::uint64_t{1} << 29;
-
 fs::path& set_program() {
     static fs::path path;
     return path;
@@ -131,9 +128,7 @@ class Reader {
     Reader& operator=(const Reader&) = delete;
 
     /// False where there is no more.
-    template <class T>
-    bool read(std::span<T> values) const {
-        std::span<std::byte> bytes = std::as_writable_bytes(values);
+    bool read(std::span<std::byte> bytes) const {
         while (!bytes.empty()) {
             const ssize_t got = ::read(answers_.number, bytes.data(), bytes.size());
             if (got < 0 && errno == EINTR) continue;
@@ -199,20 +194,6 @@ class Reader {
                      ": its reader crashed, so the file is broken; repair it or export it again.");
 }
 
-/// Writes to memory only where something comes.
-template <class T>
-bool read_into(const Reader& reader, T& values, std::uint64_t count) {
-    if (count > most_values) return false;
-    constexpr std::uint64_t block = std::uint64_t{1} << 20, believed = std::uint64_t{1} << 24;
-    values.reserve(std::min(count, believed));
-    while (values.size() < count) {
-        const std::size_t before = values.size();
-        values.resize(before + std::min(block, count - before));
-        if (!reader.read(std::span(values).subspan(before))) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void set_mesh_reader(const fs::path& program) { set_program() = program; }
@@ -220,7 +201,7 @@ void set_mesh_reader(const fs::path& program) { set_program() = program; }
 Mesh isolated_mesh(const std::string& path) {
     Reader reader(path);
     MeshGreeting greeting{};
-    if (!reader.read(std::span<char>(greeting))) {
+    if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
         const std::optional<int> status = reader.wait();
         const bool killed = status && WIFSIGNALED(*status);
         fail_to_start(reader.program(),
@@ -228,26 +209,18 @@ Mesh isolated_mesh(const std::string& path) {
     }
     if (greeting != mesh_greeting)
         fail_to_start(reader.program(), "what was started is another program");
-    MeshAnswer answer;
-    Mesh mesh;
-    std::string sentence, names;
-    const bool whole =
-        reader.read(std::span(&answer, 1)) && answer.kind <= MeshAnswer::failure &&
-        (answer.kind == MeshAnswer::mesh ? read_into(reader, mesh.vertices, answer.first) &&
-                                               read_into(reader, mesh.triangles, answer.second) &&
-                                               read_into(reader, names, answer.third)
-                                         : read_into(reader, sentence, answer.first));
+    std::optional<ReceivedAnswer> answer =
+        receive_answer([&](std::span<std::byte> bytes) { return reader.read(bytes); });
     const std::optional<int> status = reader.wait();
-    if (!whole || (status && *status != 0)) refuse_after(status, path);
-    if (answer.kind == MeshAnswer::refusal) throw InputError(sentence);
-    if (answer.kind == MeshAnswer::unconfined)
+    if (!answer || (status && *status != 0)) refuse_after(status, path);
+    if (answer->kind == MeshAnswer::refusal) throw InputError(answer->sentence);
+    if (answer->kind == MeshAnswer::unconfined)
         throw MeshReaderError(path + ": meshes are read by a process of " + reader.program() +
-                              " that is confined, which this system does not allow (" + sentence +
-                              "); use a PLY file, or a system with seccomp.");
-    if (answer.kind == MeshAnswer::failure) throw std::runtime_error(sentence);
-    for (std::size_t at = 0; at < names.size(); at += std::strlen(names.c_str() + at) + 1)
-        note_input(names.c_str() + at);
-    return mesh;
+                              " that is confined, which this system does not allow (" +
+                              answer->sentence + "); use a PLY file, or a system with seccomp.");
+    if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
+    for (const std::string& file : answer->side_files) note_input(file);
+    return std::move(answer->mesh);
 }
 
 }  // namespace scb::scenes

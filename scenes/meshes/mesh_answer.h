@@ -1,7 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "scb/mesh.h"
 
@@ -28,5 +34,18 @@ struct MeshAnswer {
     std::uint64_t third = 0;   ///< how many characters of names
 };
 static_assert(sizeof(MeshAnswer) == 32 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+
+/// An answer that came whole.
+struct ReceivedAnswer {
+    MeshAnswer::Kind kind = MeshAnswer::failure;
+    Mesh mesh{};
+    std::vector<std::string> side_files{};
+    std::string sentence{};  ///< on one line, of plain characters
+};
+
+/// Receives an answer from a process of which nothing is believed: sizes are bounded, and memory is
+/// written only where something comes. `read` fills the bytes, or returns false where there are no
+/// more. Nothing where the answer is cut short or is none. Vertices and indices are not checked.
+std::optional<ReceivedAnswer> receive_answer(const std::function<bool(std::span<std::byte>)>& read);
 
 }  // namespace scb::scenes

@@ -7,8 +7,14 @@
 #include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
+namespace {
 
-FileWindow::FileWindow(const std::string& path) : name_(path), window_(std::size_t{1} << 20) {
+constexpr std::size_t window_size = std::size_t{1} << 20;
+
+}  // namespace
+
+FileWindow::FileWindow(const std::string& path)
+    : name_(path), window_(std::make_unique_for_overwrite<char[]>(window_size)) {
     check_is_file(path);
     // The window is the buffer.
     stream_.rdbuf()->pubsetbuf(nullptr, 0);
@@ -20,12 +26,11 @@ FileWindow::FileWindow(const std::string& path) : name_(path), window_(std::size
 }
 
 void FileWindow::fill(std::size_t count) {
-    std::copy(window_.begin() + static_cast<std::ptrdiff_t>(at_),
-              window_.begin() + static_cast<std::ptrdiff_t>(end_), window_.begin());
+    std::copy(window_.get() + at_, window_.get() + end_, window_.get());
     end_ -= at_;
     at_ = 0;
     while (end_ < count && stream_) {
-        stream_.read(window_.data() + end_, static_cast<std::streamsize>(window_.size() - end_));
+        stream_.read(window_.get() + end_, static_cast<std::streamsize>(window_size - end_));
         const auto got = static_cast<std::size_t>(stream_.gcount());
         end_ += got;
         read_ += got;

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace scb::scenes {
 
@@ -23,7 +23,7 @@ class FileWindow {
     /// file cannot be read.
     std::string_view ahead(std::size_t count) {
         if (count > end_ - at_) fill(count);
-        return {window_.data() + at_, end_ - at_};
+        return {window_.get() + at_, end_ - at_};
     }
     /// Goes on behind bytes that were seen ahead.
     void skip(std::size_t count) { at_ += count; }
@@ -40,7 +40,7 @@ class FileWindow {
 
     std::string name_;
     std::ifstream stream_;
-    std::vector<char> window_;
+    std::unique_ptr<char[]> window_;
     std::size_t at_ = 0, end_ = 0;  ///< what is next, within the window
     std::uint64_t read_ = 0, size_ = 0;
 };
