@@ -53,6 +53,30 @@ class LeafPairs {
     /// Decides on all pairs that are open.
     void finish() { decide(); }
 
+    /// Calls `each` with the pairs of triangles of two leaves, as many at a time as there are
+    /// lanes: which lanes have one, the leaves, and the first lane.
+    template <class Each>
+    HWY_INLINE void for_each_part(std::uint32_t i, std::uint32_t j, Each each) {
+        const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
+        if (j != turned_leaf_) turn(b);  // often it is that of the pair before
+        turned_leaf_ = j;
+        const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
+        const std::uint32_t count_a = a.count(), count_b = b.count();
+        found_.n_p += count_a * count_b;
+        const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
+        const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
+        const Lanes3<n> t = Lanes3<n>::all(o.t);
+        const int lanes = static_cast<int>(count_b) * side;
+        for (int first = 0; first < lanes; first += n) {
+            const Lanes3<n> p0 = corner_a(a, 0, first), to_q = t - p0;
+            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
+                                            corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
+                                            corner_b(2, first) + to_q,  error};
+            each(pairs, (valid & low_bits(static_cast<std::uint32_t>(lanes))) >> first, a, b,
+                 first);
+        }
+    }
+
   private:
     template <class Test>
     HWY_INLINE void run(RefPairs& list, Test test) {
@@ -156,30 +180,6 @@ class LeafPairs {
                           near |= planes_near(pairs, Lanes<n>::all(skin_)).bits() & valid;
                       });
         if (near != 0) found_.kept.leaf_leaf.add(i, j);
-    }
-
-    /// Calls `each` with the pairs of triangles of two leaves, as many at a time as there are
-    /// lanes: which lanes have one, the leaves, and the first lane.
-    template <class Each>
-    HWY_INLINE void for_each_part(std::uint32_t i, std::uint32_t j, Each each) {
-        const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
-        if (j != turned_leaf_) turn(b);  // often it is that of the pair before
-        turned_leaf_ = j;
-        const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
-        const std::uint32_t count_a = a.count(), count_b = b.count();
-        found_.n_p += count_a * count_b;
-        const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
-        const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
-        const Lanes3<n> t = Lanes3<n>::all(o.t);
-        const int lanes = static_cast<int>(count_b) * side;
-        for (int first = 0; first < lanes; first += n) {
-            const Lanes3<n> p0 = corner_a(a, 0, first), to_q = t - p0;
-            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
-                                            corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
-                                            corner_b(2, first) + to_q,  error};
-            each(pairs, (valid & low_bits(static_cast<std::uint32_t>(lanes))) >> first, a, b,
-                 first);
-        }
     }
 
     /// Puts pairs of a batch aside, until there are enough to decide on.

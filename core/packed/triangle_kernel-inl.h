@@ -14,7 +14,7 @@ namespace HWY_NAMESPACE {
 
 // Pairs of triangles P and Q in floats, decided where the signs of all determinants that matter are
 // certain. Coordinates are differences from P's first corner, each off by at most `error` from
-// those that the exact test would see; D is the largest magnitude of them. With 2^24 error > 48 D,
+// those that the exact test would see; D is the largest magnitude of them. With 2^24 error > 24 D,
 // roundings of products are small against what `error` does, and 1/8 more than that covers them.
 // Below `underflow`, products may have lost digits to the least exponent.
 
@@ -111,30 +111,42 @@ struct Certainty {
     LaneMask<n> intersect, open;
 };
 
-/// Two triangles in planes that cross intersect where an edge of one passes through the other: its
-/// ends are on two sides of the plane, and the other's three edges pass it on the same side, which
-/// the Plucker product of two lines says. Products of an edge (up to 2 D, off by 2 error) and the
-/// moment of one (up to 4 D^2, off by 8 D error): 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2
-/// error, with 1/8 more 162.
+/// On which side of each other lines of edges pass, times lengths: of P's edge i, from corner i to
+/// the next, and Q's edge j.
 template <int n>
-HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
-    constexpr float edge_bound = 162;
-    const Lanes<n> bound = determinant_bound(t, edge_bound);
-    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
+struct EdgeSides {
+    Lanes<n> of[3][3];
+};
+
+/// The Plucker products of edges: an edge (up to 2 D, off by 2 error) times the moment of one (up
+/// to 4 D^2, off by 8 D error), twice: 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2 error, with
+/// 1/8 more 162.
+template <int n>
+HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t) {
     const Lanes3<n> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
     const Lanes3<n> edge_q[3] = {t.q1 - t.q0, t.q2 - t.q1, t.q0 - t.q2};
     // The first corner of P is the origin: two of its edges have no moment.
     const Lanes3<n> moment_p = cross(t.p1, edge_p[1]);
     const Lanes3<n> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
                                    cross(t.q2, edge_q[2])};
-    // On which side of each other lines of edges pass.
     const auto product = [&](int i, int j) HWY_ATTR {
         const Lanes<n> of_p = dot(edge_p[i], moment_q[j]);
         return i == 1 ? of_p + dot(edge_q[j], moment_p) : of_p;
     };
-    const Lanes<n> side[3][3] = {{product(0, 0), product(0, 1), product(0, 2)},
-                                 {product(1, 0), product(1, 1), product(1, 2)},
-                                 {product(2, 0), product(2, 1), product(2, 2)}};
+    return {{{product(0, 0), product(0, 1), product(0, 2)},
+             {product(1, 0), product(1, 1), product(1, 2)},
+             {product(2, 0), product(2, 1), product(2, 2)}}};
+}
+inline constexpr float edge_bound = 162;
+
+/// Two triangles in planes that cross intersect where an edge of one passes through the other: its
+/// ends are on two sides of the plane, and the other's three edges pass it on the same side.
+template <int n>
+HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
+    const Lanes<n> bound = determinant_bound(t, edge_bound);
+    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
+    const EdgeSides<n> sides = edge_sides(t);
+    const auto& side = sides.of;
 
     const LaneMask<n> none = t.error < t.error;
     Certainty<n> result{none, none};
