@@ -164,7 +164,10 @@ int run(int argc, char** argv) {
         console.color = color == "always"  ? ColorMode::always
                         : color == "never" ? ColorMode::never
                                            : ColorMode::automatic;
-        return action();
+        const int status = action();
+        for (const std::string& sentence : scenes::left_out_files())
+            console.note("scb: " + sentence);
+        return status;
     } catch (const InputError& error) {
         console.error(error.what());
         return exit_bad_input;

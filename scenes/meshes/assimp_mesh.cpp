@@ -177,7 +177,9 @@ AssimpMesh assimp_mesh(const std::string& path) {
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    return {joined(*scene, path), {folder->opened().begin(), folder->opened().end()}};
+    return {joined(*scene, path),
+            {folder->opened().begin(), folder->opened().end()},
+            refused.empty() ? "" : excerpt(refused)};
 }
 
 }  // namespace scb::scenes

@@ -11,6 +11,7 @@ namespace scb::scenes {
 struct AssimpMesh {
     Mesh mesh;
     std::vector<std::string> side_files;
+    std::string left_out;  ///< the first file that it names but may not have, or empty
 };
 
 /// The meshes of a file as assimp reads them, placed by their nodes and joined (see load_mesh), not
