@@ -89,12 +89,15 @@ HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
     return planes_meet(t, q_bound, q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1));
 }
 
+/// The lengths of normals are off by at most 7 D error for P's and 14 D error for Q's, see above.
+inline constexpr float normal_bound = 16;
+
 /// Lanes in which no plane of one triangle certainly has the other on one side and farther away
-/// than `skin`: heights are times the normal's length, which is off by at most 7 D error for P's
-/// and 14 D error for Q's, see above. Squares of it may underflow.
+/// than `skin`: heights are times the normal's length. Squares of it may underflow.
 template <int n>
 HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
-    const Lanes<n> off = magnitude(t) * t.error * Lanes<n>::all(16) + Lanes<n>::all(0x1p-70f);
+    const Lanes<n> off =
+        magnitude(t) * t.error * Lanes<n>::all(normal_bound) + Lanes<n>::all(0x1p-70f);
     const auto length = [&](Lanes3<n> normal) HWY_ATTR {
         return sqrt(dot(normal, normal)) * Lanes<n>::all(1 + 0x1p-16f) + off;
     };

@@ -129,8 +129,16 @@ double largest_of(const Corners& c) {
     return largest;
 }
 
-/// Moves every number by `error`, up or down, so that determinant k changes most, or nearly so,
-/// towards `sign`: it is linear in each corner, so numbers are turned over one by one.
+/// What corners are moved for: a determinant, or one triangle as a whole above the other's plane.
+constexpr std::uint32_t goals = 17;
+double goal(const TrueCorners& c, std::size_t k) {
+    if (k < 15) return determinant(c, k);
+    const std::size_t first = 3 * (k - 15);
+    return determinant(c, first) + determinant(c, first + 1) + determinant(c, first + 2);
+}
+
+/// Moves every number by `error`, up or down, so that goal k changes most, or nearly so, towards
+/// `sign`: it is linear in each corner, so numbers are turned over one by one.
 TrueCorners moved(Random& random, const TrueCorners& from, std::size_t k, double sign,
                   double error) {
     TrueCorners to = from;
@@ -141,9 +149,9 @@ TrueCorners moved(Random& random, const TrueCorners& from, std::size_t k, double
     }
     for (int round = 0; round < 3; ++round)
         for (std::size_t i = 0; i < 15; ++i) {
-            const double before = determinant(to, k);
+            const double before = goal(to, k);
             to[i] = from[i] - step[i];
-            if (sign * (determinant(to, k) - before) < 0)
+            if (sign * (goal(to, k) - before) < 0)
                 to[i] = from[i] + step[i];
             else
                 step[i] = -step[i];
@@ -217,6 +225,29 @@ TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
     for (std::size_t b = 0; b < 3; ++b) EXPECT_GT(worst[b], reached[b]);
 }
 
+double normal_length(const TrueCorners& c, bool of_p) {
+    const auto at = [&](std::size_t i) { return of_p ? corner_p(c, i) : corner_q(c, i); };
+    return std::sqrt(squared_norm(cross(Vec3(at(1) - at(0)), Vec3(at(2) - at(0)))));
+}
+
+// The same of the lengths of normals, which are off by 7 and 14 D error at most.
+TEST(TriangleKernel, LengthsOfNormalsAreWithinTheirBound) {
+    Random random(4);
+    double worst = 0;
+    for (int i = 0; i < 100'000 / effort; ++i) {
+        TrueCorners truth, off = {};
+        for (double& x : truth) x = random.below(2) == 0 ? 1 : -1;
+        const double error = std::ldexp(1.0, -10 - static_cast<int>(random.below(8)));
+        for (std::size_t k = 0; k < 15; ++k)
+            off[k] = truth[k] + (random.below(2) == 0 ? error : -error);
+        for (const bool of_p : {true, false})
+            worst =
+                std::max(worst, (normal_length(truth, of_p) - normal_length(off, of_p)) / error);
+    }
+    EXPECT_LE(worst, static_cast<double>(HWY_NAMESPACE::normal_bound));
+    EXPECT_GT(worst, 12);
+}
+
 Vec3 grid_point(Random& random) {
     const auto x = [&random] { return static_cast<double>(random.below(17)) - 8; };
     const double a = x(), b = x(), c = x();
@@ -285,7 +316,7 @@ TEST(TriangleKernel, IsNeverCertainOfWhatIsNotSo) {
         if (size == 0) continue;
         const double error = size * std::ldexp(1.0, -3 - static_cast<int>(random.below(15)));
         const double sign = random.below(2) == 0 ? 1 : -1;
-        pairs.push_back(seen(moved(random, truth, random.below(15), sign, error), truth));
+        pairs.push_back(seen(moved(random, truth, random.below(goals), sign, error), truth));
         overlaps.push_back(overlap(truth));
     }
     const std::vector<KernelAnswer> answers = answers_of(pairs);
@@ -317,14 +348,14 @@ std::vector<PackedRef> leaves_of(const PackedHierarchy<Codec>& packed) {
     return leaves;
 }
 
-Mesh random_triangles(Random& random, double offset) {
+/// Triangles of all sizes up to that of the cloud that they are.
+Mesh random_triangles(Random& random, const Vec3& center, double cloud) {
     Mesh mesh;
     const double size = std::ldexp(1.0, -static_cast<int>(random.below(12)));
     for (std::uint32_t t = 0; t < 6; ++t) {
         const Vec3 at = random_point(random);
         for (int k = 0; k < 3; ++k)
-            mesh.vertices.push_back(Vec3(offset, -offset, offset) + at +
-                                    size * random_point(random));
+            mesh.vertices.push_back(center + cloud * (at + size * random_point(random)));
         mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
     return mesh;
@@ -337,10 +368,13 @@ TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
     double worst = 0;
     std::vector<LeafLane> lanes;
     for (int i = 0; i < 3000 / effort; ++i) {
-        const double far = i % 3 == 0 ? 1e6 : i % 3 == 1 ? 100 : 0;
-        const Mesh a = random_triangles(random, far), b = random_triangles(random, -far);
+        // So far away and so small that doubles are all that is off.
+        const double far = std::array{0.0, 100.0, 1e6, 4e7}[i % 4], cloud = i % 4 == 3 ? 1e-6 : 1;
+        const Vec3 center(far, -far, far);
+        const Mesh a = random_triangles(random, center, cloud),
+                   b = random_triangles(random, -center, cloud);
         Pose pose = random_pose(random);
-        pose.translation += a.vertices[0] - pose.rotation * b.vertices[0];
+        pose.translation = cloud * pose.translation + a.vertices[0] - pose.rotation * b.vertices[0];
         const auto packed_a = pack<FloatCodec<4>>(build_hierarchy<Scb>(a), a),
                    packed_b = pack<FloatCodec<4>>(build_hierarchy<Scb>(b), b);
         const Placement placed = placement(pose, 4 * packed_a.reach, 4 * packed_b.reach);
