@@ -369,7 +369,8 @@ TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
     std::vector<LeafLane> lanes;
     for (int i = 0; i < 3000 / effort; ++i) {
         // So far away and so small that doubles are all that is off.
-        const double far = std::array{0.0, 100.0, 1e6, 4e7}[i % 4], cloud = i % 4 == 3 ? 1e-6 : 1;
+        const double far = std::array{0.0, 100.0, 1e6, 4e7}[static_cast<std::size_t>(i % 4)],
+                     cloud = i % 4 == 3 ? 1e-6 : 1;
         const Vec3 center(far, -far, far);
         const Mesh a = random_triangles(random, center, cloud),
                    b = random_triangles(random, -center, cloud);

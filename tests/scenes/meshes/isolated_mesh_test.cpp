@@ -2,8 +2,11 @@
 
 #include <sys/stat.h>
 
+#include <cstdio>
+#include <span>
 #include <thread>
 
+#include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/scenes/support.h"
 
@@ -52,27 +55,32 @@ TEST(IsolatedMesh, PassesRefusalsOn) {
     expect_in("the format is not known", refusal([&] { isolated_mesh(file); }));
 }
 
-/// A reader's script that greets; and one that writes a number of 64 bits, least byte first.
-const std::string greet = "printf 'scb mesh 2\\0\\0\\0\\0\\0\\0' >&3; ";
-std::string number(const std::string& low_byte) {
-    return "printf '\\" + low_byte + "\\0\\0\\0\\0\\0\\0\\0' >&3; ";
+/// What makes a reader's script write these bytes.
+std::string writes(std::span<const std::byte> bytes) {
+    std::string printf = "printf '";
+    for (const std::byte byte : bytes) {
+        char octal[5];
+        std::snprintf(octal, sizeof octal, "\\%03o", std::to_integer<unsigned>(byte));
+        printf += octal;
+    }
+    return printf + "' >&3; ";
 }
-const std::string huge = "printf '\\377\\377\\377\\377\\377\\377\\377\\377' >&3; ";
-std::string text(const std::string& words) { return "printf '" + words + "' >&3; "; }
+std::string text(const std::string& words) { return writes(std::as_bytes(std::span(words))); }
+const std::string greet = writes(std::as_bytes(std::span(mesh_greeting)));
+std::string answers(const MeshAnswer& answer) {
+    return greet + writes(std::as_bytes(std::span(&answer, 1)));
+}
+constexpr std::uint64_t huge = ~std::uint64_t{0};
 
 TEST(IsolatedMesh, TakesWhatTheReaderSaysForWhatItIs) {
-    const std::string nine = number("11");
-    EXPECT_EQ(refused_by_reader(greet + number("1") + nine + number("0") + number("0") +
-                                text("not this.")),
+    EXPECT_EQ(refused_by_reader(answers({MeshAnswer::refusal, 9}) + text("not this.")),
               "not this.");
-    const std::string failed =
-        greet + number("3") + nine + number("0") + number("0") + text("too soon.");
-    expect_in("cannot be read (too soon.)", refused_by(failed));
+    expect_in("cannot be read (too soon.)",
+              refused_by(answers({MeshAnswer::failure, 9}) + text("too soon.")));
 }
 
 TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
-    const FakeReader fake(greet + number("2") + number("11") + number("0") + number("0") +
-                          text("no filter"));
+    const FakeReader fake(answers({MeshAnswer::unconfined, 9}) + text("no filter"));
     const std::string file = fake.folder.write("good.obj", triangle_obj);
     try {
         load_mesh(file);
@@ -83,17 +91,14 @@ TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
 }
 
 TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
-    const std::string whole =
-        greet + number("1") + number("11") + number("0") + number("0") + text("not this.");
+    const std::string whole = answers({MeshAnswer::refusal, 9}) + text("not this.");
     for (const std::string& script :
-         {greet + "kill -SEGV $$", greet + "kill -ABRT $$", greet, greet + number("0"),
-          greet + number("1") + number("11") + number("0") + number("0") + text("short"),
-          greet + number("0") + huge + number("0") + number("0"),
-          greet + number("0") + number("3") + huge + number("0"),
-          greet + number("0") + number("0") + number("0") + huge,
-          greet + number("7") + number("0") + number("0") + number("0"),
-          greet + huge + number("0") + number("0") + number("0"), whole + "kill -SEGV $$",
-          whole + "exit 1", whole + text("and more")})
+         {greet + "kill -SEGV $$", greet + "kill -ABRT $$", greet,
+          greet + text(std::string(8, '\0')), answers({MeshAnswer::refusal, 9}) + text("short"),
+          answers({MeshAnswer::mesh, huge}), answers({MeshAnswer::mesh, 3, huge}),
+          answers({MeshAnswer::mesh, 0, 0, huge}), answers({MeshAnswer::mesh, 0, 0, 0, huge}),
+          answers({7}), answers({huge}), whole + "kill -SEGV $$", whole + "exit 1",
+          whole + text("and more")})
         expect_in("its reader crashed", refused_by(script));
     expect_in("its reader was killed", refused_by(greet + "kill -KILL $$"));
     for (const char* signal : {"ALRM", "XCPU"})
