@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
+#include <filesystem>
 #include <vector>
 
 #include "scb/error.h"
@@ -154,9 +155,8 @@ Mesh joined(const aiScene& scene, const std::string& name) {
 }  // namespace
 
 AssimpMesh assimp_mesh(const std::string& path) {
-    std::string refused;
     Assimp::Importer importer;
-    auto* const folder = new MeshFolder(path, refused);
+    auto* const folder = new MeshFolder(path);
     importer.SetIOHandler(folder);  // the importer deletes it
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -169,6 +169,10 @@ AssimpMesh assimp_mesh(const std::string& path) {
         if (reason.rfind("No suitable reader", 0) == 0)
             throw InputError(path + ": the format is not known; give a mesh as " + mesh_formats +
                              ".");
+        std::string refused = folder->refused();
+        const std::string missed = std::filesystem::path(folder->missed()).filename().string();
+        if (refused.empty() && !missed.empty() && reason.find(missed) != reason.npos)
+            refused = folder->missed();
         if (!refused.empty())
             throw InputError(path + ": names \"" + excerpt(refused) +
                              "\", which is not a regular file in the folder of the mesh; put a "
@@ -179,7 +183,7 @@ AssimpMesh assimp_mesh(const std::string& path) {
     }
     return {joined(*scene, path),
             {folder->opened().begin(), folder->opened().end()},
-            refused.empty() ? "" : excerpt(refused)};
+            folder->refused().empty() ? "" : excerpt(folder->refused())};
 }
 
 }  // namespace scb::scenes

@@ -53,9 +53,10 @@ std::string decode_base64(std::string_view text) {
 }
 
 std::string bytes_or_nothing(const std::filesystem::path& buffer, const std::string& mesh) {
-    if (!is_side_file(buffer, mesh)) return {};
+    const auto file = side_file(buffer, mesh);
+    if (!file) return {};
     try {
-        return file_bytes(buffer.string());
+        return file_bytes(file->string());
     } catch (const InputError&) {
         return {};
     }

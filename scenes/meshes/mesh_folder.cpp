@@ -1,6 +1,8 @@
 #include "scenes/meshes/mesh_folder.h"
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -10,7 +12,26 @@ namespace scb::scenes {
 
 namespace fs = std::filesystem;
 
-bool is_side_file(const fs::path& file, const fs::path& mesh) {
+namespace {
+
+/// RFC 3986, section 2.1. Control characters stay as they are written.
+std::string percent_decoded(std::string_view uri) {
+    std::string decoded;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned char value = 0;
+        const char* const end = uri.data() + std::min(i + 3, uri.size());
+        if (uri[i] == '%' && std::from_chars(uri.data() + i + 1, end, value, 16).ptr == end &&
+            value >= ' ' && end - uri.data() == static_cast<std::ptrdiff_t>(i + 3)) {
+            decoded += static_cast<char>(value);
+            i += 2;
+        } else {
+            decoded += uri[i];
+        }
+    }
+    return decoded;
+}
+
+bool is_in_folder(const fs::path& file, const fs::path& mesh) {
     std::error_code error;
     const fs::path parent = mesh.parent_path();
     const fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
@@ -21,27 +42,61 @@ bool is_side_file(const fs::path& file, const fs::path& mesh) {
            folder.end();
 }
 
-MeshFolder::MeshFolder(fs::path mesh, std::string& refused)
-    : mesh_(std::move(mesh)), refused_(refused) {}
-
-bool MeshFolder::allows(const char* file) const {
+bool is_there(const fs::path& file) {
     std::error_code error;
-    if (file == mesh_ || is_side_file(file, mesh_)) return true;
-    if (refused_.empty() && fs::exists(fs::symlink_status(file, error))) refused_ = file;
-    return false;
+    return fs::exists(fs::symlink_status(file, error));
 }
 
-bool MeshFolder::Exists(const char* file) const {
-    return allows(file) && DefaultIOSystem::Exists(file);
+}  // namespace
+
+std::optional<fs::path> side_file(const fs::path& name, const fs::path& mesh) {
+    if (is_in_folder(name, mesh)) return name;
+    const std::string folder = mesh.parent_path().string(), whole = name.string();
+    const std::size_t uri = whole.starts_with(folder) ? folder.size() : 0;
+    const fs::path decoded = whole.substr(0, uri) + percent_decoded(whole.substr(uri));
+    if (decoded != name && is_in_folder(decoded, mesh)) return decoded;
+    return std::nullopt;
 }
+
+MeshFolder::MeshFolder(fs::path mesh) : mesh_(std::move(mesh)) {}
+
+std::optional<fs::path> MeshFolder::allowed(const fs::path& file) const {
+    if (file == mesh_) return file;
+    const std::optional<fs::path> found = side_file(file, mesh_);
+    const fs::path folder = mesh_.parent_path(), normal = file.lexically_normal();
+    std::string refused;
+    if (found) {
+        for (const fs::path& missed : missed_)
+            if (missed.filename() == file.filename() && missed.lexically_normal() != normal &&
+                (folder / missed).lexically_normal() != normal)
+                refused = missed.string();
+    } else if (is_there(file)) {
+        refused = file.string();
+    } else if (const std::string name = file.string(), inside = folder.string() + "//";
+               name.starts_with(inside) && is_there(name.substr(inside.size() - 1))) {
+        // An absolute path, put behind that of the folder.
+        refused = name.substr(inside.size() - 1);
+    }
+    if (refused.empty()) return found;
+    if (refused_.empty()) refused_ = refused;
+    return std::nullopt;
+}
+
+bool MeshFolder::Exists(const char* file) const { return allowed(file).has_value(); }
 
 Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
-    if (!allows(file)) return nullptr;
+    const std::optional<fs::path> found = allowed(file);
+    if (!found) {
+        std::string name = file;
+        std::replace(name.begin(), name.end(), '\\', '/');
+        missed_.emplace_back(name);
+        return nullptr;
+    }
     // Its readers open a file more than once.
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    if (!error && file != mesh_ && opened_.insert(file).second) allow_for(size);
-    return DefaultIOSystem::Open(file, mode);
+    const std::uintmax_t size = fs::file_size(*found, error);
+    if (!error && *found != mesh_ && opened_.insert(found->string()).second) allow_for(size);
+    return DefaultIOSystem::Open(found->c_str(), mode);
 }
 
 }  // namespace scb::scenes

@@ -3,33 +3,43 @@
 #include <assimp/DefaultIOSystem.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace scb::scenes {
 
-/// Whether a file that a mesh names, such as a buffer, may be opened: it is a regular file in the
-/// folder of the mesh or below it, once links are followed.
-bool is_side_file(const std::filesystem::path& file, const std::filesystem::path& mesh);
+/// The file that a mesh means by a name, such as that of a buffer, which is a path or the URI of
+/// one (with %20 for a space); nothing unless it is a regular file in the folder of the mesh or
+/// below it, once links are followed.
+std::optional<std::filesystem::path> side_file(const std::filesystem::path& name,
+                                               const std::filesystem::path& mesh);
 
-/// The files that assimp may open: the mesh and its side files. allow_for is told of these.
+/// The files that assimp may open: the mesh and its side files. Where it does not find one it tries
+/// others of the same name, in the folder of the mesh: these are not what the mesh names, so it
+/// does not get them. allow_for is told of the files that it opens.
 class MeshFolder : public Assimp::DefaultIOSystem {
   public:
-    /// `refused` is set to the first name that was asked for and may not be opened, though
-    /// something has it. It must outlive this.
-    MeshFolder(std::filesystem::path mesh, std::string& refused);
+    explicit MeshFolder(std::filesystem::path mesh);
 
     bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
     /// The side files that were opened.
     const std::set<std::string>& opened() const { return opened_; }
+    /// The first name that was asked for and may not be opened, though something has it, or that
+    /// another file would have stood in for.
+    const std::string& refused() const { return refused_; }
+    /// The first name that was not opened.
+    std::string missed() const { return missed_.empty() ? "" : missed_.front().string(); }
 
   private:
-    bool allows(const char* file) const;
+    std::optional<std::filesystem::path> allowed(const std::filesystem::path& file) const;
 
     std::filesystem::path mesh_;
-    std::string& refused_;
+    mutable std::string refused_;
+    std::vector<std::filesystem::path> missed_;
     std::set<std::string> opened_;
 };
 
