@@ -161,6 +161,10 @@ void check_gltf(std::string_view bytes, const std::string& name) {
     const Container parts = parts_of(bytes);
     Document document{
         json::parse(parts.text.begin(), parts.text.end(), nullptr, false), parts.binary, name, {}};
+    const std::size_t last = bytes.find_last_not_of(" \t\r\n");
+    if (document.root.is_discarded() && bytes[0] == '{' && bytes[last] != '}')
+        throw InputError(name +
+                         ": the file is cut off, since its JSON has no end; export it again.");
     if (!document.root.is_object() || !document.root.contains("meshes")) return;
     const json& meshes = document.root.at("meshes");
     // glTF 1 names its meshes by the keys of an object.

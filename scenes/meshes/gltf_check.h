@@ -13,7 +13,8 @@ namespace scb::scenes {
 /// indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp to read or
 /// refuse.
 ///
-/// Throws InputError that names the file, mesh, primitive and index at fault.
+/// Throws InputError that names the file, mesh, primitive and index at fault, or says that the file
+/// is cut off.
 void check_gltf(std::string_view bytes, const std::string& name);
 
 }  // namespace scb::scenes

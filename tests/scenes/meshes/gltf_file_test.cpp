@@ -132,5 +132,12 @@ TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
     EXPECT_EQ(load_mesh(folder.write("b.gltf", text)).triangles.size(), 2u);
 }
 
+TEST(MeshFile, SaysThatAGltfFileIsCutOff) {
+    const TemporaryFolder folder;
+    std::string text = gltf_of_two(3);
+    text.resize(text.size() - 3);
+    expect_in("the file is cut off", refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+}
+
 }  // namespace
 }  // namespace scb::scenes
