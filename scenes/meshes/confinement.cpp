@@ -30,6 +30,7 @@ constexpr rlim_t slowness = 1;
 
 /// The files that were opened.
 std::uint64_t opened_bytes = 0;
+bool memory_is_inherited = false;
 
 /// The soft limits. A process is killed at the hard limit of its time; the soft one, below it,
 /// tells it why (SIGXCPU). False where they cannot be set.
@@ -53,7 +54,9 @@ bool set_limits(std::uint64_t file_bytes) {
         return now;
     }();
     limits = memory;
-    limits.rlim_cur = std::min(limits.rlim_cur, std::min(12 * gibi, gibi + gibi / 2 + 64 * bytes));
+    const rlim_t enough = std::min(12 * gibi, gibi + gibi / 2 + 64 * bytes);
+    memory_is_inherited = limits.rlim_cur < enough;
+    limits.rlim_cur = std::min(limits.rlim_cur, enough);
     return ::setrlimit(RLIMIT_AS, &limits) == 0;
 }
 
@@ -118,9 +121,10 @@ void allow_for(std::uint64_t file_bytes) {
     set_limits(opened_bytes);
 }
 
-std::uint64_t address_space() {
+AddressSpace address_space() {
     rlimit limits{};
-    return ::getrlimit(RLIMIT_AS, &limits) == 0 ? limits.rlim_cur : RLIM_INFINITY;
+    ::getrlimit(RLIMIT_AS, &limits);
+    return {limits.rlim_cur, memory_is_inherited};
 }
 
 }  // namespace scb::scenes

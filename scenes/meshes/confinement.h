@@ -18,7 +18,11 @@ std::string confine_this_process(int answers);
 /// and 2 seconds of processor time for each 10^6, up to five minutes. Not for threads.
 void allow_for(std::uint64_t file_bytes);
 
-/// The address space that this process may have now, in bytes.
-std::uint64_t address_space();
+/// The address space that this process may have now.
+struct AddressSpace {
+    std::uint64_t bytes = 0;
+    bool inherited = false;  ///< it is less than allow_for would give, by a limit from outside
+};
+AddressSpace address_space();
 
 }  // namespace scb::scenes

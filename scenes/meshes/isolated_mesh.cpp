@@ -230,6 +230,7 @@ Mesh isolated_mesh(const std::string& path) {
     const std::optional<int> status = reader.wait();
     if (!answer || (status && *status != 0)) refuse_after(status, path);
     if (answer->kind == MeshAnswer::refusal) throw InputError(answer->sentence);
+    if (answer->kind == MeshAnswer::limited) throw MeshReaderError(answer->sentence);
     if (answer->kind == MeshAnswer::unconfined)
         throw MeshReaderError(path + ": meshes are read by a process of " + reader.program() +
                               " that is confined, which this system does not allow (" +

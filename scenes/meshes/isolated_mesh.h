@@ -9,7 +9,8 @@
 
 namespace scb::scenes {
 
-/// The process that reads meshes could not do its work, for a reason that is not the file's.
+/// A mesh could not be read for a reason that is not the file's: the process that reads meshes
+/// could not do its work, or memory ran out.
 struct MeshReaderError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -19,8 +20,9 @@ struct MeshReaderError : std::runtime_error {
 /// this one. What that process may do is in confinement.h. Any thread may call it.
 ///
 /// Throws what assimp_mesh throws; InputError where the process crashed, was killed for its memory
-/// or took too long; and MeshReaderError where it cannot be started or confined, or a signal asked
-/// it to end: the file is never read in this process instead.
+/// or took too long; and MeshReaderError where it cannot be started or confined, has less memory
+/// than it needs by a limit from outside, or a signal asked it to end: the file is never read in
+/// this process instead.
 Mesh isolated_mesh(const std::string& path);
 
 /// Of each mesh that isolated_mesh has returned and that names a file which it may not have, such

@@ -28,7 +28,7 @@ inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's'
 /// the names of its side files, each with a zero behind it, and that of a file that it names but
 /// may not have; or a sentence.
 struct MeshAnswer {
-    enum Kind : std::uint64_t { mesh, refusal, unconfined, failure };
+    enum Kind : std::uint64_t { mesh, refusal, unconfined, limited, failure };
     std::uint64_t kind = failure;
     std::uint64_t first = 0;   ///< how many vertices, or characters
     std::uint64_t second = 0;  ///< how many triangles

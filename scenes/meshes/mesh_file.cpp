@@ -46,8 +46,9 @@ Mesh load_mesh(const fs::path& path) {
     } catch (const MeshReaderError&) {
         throw;
     } catch (const std::bad_alloc&) {
-        throw InputError(
-            name + ": needs more memory than there is; give a smaller mesh, or repair its counts.");
+        throw MeshReaderError(name +
+                              ": needs more memory than there is; give a smaller mesh, or a higher "
+                              "limit (ulimit -v).");
     } catch (const std::exception& error) {
         throw InputError(name + ": cannot be read (" + error.what() +
                          "); repair the file or export it again.");

@@ -28,10 +28,10 @@ namespace scb::scenes {
 /// What assimp reads is read in another process, see isolated_mesh, since its readers can crash on
 /// broken files.
 ///
-/// Throws MeshReaderError where that process cannot do its work; and InputError with one sentence
-/// that names the file, the place where known, and what to do: the file is missing, a directory,
-/// empty, of a format that nothing reads, or broken; an index is out of range; a used vertex is not
-/// finite; there is no triangle.
+/// Throws MeshReaderError where that process cannot do its work, or memory runs out; and InputError
+/// with one sentence that names the file, the place where known, and what to do: the file is
+/// missing, a directory, empty, of a format that nothing reads, or broken; an index is out of
+/// range; a used vertex is not finite; there is no triangle.
 Mesh load_mesh(const std::filesystem::path& path);
 
 }  // namespace scb::scenes

@@ -78,10 +78,15 @@ bool answer_for(const std::string& path) {
     } catch (const InputError& error) {
         return write_sentence(MeshAnswer::refusal, error.what());
     } catch (const std::bad_alloc&) {
+        const AddressSpace space = address_space();
+        const std::string size = std::to_string(space.bytes >> 20) + " MiB";
+        if (space.inherited)
+            return write_sentence(MeshAnswer::limited,
+                                  path + ": needs more memory than there is (" + size +
+                                      "); give a smaller mesh, or a higher limit (ulimit -v).");
         return write_sentence(MeshAnswer::refusal,
                               path + ": needs more memory than a file of its size may take (" +
-                                  std::to_string(address_space() >> 20) +
-                                  " MiB); give a smaller mesh, or repair its counts.");
+                                  size + "); give a smaller mesh, or repair its counts.");
     } catch (const std::exception& error) {
         return write_sentence(MeshAnswer::failure, error.what());
     }

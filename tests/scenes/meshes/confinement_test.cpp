@@ -72,7 +72,7 @@ TEST(Confinement, HasTimeAndMemoryByTheBytesThatItReads) {
         constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
         const auto has = [&](rlim_t seconds, rlim_t bytes) {
             return soft_limit(RLIMIT_CPU) == std::min<rlim_t>(slowness * seconds, 300) &&
-                   (slowness > 1 || address_space() == bytes);
+                   (slowness > 1 || address_space().bytes == bytes);
         };
         bool all = has(8, 1536 * mebi);
         allow_for(10'000'000);

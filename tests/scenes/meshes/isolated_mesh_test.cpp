@@ -90,6 +90,12 @@ TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
     }
 }
 
+TEST(IsolatedMesh, BlamesNoFileForALimitOfMemory) {
+    const FakeReader fake(answers({MeshAnswer::limited, 7}) + text("limits."));
+    const std::string file = fake.folder.write("good.obj", triangle_obj);
+    EXPECT_THROW(load_mesh(file), MeshReaderError);
+}
+
 TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
     const std::string whole = answers({MeshAnswer::refusal, 9}) + text("not this.");
     for (const std::string& script :
