@@ -120,13 +120,15 @@ Image read_png(const std::filesystem::path& path) {
         // The decoder has no words for some damage, and takes what is behind the end for a chunk
         // without a name.
         const char* const words = stbi_failure_reason();
-        std::string reason = words == nullptr ? "it is damaged" : words;
+        std::string reason = words == nullptr ? "no reason given" : words;
         // They may quote the file.
         for (char& c : reason)
             if (c < ' ' || c > '~') c = '?';
-        throw InputError("\"" + path.string() + "\" is not a " +
-                         (reason.empty() || reason[0] == ' ' ? "whole PNG file: it ends too early."
-                                                             : "PNG file: " + reason + "."));
+        const bool is_cut_off = reason.empty() || reason[0] == ' ' || reason == "outofdata";
+        throw InputError("\"" + path.string() + "\" is " +
+                         (!has_header  ? "not a PNG file."
+                          : is_cut_off ? "not a whole PNG file: it ends too early."
+                                       : "a damaged PNG file: " + reason + "."));
     }
     const std::size_t size =
         4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
