@@ -64,7 +64,9 @@ std::string plain_reason(const InputError& error, const SceneOptions& scene) {
             file = std::filesystem::path(scene.models_dir) / name;
         // What is said of a missing file, or of a built-in scene, is nothing that a file holds.
         if (!std::filesystem::exists(file, ignored)) return error.what();
-        if (there.empty()) there = file.string();
+        // The sentence begins with the file at fault.
+        if (there.empty() || std::string_view(error.what()).starts_with(file.string() + ":"))
+            there = file.string();
     }
     return there + " is not, or no longer, the scene or mesh that it was; `scb stats " + there +
            "` says why.";

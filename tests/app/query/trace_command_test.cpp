@@ -236,6 +236,10 @@ TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
     EXPECT_EQ(run.err, "scb: error: " + trace +
                            ": the query that it recorded cannot be opened from here: " +
                            (folder / "b.off") + ": there is no such file; check the path.\n");
+    write_text(folder / "b.off", "OFF\n3 1 0\n");
+    EXPECT_NE(
+        run_scb("inspect " + trace).err.find("`scb stats " + (folder / "b.off") + "` says why"),
+        std::string::npos);
 }
 
 // Whoever made a trace may have named a file of somebody else.
