@@ -81,12 +81,9 @@ class PackedTraversal {
     static constexpr int n = Part::n;
     static constexpr std::size_t enough = 256;  // leaves are tested in long runs of the same code
     static constexpr std::size_t batch = 32, ahead = 4;
-    /// More than what is computed of the distances of volumes may be off: a center of B by some 18
-    /// units of the length, its normal by 12, distances along both normals and their cosine by 60
-    /// in all, and radii times the sine by 20. What the skin adds to these lengths is rounded as
-    /// often.
+    /// What the skin adds to the lengths is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
-        return 96 * float_unit * (o.length + skin_) + placed_.double_error + skin_;
+        return distance_bound * float_unit * (o.length + skin_) + placed_.double_error + skin_;
     }
 
     HWY_INLINE bool is_kept(PackedRef i, PackedRef j) const {

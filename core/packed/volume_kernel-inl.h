@@ -67,6 +67,11 @@ HWY_INLINE LaneScbs<n> placed(const LaneScbs<n>& b, const FloatPlacement& placem
     return {rotate(placement, b.c) + translation, rotate(placement, b.normal), b.r, b.m, b.h};
 }
 
+/// What overlap computes of the distances of volumes in one frame may be off by so many units of
+/// the length of an Offset: a center of B by some 18, its normal by 12, distances along both
+/// normals and their cosine by 60 in all, and radii times the sine by 20.
+inline constexpr float distance_bound = 96;
+
 /// Which of n pairs of volumes overlap or are within `margin`: the symmetric form of Figure 8, all
 /// stages at once, see overlap_symmetric. |sin| is taken from the cross product of the normals: 1 -
 /// cos^2 cancels where slabs are nearly parallel.

@@ -27,6 +27,12 @@ struct KernelAnswer {
     bool operator==(const KernelAnswer&) const = default;
 };
 
+/// Two volumes in two nodes, as the kernel of packed nodes sees them.
+struct NodePair {
+    PackedScb a, b;  ///< relative to the origins of their nodes
+    float origin_a[4], origin_b[4], reach_a, reach_b;
+};
+
 /// Two triangles of two leaves.
 struct LeafLane {
     IndexPair pair;
