@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "core/base/trigonometry.h"
@@ -86,6 +87,24 @@ TEST(MotionBound, HoldsForTheDistanceOfAnyTwoPoints) {
             const double after = std::sqrt(squared_norm(p - transform_point(to, q)));
             ASSERT_LE(std::abs(after - before), bound + 1e-14) << i;
         }
+    }
+}
+
+// A is where it was, seen from B, to the last bit; but B's pose has become another stretch.
+TEST(MotionBound, AllowsForPosesThatAreNotQuiteRigid) {
+    Random random(94);
+    for (int i = 0; i < 2'000; ++i) {
+        const FrontBodies bodies = {
+            {Vec3::Zero(), 0}, {100 * random_unit_vector(random), 0.1}, 0.1};
+        const Pose from = random_pose(random, 2);
+        Pose to = from;
+        for (int k = 0; k < 9; ++k) to.rotation(k / 3, k % 3) += 1e-10 * random.uniform(-1, 1);
+        to.translation =
+            to.rotation.transpose().inverse() * (from.rotation.transpose() * from.translation);
+        const Vec3 q = bodies.b.center;
+        const double change = std::sqrt(squared_norm(transform_point(to, q))) -
+                              std::sqrt(squared_norm(transform_point(from, q)));
+        ASSERT_LE(std::abs(change), motion_bound(bodies, from, to)) << i;
     }
 }
 
