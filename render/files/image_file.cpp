@@ -2,10 +2,12 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 
 #include "scb/error.h"
@@ -25,8 +27,22 @@ unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed_size, 
     return packed;
 }
 
+/// The largest block that stb may have, in this thread. Where compressed data have no end, it takes
+/// zeros for what is behind them, for as long as it gets memory.
+thread_local std::size_t most_for_stb = 0;
+
+void* block_for_stb(void* old, std::size_t size) {
+    if (size > most_for_stb) return nullptr;
+    void* const block = std::realloc(old, size);
+    if (!block) throw std::bad_alloc();
+    return block;
+}
+
 }  // namespace
 
+#define STBI_MALLOC(size) block_for_stb(nullptr, size)
+#define STBI_REALLOC(block, size) block_for_stb(block, size)
+#define STBI_FREE(block) std::free(block)
 #define STBIW_ZLIB_COMPRESS deflate_for_stb
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -94,6 +110,27 @@ std::vector<std::uint8_t> encode_png(const IdImage& image) {
     return encode(packed.data(), image.width, image.height, 4);
 }
 
+namespace {
+
+/// How far a whole picture makes its decoder grow blocks, which doubles them: to its pixels, and no
+/// further than deflate can pack them (1032 times), or to its data; scb draws no side above 2^14.
+/// `header` has the width from
+/// byte 16 on, then the height.
+std::size_t most_of(const std::array<unsigned char, 25>& header, std::uintmax_t file_size) {
+    const auto number = [&](std::size_t at) {
+        std::size_t value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | header[i];
+        return value;
+    };
+    constexpr std::size_t small = 1 << 16, most_side = 1 << 14, most_packed = 1032;
+    const std::size_t width = std::min(number(16), most_side),
+                      height = std::min(number(20), most_side);
+    return small +
+           2 * std::max(file_size, std::min(height * (4 * width + 1), most_packed * file_size));
+}
+
+}  // namespace
+
 Image read_png(const std::filesystem::path& path) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -111,6 +148,7 @@ Image read_png(const std::filesystem::path& path) {
         throw InputError("\"" + path.string() + "\" has " + std::to_string(depth) +
                          " bits a channel, of which 8 would be compared; save it with 8.");
     std::rewind(file.get());
+    most_for_stb = most_of(start, std::filesystem::file_size(path));
     Image image;
     int channels = 0;
     std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
@@ -128,7 +166,9 @@ Image read_png(const std::filesystem::path& path) {
         throw InputError("\"" + path.string() + "\" is " +
                          (!has_header  ? "not a PNG file."
                           : is_cut_off ? "not a whole PNG file: it ends too early."
-                                       : "a damaged PNG file: " + reason + "."));
+                          : reason == "outofmem"
+                              ? "a damaged PNG file: it holds more than a picture of its size."
+                              : "a damaged PNG file: " + reason + "."));
     }
     const std::size_t size =
         4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
