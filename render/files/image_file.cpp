@@ -113,9 +113,8 @@ std::vector<std::uint8_t> encode_png(const IdImage& image) {
 namespace {
 
 /// How far a whole picture makes its decoder grow blocks, which doubles them: to its pixels, and no
-/// further than deflate can pack them (1032 times), or to its data; scb draws no side above 2^14.
-/// `header` has the width from
-/// byte 16 on, then the height.
+/// further than deflate can pack them (1032 times), or to its data. `header` has the width from
+/// byte 16 on, then the height; scb draws neither above 2^14.
 std::size_t most_of(const std::array<unsigned char, 25>& header, std::uintmax_t file_size) {
     const auto number = [&](std::size_t at) {
         std::size_t value = 0;
