@@ -8,6 +8,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <system_error>
 
@@ -20,6 +21,7 @@
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_reader.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -95,6 +97,15 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
     return sentence + "; see `" + command + " --help`.";
 }
 
+/// Tells `scb golden` which files a case has read, however it ends.
+struct ToldInputs {
+    std::string file;
+
+    ~ToldInputs() {
+        if (!file.empty()) std::ofstream(file, std::ios::app) << scenes::noted_inputs();
+    }
+};
+
 int run(int argc, char** argv) {
     CLI::App program{
         "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
@@ -112,6 +123,8 @@ int run(int argc, char** argv) {
     Console console;
     Action action;
     std::string color = "auto";
+    ToldInputs inputs;
+    program.add_option("--inputs-to", inputs.file)->group("");
     program.add_flag("--quiet", console.quiet, "No notes and no progress");
     program.add_option("--color", color, "Color in messages")
         ->check(CLI::IsMember({"auto", "always", "never"}))

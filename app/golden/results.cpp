@@ -117,6 +117,8 @@ void add_result_files(const Command& command, ResultFiles& files) {
 
 void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const fs::path& work) {
+    // The cases may have read more than the suite names: what their meshes name.
+    files.refuse_inputs();
     std::optional<render::OutputError> failed;
     // Where one cannot be written, the others still can: the terminal may have gone.
     const auto attempt = [&](auto write) {

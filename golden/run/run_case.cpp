@@ -11,6 +11,7 @@
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
@@ -28,10 +29,11 @@ struct ChildEnd {
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = settings.runner;
-    words.insert(words.end(), {settings.program, "--quiet"});
+    words.insert(words.end(),
+                 {settings.program, "--quiet", "--inputs-to", render::ChildProcess::output_path});
     words.insert(words.end(), command.begin(), command.end());
-    const render::UnnamedFile unused;
-    render::ChildProcess child(words, unused, std::chrono::seconds(1), settings.folder);
+    const render::UnnamedFile inputs;
+    render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
     const pid_t group = child.id();
     if (settings.work != nullptr) settings.work->has_started(group);
     ChildEnd result;
@@ -40,6 +42,8 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     result.stopped = !result.end && settings.stopped();
     result.printed = child.printed();
     result.last_line = child.last_line();
+    const std::vector<std::uint8_t> noted = inputs.bytes();
+    scenes::note_inputs({reinterpret_cast<const char*>(noted.data()), noted.size()});
     return result;
 }
 

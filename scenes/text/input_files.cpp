@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "scb/error.h"
@@ -39,6 +40,22 @@ void note_input(const std::filesystem::path& file) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     files.noted.insert(*identity);
+}
+
+std::string noted_inputs() {
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    std::string text;
+    for (const auto& [device, number] : files.noted)
+        text += std::to_string(device) + " " + std::to_string(number) + "\n";
+    return text;
+}
+
+void note_inputs(std::string_view noted) {
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    std::istringstream text{std::string(noted)};
+    for (Identity file; text >> file.first >> file.second;) files.noted.insert(file);
 }
 
 void refuse_input(const std::filesystem::path& output, const std::string& option) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace scb::scenes {
 
@@ -10,6 +11,11 @@ namespace scb::scenes {
 /// program keeps for itself, such as baselines, are not noted. Any thread may call this. No effect
 /// where there is no such file.
 void note_input(const std::filesystem::path& file);
+
+/// The files that were noted, as text that another process's note_inputs understands.
+std::string noted_inputs();
+/// Notes the files that another process has noted; what is no such text has no effect.
+void note_inputs(std::string_view noted);
 
 /// Throws InputError where the path leads to a file that was noted, by whatever name. `option` is
 /// the one that says where to write. To be called when all has been read, and before anything is

@@ -44,8 +44,8 @@ std::vector<Row> rows() {
                                                   "flat.bin", "camera.json"},
                                    of_trace = {"t.scbtrace", "scene.json", "wedge.obj",
                                                "flat.gltf",  "flat.bin",   "camera.json"},
-                                   of_suite = {"suite.json", "scene.json", "wedge.obj",
-                                               "flat.gltf"};
+                                   of_suite = {"suite.json", "scene.json", "wedge.obj", "flat.gltf",
+                                               "flat.bin"};
     const std::string picture = " --size 320x240 --samples 1 --camera camera.json";
     return {
         {"render levels scene.json --levels 0,1 --ids" + picture, with_camera, "-o", ""},
