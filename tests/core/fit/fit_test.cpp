@@ -68,6 +68,21 @@ TEST(FitScb, ContainsEveryPointExactly) {
     }
 }
 
+// The tip of a pyramid that is half as high as it is wide is on the ball and on the slab's normal.
+TEST(FitScb, ContainsATipThatTheSlabJustTouches) {
+    Random random(36);
+    for (int i = 0; i < 2000; ++i) {
+        const double size = random.uniform(0.1, 1);
+        const Vec3 c = random_point(random), tip = size * Vec3(1, 1, 1),
+                   x = std::sqrt(1.5) * size * Vec3(1, -1, 0),
+                   y = std::sqrt(0.5) * size * Vec3(1, 1, -2);
+        const std::vector<Vec3> points = {c + x, c - x, c + y, c - y, c + tip};
+        const Scb fitted = fit_scb(points);
+        expect_sound(fitted, points);
+        ASSERT_NEAR(fitted.e - fitted.f, fitted.r, 1e-14);
+    }
+}
+
 TEST(FitScb, TakesEverySmallAndDegenerateSet) {
     Random random(32);
     for (const int count : {1, 2, 3, 7, 8, 9, 26, 27}) {
