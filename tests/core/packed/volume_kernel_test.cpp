@@ -82,7 +82,7 @@ PackedScb random_volume(Random& random, const Vec3& normal) {
 // not. The bound adds up what is never all there: no pair needed more than one unit.
 TEST(VolumeKernel, DistancesAreWithinTheirBound) {
 #ifdef SCB_SANITIZED
-    constexpr int pairs_tried = 2000;
+    constexpr int pairs_tried = 10000;
 #else
     constexpr int pairs_tried = 100000;
 #endif
