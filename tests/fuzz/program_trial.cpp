@@ -6,7 +6,9 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -97,6 +99,11 @@ struct Run {
     std::string out, err;
 };
 
+volatile pid_t running = -1;
+constexpr unsigned patience = 30;  // seconds
+
+void end_running(int) { ::kill(running, SIGKILL); }
+
 Run run(const std::string& program, const std::string& arguments, const fs::path& folder) {
     std::vector<std::string> words = {program};
     for (std::size_t at = 0; at < arguments.size();) {
@@ -124,7 +131,11 @@ Run run(const std::string& program, const std::string& arguments, const fs::path
     posix_spawn_file_actions_destroy(&files);
     int status = 0;
     rusage usage{};
-    ::wait4(child, &status, 0, &usage);
+    running = child;
+    ::alarm(patience);
+    while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+    }
+    ::alarm(0);
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -167,6 +178,7 @@ int main(int argc, char** argv) {
         arguments.replace(at, 3, out);
     std::vector<std::string> originals;
     for (int i = 7; i < argc; ++i) originals.push_back(read_file(argv[i]));
+    std::signal(SIGALRM, end_running);
     std::map<int, int> statuses;
     int broken = 0;
     double slowest = 0;
