@@ -90,6 +90,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
         scenes::frames_in_trace(path, frames == scenes::auto_frames ? "all" : frames);
     scenes::note_input(path);
     trace_ = std::make_unique<scenes::TraceInput>(path);
+    trace_path_ = path;
     header_ = trace_->reader.header();
     if (header_.scb_version != SCB_VERSION)
         throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
@@ -142,12 +143,13 @@ const TraceFrame& QuerySource::frame(int number) {
     const TraceFrame* frame = trace_->reader.next();
     while (frame != nullptr && frame->frame < number) frame = trace_->reader.next();
     if (frame == nullptr || frame->frame != number)
-        throw InputError("the trace has no frame " + std::to_string(number) + " any more.");
+        throw InputError(trace_path_ + ": it has no frame " + std::to_string(number) +
+                         " any more.");
     const Pose now = query_.b_to_a(number);
     if (now.rotation != frame->b_to_a.rotation || now.translation != frame->b_to_a.translation)
-        throw InputError("at frame " + std::to_string(number) + " of " + query_.scene.name +
-                         " the bodies are elsewhere than when the trace was recorded; record it "
-                         "again.");
+        throw InputError(trace_path_ + ": at frame " + std::to_string(number) + " of " +
+                         query_.scene.name +
+                         " the bodies are elsewhere than when it was recorded; record it again.");
     return *frame;
 }
 

@@ -31,6 +31,7 @@ class QuerySource {
     SceneQuery query_;
     TraceHeader header_;
     std::unique_ptr<scenes::TraceInput> trace_;  ///< null where queries are made now
+    std::string trace_path_;
     TraceFrame made_;
     EventRecorder recorder_;
 };
