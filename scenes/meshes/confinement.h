@@ -6,9 +6,10 @@
 namespace scb::scenes {
 
 /// Confines this process, which is about to read files of strangers, for good. It ends with who
-/// started it, leaves no core file, opens nothing to write, and reaches no network and no other
-/// program. It has 1.5 GiB of address space, 8 seconds of processor time and five minutes, besides
-/// what allow_for adds; it never has more than whoever started it.
+/// started it, leaves no core file, opens nothing to write, changes no file's mode, owner or time,
+/// and reaches no network, no other program and no other process. It has 1.5 GiB of address space,
+/// 8 seconds of processor time and five minutes, besides what allow_for adds; it never has more
+/// than whoever started it.
 ///
 /// Returns why that cannot be arranged, or nothing. `answers` is the descriptor of the pipe that
 /// leads to who started it.

@@ -41,14 +41,22 @@ TEST(Confinement, OpensFilesToReadOnly) {
                refused(::open(to, O_WRONLY | O_CREAT, 0600)) && refused(::unlink(name)) &&
                refused(::rename(name, to)) && refused(::truncate(name, 0)) &&
                refused(::link(name, to)) && refused(::symlink(name, to)) &&
-               refused(::mkdir(to, 0700));
+               refused(::mkdir(to, 0700)) && refused(::mkfifo(to, 0600)) &&
+               refused(::chmod(name, 0777)) && refused(::lchown(name, 1, 1)) &&
+               refused(::utimensat(AT_FDCWD, name, nullptr, 0));
     };
     EXPECT_EXIT(confined(holds), testing::ExitedWithCode(0), "");
 }
 
-TEST(Confinement, ReachesNoNetworkAndNoProgram) {
+TEST(Confinement, ReachesNoNetworkAndNoOtherProgramOrProcess) {
     const auto holds = [] {
         char* const arguments[] = {nullptr};
+        const pid_t other = ::getppid();
+        rlimit limits{};
+        if (!refused(::kill(other, 0)) ||
+            !refused(::prlimit(other, RLIMIT_NOFILE, nullptr, &limits)) ||
+            ::prlimit(0, RLIMIT_NOFILE, nullptr, &limits) != 0)
+            return false;
         return refused(::socket(AF_INET, SOCK_STREAM, 0)) &&
                refused(::socket(AF_UNIX, SOCK_STREAM, 0)) &&
                refused(::execve("/bin/true", arguments, arguments));
