@@ -15,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/version.h"
 #include "core/base/exit_status.h"
+#include "render/files/child_process.h"
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
@@ -97,12 +98,12 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
     return sentence + "; see `" + command + " --help`.";
 }
 
-/// Tells `scb golden` which files a case has read, however it ends.
+/// Tells `scb golden` which files a case has read, unless a signal ends it.
 struct ToldInputs {
-    std::string file;
+    bool wanted = false;
 
     ~ToldInputs() {
-        if (!file.empty()) std::ofstream(file, std::ios::app) << scenes::noted_inputs();
+        if (wanted) std::ofstream(render::ChildProcess::output_path) << scenes::noted_inputs();
     }
 };
 
@@ -124,7 +125,7 @@ int run(int argc, char** argv) {
     Action action;
     std::string color = "auto";
     ToldInputs inputs;
-    program.add_option("--inputs-to", inputs.file)->group("");
+    program.add_flag("--tell-inputs", inputs.wanted)->group("");
     program.add_flag("--quiet", console.quiet, "No notes and no progress");
     program.add_option("--color", color, "Color in messages")
         ->check(CLI::IsMember({"auto", "always", "never"}))

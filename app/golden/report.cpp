@@ -33,6 +33,7 @@ void gather(const golden::CaseResult& result, const fs::path& folder, const fs::
             throw InputError((folder / "results.json").string() + ": '" + name +
                              "' is not a name of a file beside it.");
         std::error_code ignored;
+        scenes::note_input(folder / name);
         if (fs::exists(folder / name, ignored))
             render::write_file_whole(work / name, scenes::file_bytes((folder / name).string()));
     }

@@ -29,8 +29,7 @@ struct ChildEnd {
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = settings.runner;
-    words.insert(words.end(),
-                 {settings.program, "--quiet", "--inputs-to", render::ChildProcess::output_path});
+    words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
     words.insert(words.end(), command.begin(), command.end());
     const render::UnnamedFile inputs;
     render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);

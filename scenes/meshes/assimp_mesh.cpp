@@ -177,7 +177,7 @@ AssimpMesh assimp_mesh(const std::string& path) {
             throw InputError(path + ": names \"" + excerpt(refused) +
                              "\", which is not a regular file in the folder of the mesh; put a "
                              "copy there, and name that.");
-        if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+        if (reason == std::bad_alloc().what()) throw std::bad_alloc();
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }

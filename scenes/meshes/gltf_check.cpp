@@ -101,7 +101,8 @@ struct Indices {
 std::optional<Indices> indices_of(Document& document, const json& accessor) {
     if (accessor.contains("sparse") || !accessor.contains("bufferView")) return std::nullopt;
     const json& view = document.root.at("bufferViews").at(natural(accessor, "bufferView"));
-    if (view.contains("extensions")) return std::nullopt;
+    if (view.contains("extensions") && view.at("extensions").contains("EXT_meshopt_compression"))
+        return std::nullopt;
     Indices indices;
     switch (natural(accessor, "componentType")) {
         case 5121:
@@ -132,6 +133,7 @@ void check_primitive(Document& document, const json& primitive, const std::strin
     if (primitive.contains("extensions") &&
         primitive.at("extensions").contains("KHR_draco_mesh_compression"))
         return;
+    if (!primitive.at("attributes").contains("POSITION")) return;
     const json& accessors = document.root.at("accessors");
     const json& position = accessors.at(natural(primitive.at("attributes"), "POSITION"));
     constexpr std::size_t is_float = 5126;

@@ -26,8 +26,11 @@ void check_file(const fs::path& path) {
 
 /// By content as well as by name.
 bool is_ply(const std::string& path) {
-    const std::string start = file_bytes(path, 4);
-    return start == "ply\n" || start == "ply\r" || lower_case_extension(path) == ".ply";
+    if (lower_case_extension(path) == ".ply") return true;
+    std::string start = file_bytes(path, 4);
+    for (char& c : start)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return start.starts_with("ply") && start.find_first_of(" \t\r\n", 3) == 3;
 }
 
 }  // namespace

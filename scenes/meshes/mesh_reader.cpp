@@ -54,17 +54,29 @@ bool write_mesh(const AssimpMesh& read) {
            write_all(std::span<const char>(read.left_out));
 }
 
+/// Whether the word is in the text, in upper or lower case.
+bool has_word(std::string start, std::string_view word) {
+    for (char& c : start)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return start.find(word) != start.npos;
+}
+
 /// After the checks that assimp's readers of these formats lack. They go by content as well as by
 /// name, as assimp does.
 AssimpMesh checked_mesh(const std::string& path) {
     allow_for(std::filesystem::file_size(path));
-    const std::string start = file_bytes(path, 16), extension = lower_case_extension(path);
-    if (extension == ".off" || start.find("OFF") != std::string::npos)
+    const std::string start = file_bytes(path, 4096), extension = lower_case_extension(path);
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    if (extension == ".off" || start.substr(0, 16).find("OFF") != start.npos)
         check_off(file_bytes(path), path);
-    if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF"))
+    if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF") ||
+        (first != start.npos && start[first] == '{'))
         check_gltf(file_bytes(path), path);
-    if (extension == ".dae") check_collada(file_bytes(path), path);
-    if (extension == ".3ds") check_3ds(file_bytes(path), path);
+    if (extension == ".zae")
+        throw InputError(path + ": packed COLLADA is not read; unpack it, and give the .dae.");
+    if (extension == ".dae" || has_word(start, "<collada")) check_collada(file_bytes(path), path);
+    if (extension == ".3ds" || extension == ".prj" || start.starts_with("MM"))
+        check_3ds(file_bytes(path), path);
     return assimp_mesh(path);
 }
 

@@ -37,11 +37,12 @@ void check_off(std::string_view bytes, const std::string& name) {
     std::string_view line = lines.next();
     Words first{line};
     const std::string_view magic = first.next();
-    if (magic.size() < 3 || magic.substr(magic.size() - 3) != "OFF" || first.next() == "BINARY")
-        return;
+    // The word may be missing.
+    const bool has_word = magic.ends_with("OFF");
+    if ((!has_word && !number_in(magic)) || first.next() == "BINARY") return;
     // An nOFF file states the dimension of its space on a line of its own.
     if (magic.find('n') != std::string_view::npos) lines.next();
-    Words counts{Words{line}.rest.substr(line.find(magic) + magic.size())};
+    Words counts{has_word ? line.substr(line.find(magic) + magic.size()) : line};
     if (Words{counts}.next().empty()) counts = Words{lines.next()};
     const double vertices = number_in(counts.next()).value_or(-1),
                  faces = number_in(counts.next()).value_or(-1);

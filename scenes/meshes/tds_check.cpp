@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "scb/error.h"
 #include "scenes/meshes/little_endian.h"
@@ -39,20 +40,20 @@ class Check {
             vertices_ = 0;
             faces_ = {};
             run(inside);
-            check_faces();
+            for (const std::string_view faces : faces_) check_faces(faces);
             ++meshes_;
         }
-        if (id == vertices_id) vertices_ = little_endian(inside, 0, 2);
-        if (id == faces_id) faces_ = inside;
+        if (id == vertices_id) vertices_ += little_endian(inside, 0, 2);
+        if (id == faces_id) faces_.push_back(inside);
     }
 
-    void check_faces() const {
+    void check_faces(std::string_view faces) const {
         constexpr std::size_t start = 2, face_size = 8;
-        const std::size_t count = little_endian(faces_, 0, 2);
-        for (std::size_t f = 0; f < count && start + (f + 1) * face_size <= faces_.size(); ++f)
+        const std::size_t count = little_endian(faces, 0, 2);
+        for (std::size_t f = 0; f < count && start + (f + 1) * face_size <= faces.size(); ++f)
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex =
-                    little_endian(faces_, start + f * face_size + 2 * corner, 2);
+                    little_endian(faces, start + f * face_size + 2 * corner, 2);
                 if (vertex >= vertices_)
                     throw InputError(name_ + ": mesh " + std::to_string(meshes_) + ", face " +
                                      std::to_string(f) + " names vertex " + std::to_string(vertex) +
@@ -62,7 +63,7 @@ class Check {
     }
 
     const std::string& name_;
-    std::string_view faces_;  ///< of the mesh that is read
+    std::vector<std::string_view> faces_;  ///< of the mesh that is read
     std::uint32_t vertices_ = 0;
     std::size_t meshes_ = 0;
 };

@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "core/base/random.h"
 #include "scenes/meshes/mesh_file.h"
@@ -98,7 +99,8 @@ std::string dae_with(const std::string& index) {
 </visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-std::string tds_with(std::uint16_t index) {
+/// A triangle, or one of each of these third corners in a chunk of its own.
+std::string tds_with(std::uint16_t index, std::optional<std::uint16_t> other = {}) {
     const auto raw16 = [](std::uint16_t value) {
         return std::string{static_cast<char>(value & 255), static_cast<char>(value >> 8)};
     };
@@ -109,8 +111,11 @@ std::string tds_with(std::uint16_t index) {
     std::string vertices = raw16(3);
     for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
         vertices.append(reinterpret_cast<const char*>(&value), sizeof value);
-    const std::string faces = raw16(1) + raw16(0) + raw16(1) + raw16(index) + raw16(0);
-    const std::string mesh = chunk(0x4100, chunk(0x4120, faces) + chunk(0x4110, vertices));
+    const auto face = [&](std::uint16_t third) {
+        return chunk(0x4120, raw16(1) + raw16(0) + raw16(1) + raw16(third) + raw16(0));
+    };
+    const std::string faces = face(index) + (other ? face(*other) : "");
+    const std::string mesh = chunk(0x4100, faces + chunk(0x4110, vertices));
     return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("m\0", 2) + mesh)));
 }
 
@@ -120,8 +125,38 @@ TEST(BadMeshFile, WithAnIndexThatAssimpTakesForAnotherIsRefused) {
     expect_in("index 2 of list 0 of <p> is -1", refused_file("a.dae", dae_with("-1")));
     refused_file("b.dae", dae_with("3"));
     EXPECT_EQ(load_mesh(folder.write("good.3ds", tds_with(2))).triangles.size(), 1u);
-    expect_in("mesh 0, face 0 names vertex 3, but there are 3 vertices",
-              refused_file("a.3ds", tds_with(3)));
+    const char* const names_3 = "mesh 0, face 0 names vertex 3, but there are 3 vertices";
+    expect_in(names_3, refused_file("a.3ds", tds_with(3)));
+    expect_in(names_3, refused_file("b.3ds", tds_with(3, 2)));
+    // Whatever it is called: assimp goes by what is in it.
+    for (const char* name : {"a.prj", "a.mesh"})
+        expect_in(names_3, refused_file(name, tds_with(3)));
+    for (const char* name : {"a.xml", "a.mesh"})
+        expect_in("of <p> is -1", refused_file(name, dae_with("-1")));
+    expect_in("unpack it", refused_file("a.zae", dae_with("2")));
+}
+
+TEST(BadMeshFile, WithIndicesWrittenInOtherWaysIsRefused) {
+    const auto dae = [](const std::string& open, const std::string& numbers) {
+        std::string text = dae_with("2");
+        const std::string plain = "<p>0 1 2";
+        return text.replace(text.find(plain), plain.size(), open + numbers);
+    };
+    const TemporaryFolder folder;
+    for (const char* open : {"<p >", "<p\nid=\"x\">", "<p id='x' >"}) {
+        expect_in("of <p> is -1", refused_file("a.dae", dae(open, "-1 1 2")));
+        EXPECT_EQ(load_mesh(folder.write("a.dae", dae(open, "0 1 2"))).triangles.size(), 1u);
+    }
+    for (const char* numbers : {"<![CDATA[-1 1 2]]>", "&#45;1 1 2", "<!-- --> -1 1 2"})
+        expect_in("is not plain numbers", refused_file("a.dae", dae("<p>", numbers)));
+    // An OFF file without its first word, and a PLY file by another name.
+    expect_in("face 0 names vertex 9",
+              refused_file("a.off", "3 1 0\n" + std::string(three) + "3 0 1 9\n"));
+    expect_in("is missing or broken",
+              refused_file("a.off", "3 2 0\n" + std::string(three) + "3 0 1 2\n"));
+    std::string shouted = ply("30", "1", three + std::string("3 0 1 2\n"));
+    shouted.replace(0, 3, "PLY");
+    expect_in("vertex", refused_file("a.foo", shouted));
 }
 
 TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
