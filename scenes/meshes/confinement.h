@@ -5,6 +5,9 @@
 
 namespace scb::scenes {
 
+/// Seconds that a confined process has at most.
+inline constexpr unsigned reader_patience = 300;
+
 /// Confines this process, which is about to read files of strangers, for good. It ends with who
 /// started it, leaves no core file, opens nothing to write, changes no file's mode, owner or time,
 /// and reaches no network, no other program and no other process. It has 1.5 GiB of address space,

@@ -1,6 +1,7 @@
 #include "scenes/meshes/isolated_mesh.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <cstring>
@@ -17,10 +19,12 @@
 #include <span>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "scb/error.h"
+#include "scenes/meshes/confinement.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/text/input_files.h"
 
@@ -80,15 +84,15 @@ struct SpawnSettings {
             keep(posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0));
         keep(posix_spawn_file_actions_adddup2(&files, answers, mesh_answer_descriptor));
         keep(posix_spawn_file_actions_addclosefrom_np(&files, mesh_answer_descriptor + 1));
-        // A group of its own: Ctrl-C is for who starts it. No signal is blocked or ignored.
+        // A session of its own: Ctrl-C is for who starts it, and so is the terminal. No signal is
+        // blocked or ignored.
         sigset_t none, all;
         sigemptyset(&none);
         sigfillset(&all);
         keep(posix_spawnattr_setsigmask(&attributes, &none));
         keep(posix_spawnattr_setsigdefault(&attributes, &all));
-        keep(posix_spawnattr_setpgroup(&attributes, 0));
         keep(posix_spawnattr_setflags(
-            &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
+            &attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
     }
     ~SpawnSettings() {
         posix_spawnattr_destroy(&attributes);
@@ -129,9 +133,14 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// False where there is no more.
-    bool read(std::span<std::byte> bytes) const {
+    /// False where there is no more, or nothing comes any more.
+    bool read(std::span<std::byte> bytes) {
         while (!bytes.empty()) {
+            pollfd pipe{answers_.number, POLLIN, 0};
+            const int ready = ::poll(&pipe, 1, milliseconds_left());
+            if (ready < 0 && errno == EINTR) continue;
+            if (ready == 0) is_late_ = true;
+            if (ready <= 0) return false;
             const ssize_t got = ::read(answers_.number, bytes.data(), bytes.size());
             if (got < 0 && errno == EINTR) continue;
             if (got <= 0) return false;
@@ -145,11 +154,11 @@ class Reader {
     std::optional<int> end() {
         answers_.close();
         if (id_ < 0) return std::nullopt;
+        if (whole_) give_time_to_end();
         // The id is kept for a process that has ended, until it is waited for; but not where
         // SIGCHLD is ignored.
         siginfo_t ignored;
-        if (::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-            !whole_)
+        if (::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0)
             ::kill(id_, SIGKILL);
         int status = 0;
         pid_t waited = -1;
@@ -170,8 +179,31 @@ class Reader {
     }
 
     const std::string& program() const { return program_; }
+    /// It was ended because it did not answer.
+    bool is_late() const { return is_late_; }
 
   private:
+    int milliseconds_left() const {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+            deadline_ - std::chrono::steady_clock::now());
+        return static_cast<int>(std::max<std::int64_t>(left.count(), 0));
+    }
+
+    /// Some milliseconds where it has closed the pipe, since then it ends by itself.
+    void give_time_to_end() const {
+        for (int i = 0; i < 2000; ++i) {
+            siginfo_t ended{};
+            if (::waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+                ended.si_pid != 0)
+                return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(i < 20 ? 0 : 1));
+        }
+    }
+
+    // It ends itself before, unless its file has taken it over.
+    std::chrono::steady_clock::time_point deadline_ =
+        std::chrono::steady_clock::now() + std::chrono::seconds(reader_patience + 30);
+    bool is_late_ = false;
     std::string program_;
     Descriptor answers_;
     pid_t id_ = -1;
@@ -228,6 +260,7 @@ Mesh isolated_mesh(const std::string& path) {
     std::optional<ReceivedAnswer> answer =
         receive_answer([&](std::span<std::byte> bytes) { return reader.read(bytes); });
     const std::optional<int> status = reader.wait();
+    if (reader.is_late()) refuse_after(SIGALRM, path);
     if (!answer || (status && *status != 0)) refuse_after(status, path);
     if (answer->kind == MeshAnswer::refusal) throw InputError(answer->sentence);
     if (answer->kind == MeshAnswer::limited) throw MeshReaderError(answer->sentence);

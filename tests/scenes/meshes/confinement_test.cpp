@@ -2,10 +2,13 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -43,7 +46,8 @@ TEST(Confinement, OpensFilesToReadOnly) {
                refused(::link(name, to)) && refused(::symlink(name, to)) &&
                refused(::mkdir(to, 0700)) && refused(::mkfifo(to, 0600)) &&
                refused(::chmod(name, 0777)) && refused(::lchown(name, 1, 1)) &&
-               refused(::utimensat(AT_FDCWD, name, nullptr, 0));
+               refused(::utimensat(AT_FDCWD, name, nullptr, 0)) &&
+               refused(::open(folder.path.c_str(), O_TMPFILE | O_RDWR, 0600));
     };
     EXPECT_EXIT(confined(holds), testing::ExitedWithCode(0), "");
 }
@@ -53,7 +57,12 @@ TEST(Confinement, ReachesNoNetworkAndNoOtherProgramOrProcess) {
         char* const arguments[] = {nullptr};
         const pid_t other = ::getppid();
         rlimit limits{};
-        if (!refused(::kill(other, 0)) ||
+        if (!refused(::kill(other, 0)) || !refused(::setsid()) || !refused(::setpgid(0, 0)) ||
+            !refused(::syscall(SYS_tgkill, other, other, 0)) ||
+            !refused(::syscall(SYS_pidfd_open, other, 0)) ||
+            !refused(::ioctl(STDIN_FILENO, TIOCSTI, "x")) ||
+            !refused(::syscall(SYS_process_vm_writev, other, nullptr, 0, nullptr, 0, 0)) ||
+            !refused(::syscall(SYS_memfd_create, "x", 0)) || !refused(::unshare(CLONE_NEWUSER)) ||
             !refused(::prlimit(other, RLIMIT_NOFILE, nullptr, &limits)) ||
             ::prlimit(0, RLIMIT_NOFILE, nullptr, &limits) != 0)
             return false;
