@@ -184,10 +184,7 @@ int run(int argc, char** argv) {
         console.color = color == "always"  ? ColorMode::always
                         : color == "never" ? ColorMode::never
                                            : ColorMode::automatic;
-        const int status = action();
-        for (const std::string& sentence : scenes::left_out_files())
-            console.note("scb: " + sentence);
-        return status;
+        return action();
     } catch (const InputError& error) {
         console.error(error.what());
         return exit_bad_input;

@@ -152,10 +152,20 @@ Mesh joined(const aiScene& scene, const std::string& name) {
     return mesh;
 }
 
+[[noreturn]] void refuse_name(const std::string& mesh, const std::string& name) {
+    throw InputError(mesh + ": names \"" + excerpt(name) +
+                     "\", which is not a regular file in the folder of the mesh; put a copy there, "
+                     "and name that.");
+}
+
 }  // namespace
 
 AssimpMesh assimp_mesh(const std::string& path) {
     Assimp::Importer importer;
+    // Its readers drop vertices whose numbers they do not like, and trust counts.
+    for (const char* extension : {"obj", "ply"})
+        if (Assimp::BaseImporter* own = importer.GetImporter(extension))
+            importer.UnregisterLoader(own);
     auto* const folder = new MeshFolder(path);
     importer.SetIOHandler(folder);  // the importer deletes it
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
@@ -173,17 +183,13 @@ AssimpMesh assimp_mesh(const std::string& path) {
         const std::string missed = std::filesystem::path(folder->missed()).filename().string();
         if (refused.empty() && !missed.empty() && reason.find(missed) != reason.npos)
             refused = folder->missed();
-        if (!refused.empty())
-            throw InputError(path + ": names \"" + excerpt(refused) +
-                             "\", which is not a regular file in the folder of the mesh; put a "
-                             "copy there, and name that.");
+        if (!refused.empty()) refuse_name(path, refused);
         if (reason == std::bad_alloc().what()) throw std::bad_alloc();
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    return {joined(*scene, path),
-            {folder->opened().begin(), folder->opened().end()},
-            folder->refused().empty() ? "" : excerpt(folder->refused())};
+    if (!folder->refused().empty()) refuse_name(path, folder->refused());
+    return {joined(*scene, path), {folder->opened().begin(), folder->opened().end()}};
 }
 
 }  // namespace scb::scenes

@@ -11,11 +11,11 @@ namespace scb::scenes {
 struct AssimpMesh {
     Mesh mesh;
     std::vector<std::string> side_files;
-    std::string left_out;  ///< the first file that it names but may not have, or empty
 };
 
 /// The meshes of a file as assimp reads them, placed by their nodes and joined (see load_mesh), not
-/// yet checked. Throws InputError; what else the library throws passes through.
+/// yet checked. Not of OBJ and PLY files, which have readers of their own. Throws InputError; what
+/// else the library throws passes through.
 AssimpMesh assimp_mesh(const std::string& path);
 
 /// The formats to name where none fits.

@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "scb/error.h"
+#include "scenes/meshes/confinement.h"
 #include "scenes/meshes/little_endian.h"
 #include "scenes/meshes/mesh_folder.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/json_reader.h"
+#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {
@@ -29,20 +34,24 @@ Container parts_of(std::string_view bytes) {
     if (bytes.size() < 20) return {};
     const std::size_t length = little_endian(bytes, 12, 4);
     Container parts{bytes.substr(20, length), {}};
+    // Some writers pad with zeros, not with spaces.
+    parts.text = parts.text.substr(0, parts.text.find_last_not_of('\0') + 1);
     if (bytes.size() < 28 || length > bytes.size() - 28) return parts;
     parts.binary = bytes.substr(28 + length, little_endian(bytes, 20 + length, 4));
     return parts;
 }
 
-std::string decode_base64(std::string_view text) {
+/// Nothing where a letter is none of the code.
+std::optional<std::string> decode_base64(std::string_view text) {
     std::string bytes;
+    text = text.substr(0, text.find_last_not_of('=') + 1);
     std::uint32_t bits = 0;
     int count = 0;
     for (const char c : text) {
         constexpr std::string_view letters =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         const std::size_t value = letters.find(c);
-        if (value == std::string_view::npos) break;
+        if (value == std::string_view::npos) return std::nullopt;
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         count += 6;
         if (count < 8) continue;
@@ -56,6 +65,8 @@ std::string bytes_or_nothing(const std::filesystem::path& buffer, const std::str
     const auto file = side_file(buffer, mesh);
     if (!file) return {};
     try {
+        std::error_code error;
+        if (const auto size = std::filesystem::file_size(*file, error); !error) allow_for(size);
         return file_bytes(file->string());
     } catch (const InputError&) {
         return {};
@@ -70,7 +81,7 @@ struct Document {
     std::map<std::size_t, std::string> fetched;
 
     /// Empty where the bytes are missing. Throws json::exception where the document has no such
-    /// buffer.
+    /// buffer, and InputError where its base64 is damaged.
     std::string_view buffer(std::size_t index) {
         const json& entry = root.at("buffers").at(index);
         if (!entry.contains("uri")) return binary;
@@ -83,8 +94,17 @@ struct Document {
         if (uri.rfind("data:", 0) != 0)
             bytes = bytes_or_nothing(std::filesystem::path(name).parent_path() / uri, name);
         else if (data != std::string::npos)
-            bytes = decode_base64(std::string_view(uri).substr(data + mark.size()));
+            bytes = decoded(std::string_view(uri).substr(data + mark.size()), index);
         return bytes;
+    }
+
+  private:
+    std::string decoded(std::string_view text, std::size_t index) const {
+        std::optional<std::string> bytes = decode_base64(text);
+        if (!bytes)
+            throw InputError(name + ": buffer " + std::to_string(index) +
+                             ": its base64 is damaged; export the file again.");
+        return std::move(*bytes);
     }
 };
 
@@ -141,6 +161,8 @@ void check_primitive(Document& document, const json& primitive, const std::strin
         throw InputError(place +
                          ": its positions are not float (KHR_mesh_quantization), which would be "
                          "misread; export it without quantization.");
+    if (position.at("type") != "VEC3")
+        throw InputError(place + ": its positions are not of the type VEC3; export it again.");
     if (!primitive.contains("indices")) return;
     const std::size_t vertices = natural(position, "count");
     const auto indices = indices_of(document, accessors.at(natural(primitive, "indices")));
@@ -157,20 +179,80 @@ void check_primitive(Document& document, const json& primitive, const std::strin
     }
 }
 
+/// What assimp would read in another way than it is written.
+void check_buffers(const JsonPlace& root, bool has_chunks) {
+    if (!has(root, "buffers")) return;
+    const JsonPlace buffers = field(root, "buffers");
+    for (std::size_t i = 0; i < array_size(buffers, "buffers"); ++i) {
+        const JsonPlace buffer = element(buffers, i);
+        if (!(*buffer).is_object()) refuse_value(buffer, "an object");
+        if (!has(buffer, "uri")) continue;
+        read_plain_text(field(buffer, "uri"));
+        if (i == 0 && has_chunks)
+            refuse(buffer,
+                   "it has a uri, but the first buffer of a .glb is read from its binary chunk; "
+                   "export a .gltf.");
+    }
+}
+
+void check_numbers(const JsonPlace& node, const char* name, std::size_t count) {
+    if (!has(node, name)) return;
+    const JsonPlace numbers = field(node, name);
+    const std::string expected = std::to_string(count) + " numbers";
+    if (array_size(numbers, expected.c_str()) != count) refuse_value(numbers, expected);
+    for (std::size_t i = 0; i < count; ++i) read_number(element(numbers, i));
+}
+
+void check_nodes(const JsonPlace& root) {
+    if (!has(root, "nodes")) return;
+    const JsonPlace nodes = field(root, "nodes");
+    for (std::size_t i = 0; i < array_size(nodes, "nodes"); ++i) {
+        const JsonPlace node = element(nodes, i);
+        if (!(*node).is_object()) refuse_value(node, "an object");
+        check_numbers(node, "matrix", 16);
+        check_numbers(node, "translation", 3);
+        check_numbers(node, "rotation", 4);
+        check_numbers(node, "scale", 3);
+    }
+}
+
+/// Those of how a surface looks change no triangle; quantization is refused where it is used.
+void check_extensions(const JsonPlace& root) {
+    if (!has(root, "extensionsRequired")) return;
+    const JsonPlace required = field(root, "extensionsRequired");
+    for (std::size_t i = 0; i < array_size(required, "names of extensions"); ++i) {
+        const JsonPlace place = element(required, i);
+        const std::string extension = read_text(place);
+        constexpr std::string_view known[] = {
+            "KHR_materials_",        "KHR_texture_",
+            "EXT_texture_",          "MSFT_texture_",
+            "KHR_lights_",           "KHR_xmp",
+            "KHR_mesh_quantization", "KHR_draco_mesh_compression"};
+        if (std::none_of(std::begin(known), std::end(known),
+                         [&](std::string_view start) { return extension.starts_with(start); }))
+            refuse(place, "the file needs the extension \"" + excerpt(extension) +
+                              "\", which is not read; export it without.");
+    }
+}
+
 }  // namespace
 
 void check_gltf(std::string_view bytes, const std::string& name) {
     const Container parts = parts_of(bytes);
-    Document document{
-        json::parse(parts.text.begin(), parts.text.end(), nullptr, false), parts.binary, name, {}};
-    const std::size_t last = bytes.find_last_not_of(" \t\r\n");
-    if (document.root.is_discarded() && bytes[0] == '{' && bytes[last] != '}')
+    const std::size_t last = parts.text.find_last_not_of(" \t\r\n");
+    if (last == std::string_view::npos) return;
+    if (parts.text[last] != '}')
         throw InputError(name +
                          ": the file is cut off, since its JSON has no end; export it again.");
+    Document document{parse_json(parts.text, name), parts.binary, name, {}};
+    const JsonPlace root{&document.root, name, ""};
     if (!document.root.is_object() || !document.root.contains("meshes")) return;
     const json& meshes = document.root.at("meshes");
     // glTF 1 names its meshes by the keys of an object.
     if (!meshes.is_array()) return;
+    check_extensions(root);
+    check_buffers(root, bytes.starts_with("glTF"));
+    check_nodes(root);
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         if (!meshes[m].is_object() || !meshes[m].contains("primitives")) continue;
         const json& primitives = meshes[m].at("primitives");

@@ -13,9 +13,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
-#include <mutex>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <system_error>
@@ -228,21 +226,7 @@ class Reader {
                      ": its reader crashed, so the file is broken; repair it or export it again.");
 }
 
-struct LeftOut {
-    std::mutex mutex;
-    std::set<std::string> sentences;
-};
-LeftOut& left_out() {
-    static LeftOut files;
-    return files;
-}
-
 }  // namespace
-
-std::vector<std::string> left_out_files() {
-    const std::lock_guard lock(left_out().mutex);
-    return {left_out().sentences.begin(), left_out().sentences.end()};
-}
 
 void set_mesh_reader(const fs::path& program) { set_program() = program; }
 
@@ -270,12 +254,6 @@ Mesh isolated_mesh(const std::string& path) {
                               answer->sentence + "); use a PLY file, or a system with seccomp.");
     if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
     for (const std::string& file : answer->side_files) note_input(file);
-    if (!answer->left_out.empty()) {
-        const std::lock_guard lock(left_out().mutex);
-        left_out().sentences.insert(
-            path + ": \"" + answer->left_out +
-            "\" was left out, which is not a regular file in the folder of the mesh.");
-    }
     return std::move(answer->mesh);
 }
 

@@ -25,10 +25,6 @@ struct MeshReaderError : std::runtime_error {
 /// this process instead.
 Mesh isolated_mesh(const std::string& path);
 
-/// Of each mesh that isolated_mesh has returned and that names a file which it may not have, such
-/// as a material outside of its folder, a sentence; sorted. Any thread may call it.
-std::vector<std::string> left_out_files();
-
 /// The program that isolated_mesh executes, which is scb; where nobody has set it, the file of that
 /// name beside the running program. To be set before meshes are read.
 void set_mesh_reader(const std::filesystem::path& program);

@@ -25,13 +25,6 @@ bool receive(const Read& read, T& values, std::uint64_t count, std::uint64_t mos
     return true;
 }
 
-bool receive_text(const Read& read, std::string& text, std::uint64_t count) {
-    if (!receive(read, text, count, most_characters)) return false;
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    return true;
-}
-
 }  // namespace
 
 std::optional<ReceivedAnswer> receive_answer(const Read& read) {
@@ -40,14 +33,15 @@ std::optional<ReceivedAnswer> receive_answer(const Read& read) {
         return std::nullopt;
     ReceivedAnswer received{static_cast<MeshAnswer::Kind>(answer.kind)};
     if (answer.kind != MeshAnswer::mesh) {
-        if (!receive_text(read, received.sentence, answer.first)) return std::nullopt;
+        if (!receive(read, received.sentence, answer.first, most_characters)) return std::nullopt;
+        for (char& c : received.sentence)
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
         return received;
     }
     std::string names;
     if (!receive(read, received.mesh.vertices, answer.first, most_values) ||
         !receive(read, received.mesh.triangles, answer.second, most_values) ||
-        !receive(read, names, answer.third, most_characters) ||
-        !receive_text(read, received.left_out, answer.fourth))
+        !receive(read, names, answer.third, most_characters))
         return std::nullopt;
     for (std::size_t at = 0; at < names.size(); at += received.side_files.back().size() + 1)
         received.side_files.emplace_back(names.c_str() + at);

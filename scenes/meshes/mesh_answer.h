@@ -22,27 +22,24 @@ inline constexpr int mesh_answer_descriptor = 3;
 
 using MeshGreeting = std::array<char, 16>;
 inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's', 'h',
-                                               ' ', '3', 0,   0,   0,   0,   0,   0};
+                                               ' ', '4', 0,   0,   0,   0,   0,   0};
 
 /// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory,
-/// the names of its side files, each with a zero behind it, and that of a file that it names but
-/// may not have; or a sentence.
+/// and the names of its side files, each with a zero behind it; or a sentence.
 struct MeshAnswer {
     enum Kind : std::uint64_t { mesh, refusal, unconfined, limited, failure };
     std::uint64_t kind = failure;
     std::uint64_t first = 0;   ///< how many vertices, or characters
     std::uint64_t second = 0;  ///< how many triangles
     std::uint64_t third = 0;   ///< how many characters of names
-    std::uint64_t fourth = 0;  ///< how many characters of what it may not have
 };
-static_assert(sizeof(MeshAnswer) == 40 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+static_assert(sizeof(MeshAnswer) == 32 && sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
 
 /// An answer that came whole. What is for people to read is on one line, of plain characters.
 struct ReceivedAnswer {
     MeshAnswer::Kind kind = MeshAnswer::failure;
     Mesh mesh{};
     std::vector<std::string> side_files{};
-    std::string left_out{};  ///< the first file that it names but may not have, or empty
     std::string sentence{};
 };
 

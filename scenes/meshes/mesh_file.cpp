@@ -7,6 +7,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/isolated_mesh.h"
+#include "scenes/meshes/obj_mesh.h"
 #include "scenes/meshes/ply_mesh.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"
@@ -41,7 +42,9 @@ Mesh load_mesh(const fs::path& path) {
     note_input(path);
     try {
         // assimp's readers have been seen to crash on broken files.
-        Mesh mesh = is_ply(name) ? ply_mesh(name) : isolated_mesh(name);
+        Mesh mesh = is_ply(name)                           ? ply_mesh(name)
+                    : lower_case_extension(name) == ".obj" ? obj_mesh(name)
+                                                           : isolated_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {

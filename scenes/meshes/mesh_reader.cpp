@@ -38,7 +38,7 @@ bool write_all(std::span<const T> values) {
 }
 
 bool write_sentence(MeshAnswer::Kind kind, const std::string& sentence) {
-    const MeshAnswer answer{kind, sentence.size(), 0, 0, 0};
+    const MeshAnswer answer{kind, sentence.size(), 0, 0};
     return write_all(std::span(&answer, 1)) && write_all(std::span<const char>(sentence));
 }
 
@@ -47,11 +47,10 @@ bool write_mesh(const AssimpMesh& read) {
     std::string names;
     for (const std::string& name : read.side_files) names.append(name).push_back('\0');
     const MeshAnswer answer{MeshAnswer::mesh, mesh.vertices.size(), mesh.triangles.size(),
-                            names.size(), read.left_out.size()};
+                            names.size()};
     return write_all(std::span(&answer, 1)) && write_all(std::span<const Vec3>(mesh.vertices)) &&
            write_all(std::span<const Triangle>(mesh.triangles)) &&
-           write_all(std::span<const char>(names)) &&
-           write_all(std::span<const char>(read.left_out));
+           write_all(std::span<const char>(names));
 }
 
 /// Whether the word is in the text, in upper or lower case.

@@ -160,6 +160,12 @@ class PlyReader {
             const Role role = role_of(element);
             read_element(element, late && role == Role::vertices ? Role::passed_over : role);
         }
+        // Blanks at the end are no harm in binary files either.
+        std::string_view rest = file_.ahead(1);
+        if (std::any_of(rest.begin(), rest.end(), [](char c) { return !Words::is_blank(c); }))
+            refuse(
+                "something follows all that the header declares, so its counts are wrong; get the "
+                "file again, or repair the header.");
         return std::move(mesh_);
     }
 

@@ -18,7 +18,7 @@ namespace scb::scenes {
 ///
 /// Throws InputError that names the file and the header line, vertex or face at fault: something
 /// that the header declares is missing, is not a number, stands twice, names a vertex that does not
-/// exist, or is more than 2^28 vertices or corners.
+/// exist, or is more than 2^28 vertices or corners; or something else than blanks follows it.
 Mesh ply_mesh(const std::string& path);
 
 }  // namespace scb::scenes

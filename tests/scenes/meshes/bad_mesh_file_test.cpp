@@ -165,7 +165,7 @@ TEST(BadMeshFile, WithACoordinateThatIsNotFiniteNamesIt) {
               refused_file("a.ply", ply("3", "1", nan_line + "3 0 1 2\n")));
     expect_in("x = nan", refused_file("a.off", "OFF\n3 1 0\n" + nan_line + "3 0 1 2\n"));
     expect_in("x = nan", refused_file("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"));
-    expect_in("x = inf", refused_file("b.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
+    expect_in("x = 1e+300", refused_file("b.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
     std::string body;
     for (int i = 0; i < 9; ++i) {
         const float value =
@@ -217,6 +217,15 @@ TEST(BadMeshFile, WhosePlyHeaderIsBrokenNamesTheLine) {
     expect_in(
         "without any property",
         refused_file("g.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n1\n"));
+}
+
+TEST(BadMeshFile, WithMoreThanItsPlyHeaderDeclaresIsRefused) {
+    const std::string faces = three + std::string("3 0 1 2\n");
+    expect_in("something follows all that the header declares",
+              refused_file("a.ply", ply("3", "1", faces + "3 0 2 1\n")));
+    const TemporaryFolder folder;
+    EXPECT_EQ(load_mesh(folder.write("b.ply", ply("3", "1", faces + " \r\n\n"))).triangles.size(),
+              1u);
 }
 
 TEST(BadMeshFile, ThatIsCutOffAnywhereIsRefused) {

@@ -132,6 +132,58 @@ TEST(MeshFile, TakesGltfPrimitivesWithoutIndicesAndOfOtherModes) {
     EXPECT_EQ(load_mesh(folder.write("b.gltf", text)).triangles.size(), 2u);
 }
 
+// assimp takes each of them for something else, without a word.
+TEST(MeshFile, RefusesAGltfFileThatWouldBeMisread) {
+    const std::string good = gltf_of_two(4);
+    const auto refused_with = [&](const std::string& part, const std::string& instead) {
+        const TemporaryFolder folder;
+        std::string text = good;
+        text.replace(text.find(part), part.size(), instead);
+        const std::string file = folder.write("a.gltf", text);
+        const std::string sentence = refusal([&] { load_mesh(file); });
+        EXPECT_EQ(sentence.rfind(file + ": ", 0), 0u) << sentence;
+        return sentence;
+    };
+    expect_in("line 1, column", refused_with("\"asset\"", "\"asset\": {}, \"asset\""));
+    expect_in("buffer 0: its base64 is damaged", refused_with("base64,AAAA", "base64,AA*A"));
+    expect_in("buffers[0].uri", refused_with("data:app", "a.bin\\u0000data:app"));
+    expect_in("mesh 0, primitive 0: its positions are not of the type VEC3",
+              refused_with("\"type\": \"VEC3\"", "\"type\": \"VEC2\""));
+    expect_in("nodes[0].matrix: expected 16 numbers",
+              refused_with("{\"mesh\": 1}", "{\"mesh\": 1, \"matrix\": [1, 0, 0]}"));
+    expect_in("nodes[0].scale[1]: expected a number",
+              refused_with("{\"mesh\": 1}", "{\"mesh\": 1, \"scale\": [1, \"2\", 0]}"));
+    expect_in("extensionsRequired[1]: the file needs the extension \"EXT_meshopt_compression\"",
+              refused_with("\"scene\": 0",
+                           "\"scene\": 0, \"extensionsRequired\": [\"KHR_materials_unlit\", "
+                           "\"EXT_meshopt_compression\"]"));
+}
+
+TEST(MeshFile, TakesTheFirstBufferOfAGlbFromItsChunkOnly) {
+    const auto number = [](std::size_t value) {
+        std::string bytes;
+        for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+        return bytes;
+    };
+    const auto glb = [&](std::string text, const std::string& binary) {
+        text.resize((text.size() + 3) / 4 * 4, '\0');  // as some writers pad
+        std::string chunks = number(text.size()) + "JSON" + text;
+        if (!binary.empty()) chunks += number(binary.size()) + std::string("BIN\0", 4) + binary;
+        return "glTF" + number(2) + number(12 + chunks.size()) + chunks;
+    };
+    const std::string named = gltf_of_two(4);
+    const std::size_t uri = named.find(", \"uri\"");
+    std::string unnamed = named;
+    unnamed.erase(uri, named.find("\"}", uri) + 1 - uri);
+    const TemporaryFolder folder;
+    EXPECT_EQ(load_mesh(folder.write("a.glb", glb(unnamed, buffer_of_two() + std::string(3, '\0'))))
+                  .triangles.size(),
+              3u);
+    for (const std::string& binary : {std::string(), std::string(60, '\1')})
+        expect_in("buffers[0]: it has a uri, but the first buffer of a .glb",
+                  refusal([&] { load_mesh(folder.write("b.glb", glb(named, binary))); }));
+}
+
 TEST(MeshFile, SaysThatAGltfFileIsCutOff) {
     const TemporaryFolder folder;
     std::string text = gltf_of_two(3);

@@ -84,16 +84,5 @@ TEST(MeshFolder, IsWhereBuffersAreReadFrom) {
                   refusal([&] { load(uri); }));
 }
 
-// What a mesh looks like is not read from anywhere; where it is, matters to nobody.
-TEST(MeshFolder, IsNotWaitedForWhereMaterialsAreElsewhere) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    for (const char* library : {"pipe", "/dev/zero", "../gone.mtl"}) {
-        const std::string obj =
-            std::string("mtllib ") + library + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-        EXPECT_EQ(load_mesh(folder.write("mesh.obj", obj)).triangles.size(), 1u) << library;
-    }
-}
-
 }  // namespace
 }  // namespace scb::scenes
