@@ -152,12 +152,6 @@ Mesh joined(const aiScene& scene, const std::string& name) {
     return mesh;
 }
 
-[[noreturn]] void refuse_name(const std::string& mesh, const std::string& name) {
-    throw InputError(mesh + ": names \"" + excerpt(name) +
-                     "\", which is not a regular file in the folder of the mesh; put a copy there, "
-                     "and name that.");
-}
-
 }  // namespace
 
 AssimpMesh assimp_mesh(const std::string& path) {
@@ -183,12 +177,12 @@ AssimpMesh assimp_mesh(const std::string& path) {
         const std::string missed = std::filesystem::path(folder->missed()).filename().string();
         if (refused.empty() && !missed.empty() && reason.find(missed) != reason.npos)
             refused = folder->missed();
-        if (!refused.empty()) refuse_name(path, refused);
+        if (!refused.empty()) refuse_side_file(path, refused);
         if (reason == std::bad_alloc().what()) throw std::bad_alloc();
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
                          "); repair the file or export it again.");
     }
-    if (!folder->refused().empty()) refuse_name(path, folder->refused());
+    if (!folder->refused().empty()) refuse_side_file(path, folder->refused());
     return {joined(*scene, path), {folder->opened().begin(), folder->opened().end()}};
 }
 

@@ -187,11 +187,17 @@ void check_buffers(const JsonPlace& root, bool has_chunks) {
         const JsonPlace buffer = element(buffers, i);
         if (!(*buffer).is_object()) refuse_value(buffer, "an object");
         if (!has(buffer, "uri")) continue;
-        read_plain_text(field(buffer, "uri"));
+        std::string uri = read_plain_text(field(buffer, "uri"));
         if (i == 0 && has_chunks)
             refuse(buffer,
                    "it has a uri, but the first buffer of a .glb is read from its binary chunk; "
                    "export a .gltf.");
+        // assimp puts the path of the folder before an absolute one, and looks in other places too.
+        if (uri.starts_with("data:")) continue;
+        std::replace(uri.begin(), uri.end(), '\\', '/');
+        if (uri.starts_with('/') ||
+            !side_file(std::filesystem::path(root.file).parent_path() / uri, root.file))
+            refuse_side_file(root.file, uri);
     }
 }
 

@@ -6,7 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "scb/error.h"
 #include "scenes/meshes/confinement.h"
+#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 
@@ -58,6 +60,12 @@ std::optional<fs::path> side_file(const fs::path& name, const fs::path& mesh) {
     return std::nullopt;
 }
 
+void refuse_side_file(const std::string& mesh, const std::string& name) {
+    throw InputError(mesh + ": names \"" + excerpt(name) +
+                     "\", which is not a regular file in the folder of the mesh; put a copy there, "
+                     "and name that.");
+}
+
 MeshFolder::MeshFolder(fs::path mesh) : mesh_(std::move(mesh)) {}
 
 std::optional<fs::path> MeshFolder::allowed(const fs::path& file) const {
@@ -72,10 +80,6 @@ std::optional<fs::path> MeshFolder::allowed(const fs::path& file) const {
                 refused = missed.string();
     } else if (is_there(file)) {
         refused = file.string();
-    } else if (const std::string name = file.string(), inside = folder.string() + "//";
-               name.starts_with(inside) && is_there(name.substr(inside.size() - 1))) {
-        // An absolute path, put behind that of the folder.
-        refused = name.substr(inside.size() - 1);
     }
     if (refused.empty()) return found;
     if (refused_.empty()) refused_ = refused;

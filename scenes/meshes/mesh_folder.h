@@ -16,6 +16,9 @@ namespace scb::scenes {
 std::optional<std::filesystem::path> side_file(const std::filesystem::path& name,
                                                const std::filesystem::path& mesh);
 
+/// Throws InputError for a name that is no side file.
+[[noreturn]] void refuse_side_file(const std::string& mesh, const std::string& name);
+
 /// The files that assimp may open: the mesh and its side files. Where it does not find one it tries
 /// others of the same name, in the folder of the mesh: these are not what the mesh names, so it
 /// does not get them. allow_for is told of the files that it opens.

@@ -82,6 +82,10 @@ TEST(MeshFolder, IsWhereBuffersAreReadFrom) {
           folder / "gone/a.bin", std::string("http://host/a.bin")})
         expect_in("which is not a regular file in the folder of the mesh; put a copy there",
                   refusal([&] { load(uri); }));
+    // A part of this path is another one, of the length of the name.
+    fs::create_directories(folder.path / "usr/lib");
+    const std::string mesh = folder.write("usr/lib/mesh.gltf", gltf_with("ab.bin"));
+    expect_in("names \"ab.bin\", which is not", refusal([&] { load_mesh(mesh); }));
 }
 
 }  // namespace
