@@ -35,6 +35,21 @@ fs::path one_name(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
 }
 
+/// What a mesh names is known only where it was read, so nothing is replaced that is no result by
+/// its first character.
+void refuse_foreign(const fs::path& file, const std::string& option) {
+    const bool is_json = file.extension() == ".json" || option == "--json";
+    if (!render::is_there(file)) return;
+    std::ifstream stream(file);
+    char first = 0;
+    if (stream >> first && first != (is_json ? '{' : '<'))
+        throw InputError(option + " would replace " + file.string() + ", which is no " +
+                         (is_json               ? "JSON"
+                          : option == "--junit" ? "XML"
+                                                : "HTML") +
+                         "; name another place, or remove it.");
+}
+
 void tell_github(const golden::SuiteResult& result) {
     if (environment_value("GITHUB_ACTIONS") == "true")
         print_result(golden::github_annotations(result));
@@ -84,7 +99,10 @@ std::vector<std::pair<std::string, fs::path>> ResultFiles::written() const {
 }
 
 void ResultFiles::refuse_inputs() const {
-    for (const auto& [option, file] : written()) scenes::refuse_input(file, option);
+    for (const auto& [option, file] : written()) {
+        scenes::refuse_input(file, option);
+        refuse_foreign(file, option);
+    }
 }
 
 void ResultFiles::check(const fs::path& suite, const fs::path& baselines) const {

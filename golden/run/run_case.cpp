@@ -27,17 +27,32 @@ struct ChildEnd {
     std::string printed, last_line;
 };
 
+/// A group of processes that is to end with golden.
+class Running {
+  public:
+    Running(const GoldenWork* work, pid_t group) : work_(work), group_(group) {
+        if (work_ != nullptr) work_->has_started(group_);
+    }
+    ~Running() {
+        if (work_ != nullptr) work_->has_ended(group_);
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+  private:
+    const GoldenWork* work_;
+    pid_t group_;
+};
+
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = settings.runner;
     words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
     words.insert(words.end(), command.begin(), command.end());
     const render::UnnamedFile inputs;
     render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
-    const pid_t group = child.id();
-    if (settings.work != nullptr) settings.work->has_started(group);
+    const Running running(settings.work, child.id());
     ChildEnd result;
     result.end = child.wait(settings.patience, settings.stopped);
-    if (settings.work != nullptr) settings.work->has_ended(group);
     result.stopped = !result.end && settings.stopped();
     result.printed = child.printed();
     result.last_line = child.last_line();

@@ -1,6 +1,6 @@
 #include "golden/run/work_folder.h"
 
-#include <fcntl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -72,13 +72,15 @@ GoldenWork::~GoldenWork() {
 void GoldenWork::tell(pid_t group) const {
     // So few bytes are written whole. Without a remover nobody hears them.
     if (remover_ >= 0)
-        while (::write(lifeline_, &group, sizeof group) < 0 && errno == EINTR) continue;
+        while (::send(lifeline_, &group, sizeof group, MSG_NOSIGNAL) < 0 && errno == EINTR)
+            continue;
 }
 
 // A handler of signals must not remove a folder, and of SIGKILL there is none.
 void GoldenWork::start_remover() {
+    // A socket, since writing to a pipe that nobody reads any more is a signal.
     int pipe[2];
-    if (::pipe2(pipe, O_CLOEXEC) != 0) return;
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pipe) != 0) return;
     remover_ = ::fork();
     if (remover_ == 0) {
         ::close(pipe[1]);

@@ -28,7 +28,7 @@ class GoldenWork {
     void tell(pid_t group) const;
 
     std::filesystem::path path_;
-    int lifeline_ = -1;   ///< a pipe, which is closed when this program ends, however it does
+    int lifeline_ = -1;   ///< a socket, which is closed when this program ends, however it does
     pid_t remover_ = -1;  ///< who waits for that
 };
 

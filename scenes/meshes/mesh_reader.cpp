@@ -64,6 +64,10 @@ bool has_word(std::string start, std::string_view word) {
 /// name, as assimp does.
 AssimpMesh checked_mesh(const std::string& path) {
     allow_for(std::filesystem::file_size(path));
+    // assimp takes it for a slash, so that side files would come from another folder.
+    if (path.find('\\') != path.npos)
+        throw InputError(path +
+                         ": a backslash in the path of a mesh is not understood; rename it.");
     const std::string start = file_bytes(path, 4096), extension = lower_case_extension(path);
     const std::size_t first = start.find_first_not_of(" \t\r\n");
     if (extension == ".off" || start.substr(0, 16).find("OFF") != start.npos)

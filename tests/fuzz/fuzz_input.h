@@ -60,6 +60,21 @@ class InputFile {
     std::string path_;
 };
 
+/// Reads the bytes as a file by a reader of meshes: what it gives has no index out of range, and
+/// what it refuses gets a sentence.
+template <class Reader>
+void read_mesh(std::span<const std::uint8_t> bytes, const Reader& reader) {
+    const InputFile file(bytes);
+    try {
+        const Mesh mesh = reader(file.path());
+        for (const Triangle& t : mesh.triangles)
+            for (const std::uint32_t v : t)
+                require(v < mesh.vertices.size(), "triangles name vertices");
+    } catch (const InputError& error) {
+        require_sentence(error, file.path());
+    }
+}
+
 /// Numbers from bytes; zeros once there are no more.
 class Numbers {
   public:

@@ -58,7 +58,9 @@ const Counts triangles_of_corpus = {{"binary_big_endian.ply", 3},
                                     {"a.dae", 4},
                                     {"a.glb", 1},
                                     {"a.gltf", 1},
-                                    {"a.obj", 6},
+                                    {"text.obj", 6},
+                                    {"lines.obj", 4},
+                                    {"forwards.obj", 1},
                                     {"a.off", 4},
                                     {"a.x", 1},
                                     {"binary.stl", 2},
@@ -118,7 +120,7 @@ TEST(HostileFiles, AreReadOrRefusedInOneSentence) {
 // As the real program reads them; their fuzzers read them again under sanitizers.
 TEST(HostileFiles, OfTheCorpusAreReadOrRefusedInOneSentence) {
     const TemporaryFolder folder;
-    for (const char* kind : {"ply", "mesh"})
+    for (const char* kind : {"ply", "obj", "mesh"})
         for (const fs::directory_entry& entry : fs::directory_iterator(corpus / kind))
             expect_mesh(entry.path(), triangles_of_corpus);
     const std::map<std::string, std::string> commands = {

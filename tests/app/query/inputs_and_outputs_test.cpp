@@ -145,5 +145,24 @@ TEST_F(InputsAndOutputs, NeverMeet) {
     }
 }
 
+// Which files the mesh of a case names is known only where the case has run.
+TEST_F(InputsAndOutputs, ReplaceOnlyResultsWhereInputsAreNotKnown) {
+    folder.write("broken.json", R"({"scb_golden": 1, "cases": [
+  {"name": "one", "run": "collide", "scene": "scene.json", "frames": "0"},
+  {"name": "two", "run": "collide", "scene": "gone.json", "frames": "0"}]})");
+    for (const char* option : {"--json", "--junit"})
+        for (const char* cases : {"", "two"}) {
+            const std::string command =
+                std::string("golden check --suite broken.json ") + cases + " " + option;
+            const auto before = contents();
+            const ProgramRun refused = run(command + " flat.bin");
+            EXPECT_EQ(refused.status, 2) << refused.err;
+            EXPECT_NE(refused.err.find("would replace flat.bin"), std::string::npos) << refused.err;
+            EXPECT_EQ(contents(), before);
+            for (int i = 0; i < 2; ++i) EXPECT_EQ(run(command + " results").status, 1) << command;
+            fs::remove(folder.path / "results");
+        }
+}
+
 }  // namespace
 }  // namespace scb::app

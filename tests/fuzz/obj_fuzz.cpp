@@ -1,0 +1,6 @@
+#include "scenes/meshes/obj_mesh.h"
+#include "tests/fuzz/fuzz_input.h"
+
+using namespace scb;
+
+SCB_FUZZ(input) { fuzz::read_mesh(input, scenes::obj_mesh); }
