@@ -108,8 +108,10 @@ struct Document {
     }
 };
 
-std::size_t natural(const json& object, const char* key) {
-    return object.contains(key) ? object.at(key).get<std::size_t>() : 0;
+/// Throws json::exception where it is no whole number from 0.
+std::size_t natural(const json& object, const char* key, std::size_t otherwise = 0) {
+    return object.contains(key) ? object.at(key).get_ref<const json::number_unsigned_t&>()
+                                : otherwise;
 }
 
 /// The bytes of an accessor's numbers, `count` of `size` bytes, one every `stride` bytes.
@@ -147,8 +149,8 @@ std::optional<Indices> indices_of(Document& document, const json& accessor) {
 }
 
 void check_primitive(Document& document, const json& primitive, const std::string& place) {
-    constexpr int triangles = 4, triangle_fan = 6;
-    const int mode = primitive.value("mode", triangles);
+    constexpr std::size_t triangles = 4, triangle_fan = 6;
+    const std::size_t mode = natural(primitive, "mode", triangles);
     if (mode < triangles || mode > triangle_fan) return;
     if (primitive.contains("extensions") &&
         primitive.at("extensions").contains("KHR_draco_mesh_compression"))
@@ -268,7 +270,9 @@ void check_gltf(std::string_view bytes, const std::string& name) {
             try {
                 check_primitive(document, primitives.at(p), place);
             } catch (const json::exception&) {
-                // A document that is not put together as glTF 2 wants it.
+                throw InputError(place +
+                                 ": a field that it needs is missing or is of another kind; export "
+                                 "it again.");
             }
         }
     }

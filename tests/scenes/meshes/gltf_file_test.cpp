@@ -149,6 +149,8 @@ TEST(MeshFile, RefusesAGltfFileThatWouldBeMisread) {
     expect_in("buffers[0].uri", refused_with("data:app", "a.bin\\u0000data:app"));
     expect_in("mesh 0, primitive 0: its positions are not of the type VEC3",
               refused_with("\"type\": \"VEC3\"", "\"type\": \"VEC2\""));
+    expect_in("mesh 0, primitive 0: a field that it needs is missing or is of another kind",
+              refused_with("\"count\": 3", "\"count\": 1e300"));
     expect_in("nodes[0].matrix: expected 16 numbers",
               refused_with("{\"mesh\": 1}", "{\"mesh\": 1, \"matrix\": [1, 0, 0]}"));
     expect_in("nodes[0].scale[1]: expected a number",
