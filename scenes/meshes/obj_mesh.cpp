@@ -17,7 +17,7 @@
 namespace scb::scenes {
 namespace {
 
-constexpr std::size_t most_corners = std::size_t{1} << 28, largest_line = std::size_t{1} << 20;
+constexpr std::size_t most_entries = std::size_t{1} << 28, largest_line = std::size_t{1} << 20;
 
 /// The lines of a text; one that ends with a backslash goes on in the next.
 class ObjLines {
@@ -109,8 +109,8 @@ class ObjReader {
         throw InputError(place(lines_.number()) + ": " + sentence);
     }
     void check_count(std::size_t count) const {
-        if (count >= most_corners)
-            refuse("the mesh has more than " + std::to_string(most_corners) +
+        if (count >= most_entries)
+            refuse("the mesh has more than " + std::to_string(most_entries) +
                    " vertices or corners of faces; give a smaller mesh.");
     }
 
@@ -153,7 +153,7 @@ class ObjReader {
                    "\"; repair it.");
         const auto so_far = static_cast<std::int64_t>(mesh_.vertices.size());
         const std::int64_t index = number > 0 ? number - 1 : so_far + number;
-        if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(most_corners))
+        if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(most_entries))
             refuse("names vertex " + std::to_string(number) + " after " + std::to_string(so_far) +
                    " vertices, numbered from 1 and backwards from -1; repair the index.");
         return static_cast<std::uint32_t>(index);

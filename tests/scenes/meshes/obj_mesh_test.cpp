@@ -73,7 +73,7 @@ TEST(ObjMesh, KeepsEveryNumberAndFace) {
         text += "v " + exact_number(v.x()) + " " + exact_number(v.y()) + " " + exact_number(v.z()) +
                 (i % 3 == 0 ? "\r\n" : "\n");
         if (i < 2) continue;
-        const auto a = static_cast<std::uint32_t>(random.below(static_cast<std::uint64_t>(i)));
+        const std::uint32_t a = random.below(static_cast<std::uint32_t>(i));
         made.triangles.push_back({a, static_cast<std::uint32_t>(i), 0});
         text += "f " + std::to_string(a + 1) + " -1 1\n";
     }
