@@ -8,7 +8,8 @@ namespace {
 /// A length of 16 bits, and what follows.
 std::span<const std::uint8_t> take_part(std::span<const std::uint8_t>& input) {
     if (input.size() < 2) return {};
-    const std::size_t size = std::min<std::size_t>(input[0] | input[1] << 8, input.size() - 2);
+    const std::size_t size =
+        std::min<std::size_t>(static_cast<std::size_t>(input[0] | input[1] << 8), input.size() - 2);
     const auto part = input.subspan(2, size);
     input = input.subspan(2 + size);
     return part;
