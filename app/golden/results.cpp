@@ -35,19 +35,22 @@ fs::path one_name(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
 }
 
-/// What a mesh names is known only where it was read, so nothing is replaced that is no result by
-/// its first character.
+/// What a mesh names is known only where it was read, so nothing is replaced that does not begin as
+/// results do. An empty file does no harm.
 void refuse_foreign(const fs::path& file, const std::string& option) {
-    const bool is_json = file.extension() == ".json" || option == "--json";
     if (!render::is_there(file)) return;
-    std::ifstream stream(file);
-    char first = 0;
-    if (stream >> first && first != (is_json ? '{' : '<'))
-        throw InputError(option + " would replace " + file.string() + ", which is no " +
-                         (is_json               ? "JSON"
-                          : option == "--junit" ? "XML"
-                                                : "HTML") +
-                         "; name another place, or remove it.");
+    const bool is_json =
+        option == "--json" || (option == "--report" && file.extension() == ".json");
+    std::string start(64, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    const bool is_result = is_json ? start.starts_with('{') && start.find("\"suite\"") != start.npos
+                           : option == "--junit" ? start.starts_with("<?xml")
+                                                 : start.starts_with("<!doctype html>");
+    if (!start.empty() && !is_result)
+        throw InputError(option + " would replace " + file.string() +
+                         ", which holds no results; name another place, or remove it.");
 }
 
 void tell_github(const golden::SuiteResult& result) {

@@ -93,7 +93,8 @@ std::vector<Placed> placed_meshes(const aiScene& scene, const std::string& name)
     return placed;
 }
 
-void append(const aiMesh& source, const Affine& to_world, const std::string& name, Mesh& mesh) {
+void append(const aiMesh& source, const Affine& to_world, const std::string& name,
+            PolygonCutter& cutter, Mesh& mesh) {
     const std::size_t first_vertex = mesh.vertices.size(), first_triangle = mesh.triangles.size();
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
         const aiVector3D& v = source.mVertices[i];
@@ -112,11 +113,11 @@ void append(const aiMesh& source, const Affine& to_world, const std::string& nam
                                  " vertices; repair the index.");
             corners.push_back(static_cast<std::uint32_t>(first_vertex + face.mIndices[i]));
         }
-        if (corners.size() == 3)
+        if (corners.size() == 3)  // for speed: no name is made
             mesh.triangles.push_back({corners[0], corners[1], corners[2]});
         else
-            append_polygon(corners, mesh.vertices, name + ": face " + std::to_string(f),
-                           mesh.triangles);
+            cutter.append(corners, mesh.vertices, name + ": face " + std::to_string(f),
+                          mesh.triangles);
     }
     const Mat3& m = to_world.linear;
     const bool mirrored = dot(Vec3(m.col(0).cross(m.col(1))), Vec3(m.col(2))) < 0;
@@ -148,7 +149,8 @@ Mesh joined(const aiScene& scene, const std::string& name) {
     const std::vector<Placed> placed = placed_meshes(scene, name);
     check_sums(scene, placed, name);
     Mesh mesh;
-    for (const Placed& p : placed) append(*scene.mMeshes[p.mesh], p.to_world, name, mesh);
+    PolygonCutter cutter;
+    for (const Placed& p : placed) append(*scene.mMeshes[p.mesh], p.to_world, name, cutter, mesh);
     return mesh;
 }
 
@@ -156,8 +158,9 @@ Mesh joined(const aiScene& scene, const std::string& name) {
 
 AssimpMesh assimp_mesh(const std::string& path) {
     Assimp::Importer importer;
-    // Its readers drop vertices whose numbers they do not like, and trust counts.
-    for (const char* extension : {"obj", "ply"})
+    // Its readers of the first two drop vertices whose numbers they do not like, and trust counts;
+    // those of scenes read the meshes that these name with every reader there is, unchecked.
+    for (const char* extension : {"obj", "ply", "lws", "irr"})
         if (Assimp::BaseImporter* own = importer.GetImporter(extension))
             importer.UnregisterLoader(own);
     auto* const folder = new MeshFolder(path);
@@ -165,6 +168,7 @@ AssimpMesh assimp_mesh(const std::string& path) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_MD3_HANDLE_MULTIPART, false);
     // No post-processing: it reorders, welds, drops and repairs, and each of that would change the
     // counts.
     const aiScene* scene = importer.ReadFile(path, 0);

@@ -73,12 +73,20 @@ std::string bytes_or_nothing(const std::filesystem::path& buffer, const std::str
     }
 }
 
+/// The uri of a buffer as assimp looks for it.
+std::string as_path(std::string uri) {
+    if (!uri.starts_with("data:")) std::replace(uri.begin(), uri.end(), '\\', '/');
+    return uri;
+}
+
 /// The document and the bytes of its buffers, each fetched once.
 struct Document {
     json root;
     std::string_view binary;
-    std::string name;  ///< of the file
-    std::map<std::size_t, std::string> fetched;
+    std::string name;                                      ///< of the file
+    std::map<std::string, std::string> files{};            ///< bytes, by uri
+    std::map<std::size_t, std::string> decoded_buffers{};  ///< those of data uris
+    std::map<std::size_t, std::string_view> fetched{};     ///< either
 
     /// Empty where the bytes are missing. Throws json::exception where the document has no such
     /// buffer, and InputError where its base64 is damaged.
@@ -88,13 +96,21 @@ struct Document {
         const auto found = fetched.find(index);
         if (found != fetched.end()) return found->second;
         const auto& uri = entry.at("uri").get_ref<const std::string&>();
+        std::string_view& bytes = fetched[index];
         constexpr std::string_view mark = ";base64,";
         const std::size_t data = uri.find(mark);
-        std::string& bytes = fetched[index];
-        if (uri.rfind("data:", 0) != 0)
-            bytes = bytes_or_nothing(std::filesystem::path(name).parent_path() / uri, name);
-        else if (data != std::string::npos)
-            bytes = decoded(std::string_view(uri).substr(data + mark.size()), index);
+        if (!uri.starts_with("data:")) {
+            // However many buffers name it.
+            const auto [file, is_new] = files.try_emplace(as_path(uri));
+            if (is_new)
+                file->second =
+                    bytes_or_nothing(std::filesystem::path(name).parent_path() / file->first, name);
+            bytes = file->second;
+        } else if (data != std::string::npos) {
+            std::string& own = decoded_buffers[index];
+            own = decoded(std::string_view(uri).substr(data + mark.size()), index);
+            bytes = own;
+        }
         return bytes;
     }
 
@@ -155,6 +171,11 @@ void check_primitive(Document& document, const json& primitive, const std::strin
     if (primitive.contains("extensions") &&
         primitive.at("extensions").contains("KHR_draco_mesh_compression"))
         return;
+    // assimp takes what starts like this for the positions as well.
+    for (const auto& [attribute, accessor] : primitive.at("attributes").items())
+        if (attribute.starts_with("POSITION") && attribute != "POSITION")
+            throw InputError(place + ": its attribute \"" + excerpt(attribute) +
+                             "\" would be misread as the positions; export it again.");
     if (!primitive.at("attributes").contains("POSITION")) return;
     const json& accessors = document.root.at("accessors");
     const json& position = accessors.at(natural(primitive.at("attributes"), "POSITION"));
@@ -189,14 +210,13 @@ void check_buffers(const JsonPlace& root, bool has_chunks) {
         const JsonPlace buffer = element(buffers, i);
         if (!(*buffer).is_object()) refuse_value(buffer, "an object");
         if (!has(buffer, "uri")) continue;
-        std::string uri = read_plain_text(field(buffer, "uri"));
+        const std::string uri = as_path(read_plain_text(field(buffer, "uri")));
         if (i == 0 && has_chunks)
             refuse(buffer,
                    "it has a uri, but the first buffer of a .glb is read from its binary chunk; "
                    "export a .gltf.");
         // assimp puts the path of the folder before an absolute one, and looks in other places too.
         if (uri.starts_with("data:")) continue;
-        std::replace(uri.begin(), uri.end(), '\\', '/');
         if (uri.starts_with('/') ||
             !side_file(std::filesystem::path(root.file).parent_path() / uri, root.file))
             refuse_side_file(root.file, uri);
@@ -211,12 +231,29 @@ void check_numbers(const JsonPlace& node, const char* name, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) read_number(element(numbers, i));
 }
 
+void check_names_of_nodes(const JsonPlace& owner, const char* name) {
+    if (!has(owner, name)) return;
+    const JsonPlace nodes = field(owner, name);
+    for (std::size_t i = 0; i < array_size(nodes, "numbers of nodes"); ++i)
+        if (const JsonPlace node = element(nodes, i); !(*node).is_number_unsigned())
+            refuse_value(node, "the number of a node");
+}
+
 void check_nodes(const JsonPlace& root) {
+    if (has(root, "scenes")) {
+        const JsonPlace scenes = field(root, "scenes");
+        for (std::size_t i = 0; i < array_size(scenes, "scenes"); ++i) {
+            const JsonPlace scene = element(scenes, i);
+            if (!(*scene).is_object()) refuse_value(scene, "an object");
+            check_names_of_nodes(scene, "nodes");
+        }
+    }
     if (!has(root, "nodes")) return;
     const JsonPlace nodes = field(root, "nodes");
     for (std::size_t i = 0; i < array_size(nodes, "nodes"); ++i) {
         const JsonPlace node = element(nodes, i);
         if (!(*node).is_object()) refuse_value(node, "an object");
+        check_names_of_nodes(node, "children");
         check_numbers(node, "matrix", 16);
         check_numbers(node, "translation", 3);
         check_numbers(node, "rotation", 4);
@@ -252,7 +289,7 @@ void check_gltf(std::string_view bytes, const std::string& name) {
     if (parts.text[last] != '}')
         throw InputError(name +
                          ": the file is cut off, since its JSON has no end; export it again.");
-    Document document{parse_json(parts.text, name), parts.binary, name, {}};
+    Document document{parse_json(parts.text, name), parts.binary, name};
     const JsonPlace root{&document.root, name, ""};
     if (!document.root.is_object() || !document.root.contains("meshes")) return;
     const json& meshes = document.root.at("meshes");

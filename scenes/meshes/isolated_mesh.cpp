@@ -251,7 +251,8 @@ Mesh isolated_mesh(const std::string& path) {
     if (answer->kind == MeshAnswer::unconfined)
         throw MeshReaderError(path + ": meshes are read by a process of " + reader.program() +
                               " that is confined, which this system does not allow (" +
-                              answer->sentence + "); use a PLY file, or a system with seccomp.");
+                              answer->sentence +
+                              "); use a PLY or OBJ file, or a system with seccomp.");
     if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
     for (const std::string& file : answer->side_files) note_input(file);
     return std::move(answer->mesh);

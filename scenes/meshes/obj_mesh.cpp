@@ -19,10 +19,14 @@ namespace {
 
 constexpr std::size_t most_entries = std::size_t{1} << 28, largest_line = std::size_t{1} << 20;
 
-/// The lines of a text; one that ends with a backslash goes on in the next.
+/// The lines of a text; a vertex or face that ends with a backslash goes on in the next.
 class ObjLines {
   public:
-    explicit ObjLines(const std::string& path) : file_(path) {}
+    explicit ObjLines(const std::string& path) : file_(path) {
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+        if (file_.ahead(byte_order_mark.size()).starts_with(byte_order_mark))
+            file_.skip(byte_order_mark.size());
+    }
 
     /// Nothing behind the last one. Valid until the next call.
     std::optional<std::string_view> next() {
@@ -30,7 +34,8 @@ class ObjLines {
         for (;;) {
             const std::optional<std::string_view> part = next_part();
             if (!part) return joined_.empty() ? part : joined_;
-            const bool goes_on = part->ends_with('\\');
+            const bool goes_on =
+                part->ends_with('\\') && is_data(joined_.empty() ? *part : joined_);
             if (!goes_on && joined_.empty()) return part;
             joined_.append(part->substr(0, part->size() - (goes_on ? 1 : 0)));
             if (!goes_on) return joined_;
@@ -43,6 +48,13 @@ class ObjLines {
     std::uint64_t number() const { return number_; }
 
   private:
+    /// Whether it is a line of numbers, without a comment: in names and comments a backslash is
+    /// one.
+    static bool is_data(std::string_view line) {
+        const std::string_view keyword = Words{line}.next();
+        return (keyword == "v" || keyword == "f") && line.find('#') == line.npos;
+    }
+
     std::optional<std::string_view> next_part() {
         std::string_view ahead = file_.ahead(1);
         if (std::exchange(ended_by_return_, false) && ahead.starts_with('\n')) {
@@ -128,7 +140,7 @@ class ObjReader {
             refuse("a vertex has 3 coordinates, which a weight and a color may follow, not " +
                    std::to_string(count) + (count == 1 ? " number" : " numbers") +
                    "; repair the line.");
-        if (count == 4 && numbers[3] != 1)
+        if ((count == 4 || count == 7) && numbers[3] != 1)
             refuse(
                 "a vertex with a weight other than 1 is part of a curve, which is not read; "
                 "export polygons.");
@@ -140,7 +152,9 @@ class ObjReader {
             check_count(corners_.size());
             corners_.push_back(corner(word));
         }
-        faces_.push_back({corners_.size(), lines_.number()});
+        // Those without a corner would take more memory than their files.
+        if (faces_.empty() ? !corners_.empty() : corners_.size() > faces_.back().end)
+            faces_.push_back({corners_.size(), lines_.number()});
     }
 
     /// What stands before the first slash, from 1 or from -1, as an index from 0.
@@ -161,6 +175,7 @@ class ObjReader {
 
     void append_faces() {
         mesh_.triangles.reserve(faces_.size());
+        PolygonCutter cutter;
         std::size_t start = 0;
         for (const Face& face : faces_) {
             const std::span<const std::uint32_t> corners(corners_.data() + start, face.end - start);
@@ -171,10 +186,7 @@ class ObjReader {
                                      std::to_string(corner + 1) + ", but there are " +
                                      std::to_string(mesh_.vertices.size()) +
                                      " vertices, numbered from 1; repair the index.");
-            if (corners.size() == 3)
-                mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
-            else if (corners.size() > 3)
-                append_polygon(corners, mesh_.vertices, place(face.line), mesh_.triangles);
+            cutter.append(corners, mesh_.vertices, place(face.line), mesh_.triangles);
         }
     }
 

@@ -9,7 +9,7 @@ namespace scb::scenes {
 /// Reads the vertices (`v`) and polygons (`f`) of a Wavefront OBJ file, in the order of the file;
 /// everything else in it (materials, groups, normals, texture coordinates, points, lines, curves)
 /// is passed over, and no other file is opened. Faces of more than three corners are cut by
-/// append_polygon; of fewer they are left out. A corner may be counted from the end (-1 is the last
+/// PolygonCutter; of fewer they are left out. A corner may be counted from the end (-1 is the last
 /// vertex so far), and may name a vertex that comes later.
 ///
 /// Throws InputError that names the file and the line at fault: a vertex that is not 3, 4, 6 or 7

@@ -1,9 +1,9 @@
 #include "scenes/meshes/off_check.h"
 
-#include <cmath>
+#include <charconv>
 #include <cstdint>
+#include <optional>
 
-#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/tokens.h"
 
@@ -26,8 +26,12 @@ struct Lines {
     }
 };
 
-bool is_whole(double number, double low, double high) {
-    return number >= low && number <= high && number == std::floor(number);
+/// Digits alone: assimp reads no other numbers here.
+std::optional<std::uint32_t> whole_in(std::string_view word) {
+    std::uint32_t number = 0;
+    const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size()) return std::nullopt;
+    return number;
 }
 
 }  // namespace
@@ -44,40 +48,41 @@ void check_off(std::string_view bytes, const std::string& name) {
     if (magic.find('n') != std::string_view::npos) lines.next();
     Words counts{has_word ? line.substr(line.find(magic) + magic.size()) : line};
     if (Words{counts}.next().empty()) counts = Words{lines.next()};
-    const double vertices = number_in(counts.next()).value_or(-1),
-                 faces = number_in(counts.next()).value_or(-1);
-    if (!is_whole(vertices, 0, 4294967295.0) || !is_whole(faces, 0, 4294967295.0))
+    const auto declared_vertices = whole_in(counts.next()),
+               declared_faces = whole_in(counts.next());
+    if (!declared_vertices || !declared_faces)
         throw InputError(
             name +
             ": the numbers of vertices and faces do not follow OFF; repair the first lines.");
 
+    const std::uint32_t vertices = *declared_vertices, faces = *declared_faces;
     if (vertices == 0 || faces == 0)
         throw InputError(name +
                          ": the mesh has no triangles; give a surface, not points or lines.");
 
-    const auto missing = [&](const char* what, std::uint64_t i, double count) {
+    const auto missing = [&](const char* what, std::uint32_t i, std::uint32_t count) {
         throw InputError(name + ": " + what + " " + std::to_string(i) + " of the " +
-                         std::to_string(static_cast<std::uint64_t>(count)) +
+                         std::to_string(count) +
                          " that are declared is missing or broken; the file is cut off or its "
                          "counts are wrong, so "
                          "get it again.");
     };
-    for (std::uint64_t i = 0; static_cast<double>(i) < vertices; ++i) {
+    for (std::uint32_t i = 0; i < vertices; ++i) {
         Words words{lines.next()};
         for (int axis = 0; axis < 3; ++axis)
             if (!number_in(words.next())) missing("vertex", i, vertices);
     }
-    for (std::uint64_t i = 0; static_cast<double>(i) < faces; ++i) {
+    for (std::uint32_t i = 0; i < faces; ++i) {
         Words words{lines.next()};
-        const double corners = number_in(words.next()).value_or(-1);
-        if (!is_whole(corners, 0, 4294967295.0)) missing("face", i, faces);
-        for (std::uint64_t k = 0; static_cast<double>(k) < corners; ++k) {
-            const auto index = number_in(words.next());
-            if (!index) missing("face", i, faces);
-            if (!is_whole(*index, 0, vertices - 1))
+        const auto corners = whole_in(words.next());
+        if (!corners) missing("face", i, faces);
+        for (std::uint32_t k = 0; k < *corners; ++k) {
+            const std::string_view word = words.next();
+            const auto index = whole_in(word);
+            if (!index && !number_in(word)) missing("face", i, faces);
+            if (!index || *index >= vertices)
                 throw InputError(name + ": face " + std::to_string(i) + " names vertex " +
-                                 exact_number(*index) + ", but there are " +
-                                 std::to_string(static_cast<std::uint64_t>(vertices)) +
+                                 excerpt(word) + ", but there are " + std::to_string(vertices) +
                                  " vertices, numbered from 0; repair the index.");
         }
     }

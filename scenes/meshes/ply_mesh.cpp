@@ -161,11 +161,13 @@ class PlyReader {
             read_element(element, late && role == Role::vertices ? Role::passed_over : role);
         }
         // Blanks at the end are no harm in binary files either.
-        std::string_view rest = file_.ahead(1);
-        if (std::any_of(rest.begin(), rest.end(), [](char c) { return !Words::is_blank(c); }))
-            refuse(
-                "something follows all that the header declares, so its counts are wrong; get the "
-                "file again, or repair the header.");
+        for (std::string_view rest = file_.ahead(1); !rest.empty(); rest = file_.ahead(1)) {
+            if (std::any_of(rest.begin(), rest.end(), [](char c) { return !Words::is_blank(c); }))
+                refuse(
+                    "something follows all that the header declares, so its counts are wrong; get "
+                    "the file again, or repair the header.");
+            file_.skip(rest.size());
+        }
         return std::move(mesh_);
     }
 
@@ -300,10 +302,10 @@ class PlyReader {
     }
 
     void append_face(const PlyElement& element, std::uint64_t i) {
-        if (corners_.size() == 3)
+        if (corners_.size() == 3)  // for speed: no name is made
             mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
-        else if (corners_.size() > 3)
-            append_polygon(corners_, mesh_.vertices, file_.name() + ": " + place(element, i),
+        else
+            cutter_.append(corners_, mesh_.vertices, file_.name() + ": " + place(element, i),
                            mesh_.triangles);
     }
 
@@ -326,6 +328,7 @@ class PlyReader {
     PlyHeader header_;
     PlyNumbers numbers_;
     Mesh mesh_;
+    PolygonCutter cutter_;
     std::uint64_t vertices_ = 0, all_corners_ = 0;
     std::vector<std::uint32_t> corners_;  ///< of the face or strip that is read
 };

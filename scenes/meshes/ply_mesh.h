@@ -10,7 +10,7 @@ namespace scb::scenes {
 /// list of vertex_indices (or vertex_index, vertex_indexes, vert_indices), and `tristrips`, in
 /// which -1 starts a new strip and triangles that name a vertex twice, which only lead from strip
 /// to strip, are left out. Other elements and properties are passed over. Elements may stand in any
-/// order. Faces of more than three corners are cut by append_polygon; of fewer they are left out.
+/// order. Faces of more than three corners are cut by PolygonCutter; of fewer they are left out.
 ///
 /// Coordinates have the precision that the header declares, float or double. The file is read once
 /// from front to back, or twice where faces stand before vertices, with 1 MiB of memory beside the

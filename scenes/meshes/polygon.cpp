@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "scb/error.h"
@@ -11,6 +12,8 @@ namespace {
 
 struct Point2 {
     double x = 0, y = 0;
+
+    bool operator==(const Point2&) const = default;
 };
 
 /// Twice the signed area, > 0 where a, b, c run counterclockwise.
@@ -58,59 +61,98 @@ std::vector<Point2> flattened(std::span<const std::uint32_t> corners,
     return points;
 }
 
-/// Ear cutting. Returns no triangles where a polygon without any ear is left over: it crosses
-/// itself.
-std::vector<Triangle> cut_ears(std::span<const std::uint32_t> corners,
-                               const std::vector<Point2>& points) {
-    std::vector<std::size_t> ring(corners.size());
-    for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
-    std::vector<Triangle> ears;
-    std::size_t at = 0, refused = 0;
-    while (ring.size() > 3) {
-        if (refused > ring.size()) return {};
-        const std::size_t n = ring.size(), ia = ring[(at + n - 1) % n], ib = ring[at % n],
-                          ic = ring[(at + 1) % n];
-        const Point2 &a = points[ia], &b = points[ib], &c = points[ic];
-        bool ear = area2(a, b, c) > 0;
-        for (std::size_t k = 0; ear && k < n; ++k) {
-            const Point2& p = points[ring[k]];
-            if (ring[k] == ia || ring[k] == ib || ring[k] == ic) continue;
-            // A corner at the place of an ear's end is where a hole is bridged; it does not block
-            // the ear.
-            if ((p.x == a.x && p.y == a.y) || (p.x == c.x && p.y == c.y)) continue;
-            ear = !(area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0);
-        }
-        if (!ear) {
-            at = (at + 1) % n;
-            ++refused;
-            continue;
-        }
-        ears.push_back({corners[ia], corners[ib], corners[ic]});
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at % n));
-        // Staying at the neighbour of the ear keeps the search short.
-        at %= ring.size();
-        refused = 0;
+/// Ear cutting. `steps` is how many corners may be looked at, and what is left of that.
+class EarCutter {
+  public:
+    EarCutter(std::span<const std::uint32_t> corners, const std::vector<Point2>& points,
+              std::uint64_t& steps)
+        : corners_(corners), points_(points), steps_(steps), ring_(corners.size()) {
+        for (std::size_t i = 0; i < ring_.size(); ++i) ring_[i] = i;
     }
-    ears.push_back({corners[ring[0]], corners[ring[1]], corners[ring[2]]});
-    return ears;
-}
+
+    /// No triangles where a polygon without any ear is left over: it crosses itself; or where the
+    /// steps do not suffice, of which none are left then.
+    std::vector<Triangle> run() {
+        double whole = 0;
+        for (std::size_t i = 1; i + 1 < points_.size(); ++i)
+            whole += area2(points_[0], points_[i], points_[i + 1]);
+        std::size_t at = 0, refused = 0;
+        while (ring_.size() > 3) {
+            at %= ring_.size();
+            if (!is_ear(at)) {
+                ++at;
+                if (++refused <= ring_.size()) continue;
+                // Rounding leaves corners between collinear ones, which are no ears but harm
+                // nobody.
+                const auto flat = flat_corner(1e-9 * std::abs(whole));
+                if (!flat || steps_ == 0) return {};
+                at = *flat;
+            }
+            // Staying at the neighbour of the ear keeps the search short.
+            cut(at);
+            refused = 0;
+        }
+        cut(1);
+        return std::move(ears_);
+    }
+
+  private:
+    std::size_t corner(std::size_t at) const { return ring_[at % ring_.size()]; }
+    double area_at(std::size_t at) const {
+        return area2(points_[corner(at + ring_.size() - 1)], points_[corner(at)],
+                     points_[corner(at + 1)]);
+    }
+    bool is_ear(std::size_t at) {
+        const std::size_t n = ring_.size(), ia = corner(at + n - 1), ib = corner(at),
+                          ic = corner(at + 1);
+        const Point2 &a = points_[ia], &b = points_[ib], &c = points_[ic];
+        if (!(area2(a, b, c) > 0)) return false;
+        for (const std::size_t k : ring_) {
+            if (steps_ == 0) return false;
+            --steps_;
+            const Point2& p = points_[k];
+            if (k == ia || k == ib || k == ic) continue;
+            // A corner at the place of one of the ear's is where a hole is bridged; it does not
+            // block the ear.
+            if (p == a || p == b || p == c) continue;
+            if (area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0) return false;
+        }
+        return true;
+    }
+    std::optional<std::size_t> flat_corner(double tolerance) const {
+        for (std::size_t at = 0; at < ring_.size(); ++at)
+            if (std::abs(area_at(at)) <= tolerance) return at;
+        return std::nullopt;
+    }
+    void cut(std::size_t at) {
+        const std::size_t n = ring_.size();
+        ears_.push_back(
+            {corners_[corner(at + n - 1)], corners_[corner(at)], corners_[corner(at + 1)]});
+        ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+
+    std::span<const std::uint32_t> corners_;
+    const std::vector<Point2>& points_;
+    std::uint64_t& steps_;
+    std::vector<std::size_t> ring_;
+    std::vector<Triangle> ears_;
+};
 
 }  // namespace
 
-void append_polygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
-                    std::string_view name, std::vector<Triangle>& triangles) {
+void PolygonCutter::append(std::span<const std::uint32_t> corners,
+                           const std::vector<Vec3>& vertices, std::string_view name,
+                           std::vector<Triangle>& triangles) {
     if (corners.size() > 3) {
         const Vec3 normal = area_normal(corners, vertices);
         if (!fan_covers(corners, vertices, normal)) {
-            // Ear cutting takes time up to the cube of the corners.
-            constexpr std::size_t most_corners = 2000;
-            if (corners.size() > most_corners)
+            const std::vector<Point2> points = flattened(corners, vertices, normal);
+            const std::vector<Triangle> ears = EarCutter(corners, points, steps_).run();
+            if (steps_ == 0)
                 throw InputError(std::string(name) + " is a concave polygon of " +
-                                 std::to_string(corners.size()) + " corners; at most " +
-                                 std::to_string(most_corners) +
-                                 " are cut here, so triangulate the file first.");
-            const std::vector<Triangle> ears =
-                cut_ears(corners, flattened(corners, vertices, normal));
+                                 std::to_string(corners.size()) +
+                                 " corners, and up to it concave polygons take too long to cut; "
+                                 "triangulate the file first.");
             if (!ears.empty()) {
                 triangles.insert(triangles.end(), ears.begin(), ears.end());
                 return;

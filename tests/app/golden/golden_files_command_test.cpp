@@ -121,7 +121,30 @@ TEST_F(GoldenCommandFiles, ResultsDoNotComeAmongTheBaselines) {
     EXPECT_EQ(
         run_scb("golden check --report " + home + " --suite " + (folder / "results.json")).status,
         2);
+    // It is no result either, whichever suite is checked.
+    const ProgramRun foreign = golden("check collide --report " + home);
+    EXPECT_EQ(foreign.status, 2);
+    EXPECT_NE(foreign.err.find("results.json, which holds no results"), std::string::npos)
+        << foreign.err;
+    fs::remove(folder / "results.json");
     EXPECT_EQ(golden("check collide --report " + home).status, 1);
+}
+
+TEST_F(GoldenCommandFiles, ResultsReplaceResultsAlone) {
+    const std::string mine = folder / "mine.json", page = folder / "report/report.html";
+    write_text(mine, "{\"my\": \"scene\"}");
+    EXPECT_EQ(golden("check collide --json " + mine).status, 2);
+    EXPECT_EQ(golden("check collide --junit " + mine).status, 2);
+    EXPECT_EQ(file_text(mine), "{\"my\": \"scene\"}");
+    // By what they hold, whatever they are called; twice.
+    for (int i = 0; i < 2; ++i) {
+        const ProgramRun run =
+            golden("check collide --junit " + (folder / "out.json") + " --json " +
+                   (folder / "out.xml") + " --report " + (folder / "report"));
+        EXPECT_EQ(run.status, 0) << run.err;
+    }
+    write_text(page, "<!DOCTYPE svg>");
+    EXPECT_EQ(golden("check collide --report " + (folder / "report")).status, 2);
 }
 
 TEST_F(GoldenCommandFiles, AcceptedPicturesBehindAGapAreNamed) {

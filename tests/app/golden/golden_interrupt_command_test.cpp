@@ -1,5 +1,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/app/golden/golden_command.h"
 
@@ -35,10 +36,17 @@ class GoldenCommandInterrupt : public GoldenCommand {
         const std::string list = file_text(sleepers);
         EXPECT_NE(list, "") << signal;
         for (std::size_t at = 0; at < list.size(); at = list.find('\n', at) + 1) {
-            const std::string stat =
-                file_text("/proc/" + std::to_string(std::stoi(list.substr(at))) + "/stat");
+            const std::string file =
+                "/proc/" + std::to_string(std::stoi(list.substr(at))) + "/stat";
             // Where nobody waits for one, it stays as a zombie.
-            EXPECT_TRUE(stat.empty() || stat.find(") Z ") != std::string::npos) << signal << stat;
+            const auto runs = [&] {
+                const std::string stat = file_text(file);
+                return !stat.empty() && stat.find(") Z ") == std::string::npos;
+            };
+            // What ends it after a `kill -9` takes a moment.
+            for (int i = 0; i < 1000 && runs(); ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            EXPECT_FALSE(runs()) << signal << file_text(file);
         }
         fs::remove(sleepers);
     }

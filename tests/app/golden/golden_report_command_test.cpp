@@ -186,9 +186,16 @@ TEST_F(GoldenReport, RemovesOnlyWhatAnEarlierReportListed) {
     EXPECT_FALSE(fs::exists(picture));
     EXPECT_EQ(file_text(home / "out/photo.new.png"), "mine");
     EXPECT_EQ(file_text(home / "out/thesis.difference.png"), "mine");
-    // A file of that name that is none of ours says nothing.
-    write_text(home / "out/results.json", R"({"cases": [{"traces": ["photo.new.png"]}]})");
+    // A file of that name that is none of ours says nothing, and is not replaced.
+    const std::string foreign = R"({"cases": [{"traces": ["photo.new.png"]}]})";
+    write_text(home / "out/results.json", foreign);
+    EXPECT_EQ(check().status, 2);
+    EXPECT_EQ(file_text(home / "out/results.json"), foreign);
+    write_text(home / "out/results.json",
+               R"({"suite": "", "cases": [{"traces": ["../photo.png"]}]})");
+    write_text(home / "photo.png", "mine");
     EXPECT_EQ(check().status, 0);
+    EXPECT_EQ(file_text(home / "photo.png"), "mine");
     EXPECT_EQ(file_text(home / "out/photo.new.png"), "mine");
 }
 

@@ -78,6 +78,11 @@ TEST(BadMeshFile, WithAnIndexOutOfRangeNamesIt) {
               refused_file("a.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 3\n"));
     expect_in("face 0 names vertex -1",
               refused_file("b.off", "OFF 3 1 0\n" + std::string(three) + "3 0 1 -1\n"));
+    for (const char* index : {"+2", "0.2e1", "2.0"})
+        expect_in(std::string("face 0 names vertex ") + index,
+                  refused_file("c.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 " + index));
+    expect_in("face 0 of the 1 that are declared is missing or broken",
+              refused_file("d.off", "OFF\n3 1 0\n" + std::string(three) + "0.3e1 0 1 2\n"));
     for (const char* face : {"1 2 9", "0 1 2", "-1 -2 -9", "1 2 99999999999999"})
         expect_in("index", refused_file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf " +
                                                      std::string(face) + "\n"));
@@ -122,7 +127,9 @@ std::string tds_with(std::uint16_t index, std::optional<std::uint16_t> other = {
 TEST(BadMeshFile, WithAnIndexThatAssimpTakesForAnotherIsRefused) {
     const TemporaryFolder folder;
     EXPECT_EQ(load_mesh(folder.write("good.dae", dae_with("2"))).triangles.size(), 1u);
-    expect_in("index 2 of list 0 of <p> is -1", refused_file("a.dae", dae_with("-1")));
+    for (const char* index : {"-1", "4294967298", "18446744073709551618", "2x", "1e2", "2.0"})
+        expect_in(std::string("index 2 of list 0 of <p> is ") + index,
+                  refused_file("a.dae", dae_with(index)));
     refused_file("b.dae", dae_with("3"));
     EXPECT_EQ(load_mesh(folder.write("good.3ds", tds_with(2))).triangles.size(), 1u);
     const char* const names_3 = "mesh 0, face 0 names vertex 3, but there are 3 vertices";
@@ -264,6 +271,14 @@ TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
         }
     }
     EXPECT_GT(loaded, 0);
+}
+
+// They would be read by every reader of assimp, whatever is refused elsewhere.
+TEST(BadMeshFile, OfASceneThatNamesMeshesIsNotRead) {
+    const TemporaryFolder folder;
+    folder.write("good.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 2\n");
+    const std::string lws = folder.write("a.lws", "LWSC\n3\n\nLoadObject good.off\n\n");
+    expect_in("the format is not known", refusal([&] { load_mesh(lws); }));
 }
 
 }  // namespace

@@ -161,6 +161,31 @@ TEST(MeshFile, RefusesAGltfFileThatWouldBeMisread) {
                            "\"EXT_meshopt_compression\"]"));
 }
 
+TEST(MeshFile, RefusesGltfNodesThatAreNoNumbers) {
+    const TemporaryFolder folder;
+    for (const char* children : {R"(["1"])", "[1.0]", "[-1]"})
+        expect_in(
+            "nodes[0].children[0]: expected the number of a node", refusal([&] {
+                load_mesh(folder.write("a.gltf", gltf(R"([{"children": )" + std::string(children) +
+                                                      R"(}, {"mesh": 0}])")));
+            }));
+    std::string text = gltf_of_two(4);
+    const std::string nodes = R"("nodes": [0, 1])";
+    text.replace(text.find(nodes), nodes.size(), R"("nodes": ["0"])");
+    expect_in("scenes[0].nodes[0]: expected the number of a node",
+              refusal([&] { load_mesh(folder.write("b.gltf", text)); }));
+}
+
+TEST(MeshFile, RefusesGltfAttributesThatOnlyStartLikePositions) {
+    const TemporaryFolder folder;
+    for (const char* name : {"POSITION_0", "POSITIONX"}) {
+        std::string text = gltf_of_two(4);
+        text.replace(text.find("POSITION"), 8, name);
+        expect_in(std::string("its attribute \"") + name + "\" would be misread",
+                  refusal([&] { load_mesh(folder.write("a.gltf", text)); }));
+    }
+}
+
 TEST(MeshFile, TakesTheFirstBufferOfAGlbFromItsChunkOnly) {
     const auto number = [](std::size_t value) {
         std::string bytes;

@@ -56,6 +56,10 @@ TEST(ObjMesh, MayBeWrittenInManyWays) {
                  "f 1 2\\\n 3#4\nf 1 2 4 # 3\n"),
              std::string(
                  "v 0 0 0\nv 1 0 0 1 1 1 1\nv 0 1 0\nv 0 0 1\nf 1/9/9 2/x 3/\nf 1// 2// 4//"),
+             "\xEF\xBB\xBF" + corners_of_four + "f 1 2 3\nf 1 2 4\n",
+             // Backslashes of names and comments are none.
+             "# C:\\models\\\n" + corners_of_four +
+                 "mtllib C:\\x\\\nf 1 2 3\ng a\\\nf 1 2 4 # \\\n",
          }) {
         const Mesh mesh = obj_of(text);
         EXPECT_EQ(mesh.vertices, plain.vertices) << text;
@@ -105,7 +109,7 @@ TEST(ObjMesh, OfABrokenLineNamesIt) {
     expect_in("the mesh has no triangles", refused_obj(corners_of_four + "l 1 2 3\nf 1 2\n"));
     expect_in("line 1 has more than 1 MiB", refused_obj(std::string(2 << 20, '\0')));
     std::string joined;
-    for (int i = 0; i < 30; ++i) joined += std::string(100'000, ' ') + "\\\n";
+    for (int i = 0; i < 30; ++i) joined += (i == 0 ? "f" : "") + std::string(100'000, ' ') + "\\\n";
     expect_in("has more than 1 MiB", refused_obj(joined));
     expect_in("coordinate", refused_obj("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 }
