@@ -19,6 +19,12 @@ Json json_of(const Scb& s) {
             {"e", s.e},
             {"f", s.f}};
 }
+Json json_of(const Scb2& s) {
+    Json slabs = Json::array();
+    for (const Slab& slab : s.slabs)
+        slabs.push_back({{"normal", json_of(slab.n)}, {"e", slab.e}, {"f", slab.f}});
+    return {{"center", json_of(s.c)}, {"radius", s.r}, {"slabs", slabs}};
+}
 Json json_of(const Ball& ball) {
     return {{"center", json_of(ball.center)}, {"radius", ball.radius}};
 }

@@ -36,6 +36,15 @@ std::string volume_text(const Scb& s) {
     return "center " + point(s.c) + ", normal " + point(s.n) + "\n     radius " + number(s.r) +
            ", e " + number(s.e) + ", f " + number(s.f) + ", thickness " + number(thickness(s));
 }
+std::string volume_text(const Scb2& s) {
+    std::string text = "center " + point(s.c) + ", radius " + number(s.r);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Slab& slab = s.slabs[i];
+        text += std::string("\n     ") + (i == 0 ? "n " : "n″ ") + point(slab.n) + ", e " +
+                number(slab.e) + ", f " + number(slab.f) + ", thickness " + number(slab.e - slab.f);
+    }
+    return text;
+}
 std::string volume_text(const Ball& ball) {
     return "center " + point(ball.center) + ", radius " + number(ball.radius);
 }
@@ -46,6 +55,9 @@ std::string volume_text(const Obb& box) {
 
 /// Where B is, where that is not where it is in its own frame.
 std::string place_text(const Scb& s) { return "center " + point(s.c) + ", normal " + point(s.n); }
+std::string place_text(const Scb2& s) {
+    return "center " + point(s.c) + ", normals " + point(s.slabs[0].n) + ", " + point(s.slabs[1].n);
+}
 std::string place_text(const Ball& ball) { return "center " + point(ball.center); }
 std::string place_text(const Obb& box) { return "center " + point(box.center); }
 
@@ -158,6 +170,10 @@ std::string symbols_text(const ExplainedPair& pair) {
     if (pair.kind == VolumeKind::ball) return "";
     if (pair.kind == VolumeKind::obb)
         return "  a, b: the axes of the boxes; ρ: how far a box reaches along the axis.\n";
+    if (pair.kind == VolumeKind::scb2)
+        return "  ″: of the second slab; ρ: how far a volume reaches in that direction; w: the "
+               "product "
+               "of the long axes.\n";
     switch (pair.options.test) {
         case OverlapTest::symmetric:
             return "  m, h: middle of a slab and half its thickness; r·sα: what the cylinder about "

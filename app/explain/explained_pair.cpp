@@ -25,6 +25,8 @@ ExplainedNode node_of(const SceneQuery& query, std::size_t body, std::int64_t no
 template <class V>
 constexpr VolumeKind raw_kind = VolumeKind::scb;
 template <>
+constexpr VolumeKind raw_kind<Scb2> = VolumeKind::scb2;
+template <>
 constexpr VolumeKind raw_kind<Ball> = VolumeKind::ball;
 template <>
 constexpr VolumeKind raw_kind<Obb> = VolumeKind::obb;

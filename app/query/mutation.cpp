@@ -7,6 +7,7 @@ namespace scb::app {
 namespace {
 
 void grow(Scb& volume, double by) { volume.r *= by; }
+void grow(Scb2& volume, double by) { volume.r *= by; }
 void grow(Ball& volume, double by) { volume.radius *= by; }
 void grow(Obb& volume, double by) { volume.half *= by; }
 

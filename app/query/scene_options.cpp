@@ -96,7 +96,7 @@ std::vector<VolumeKind> HierarchyOptions::kinds() const {
         const std::optional<VolumeKind> kind = volume_kind_of(name);
         if (!kind)
             throw InputError("--volume " + volumes + ": '" + name +
-                             "' is not a volume; give some of scb,ball,ritter,obb.");
+                             "' is not a volume; give some of scb,ball,ritter,obb,scb2.");
         if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
     }
     return kinds;
@@ -106,15 +106,15 @@ VolumeKind HierarchyOptions::kind() const {
     const std::vector<VolumeKind> all = kinds();
     if (all.size() != 1)
         throw InputError("--volume " + volumes +
-                         ": this command takes one of scb,ball,ritter,obb at a time.");
+                         ": this command takes one of scb,ball,ritter,obb,scb2 at a time.");
     return all[0];
 }
 
 void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several) {
     command
         .add_option("--volume", options.volumes,
-                    several ? "Bounding volumes: some of scb,ball,ritter,obb"
-                            : "Bounding volume: one of scb, ball, ritter, obb")
+                    several ? "Bounding volumes: some of scb,ball,ritter,obb,scb2"
+                            : "Bounding volume: one of scb, ball, ritter, obb, scb2")
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
     constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};

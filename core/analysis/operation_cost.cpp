@@ -33,6 +33,27 @@ std::uint32_t of_extents(Stage stage) {
     }
 }
 
+/// Where each of the extents is at one of the points in which two planes meet the sphere: five square
+/// roots each.
+std::uint32_t of_two_slabs(Stage stage) {
+    switch (stage) {
+        case Stage::ball_ball:
+            return 29;
+        case Stage::slab_a:
+            return 138;
+        case Stage::second_slab_a:
+            return 199;
+        case Stage::slab_b:
+            return 265;
+        case Stage::second_slab_b:
+            return 311;
+        case Stage::center_line:
+            return 391;
+        default:
+            return 479;
+    }
+}
+
 /// 66 for B's center and axes; 27 for each axis of A, with the products of axes that later ones
 /// use; 12 for each of B; 11 for each cross product.
 std::uint32_t of_boxes(Stage stage) {
@@ -56,6 +77,8 @@ std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Sta
             return 29;
         case VolumeKind::obb:
             return of_boxes(stage);
+        case VolumeKind::scb2:
+            return of_two_slabs(stage);
     }
     switch (options.test) {
         case OverlapTest::extents:

@@ -47,4 +47,16 @@ SinCos sin_cos_turns(double turns) {
     }
 }
 
+double arc_tangent(double y, double x) {
+    assert(y >= 0 && x >= 0 && "an angle of the first quadrant");
+    if (y > x) return std::numbers::pi / 2 - arc_tangent(x, y);
+    if (!(y > 0)) return 0;
+    // Half of half the angle, at most pi/16; the first term left out of the series is below 1e-18.
+    double t = y / x;
+    for (int i = 0; i < 2; ++i) t /= 1 + std::sqrt(1 + t * t);
+    double sum = 0;
+    for (int i = 25; i >= 3; i -= 2) sum = (1.0 / i - sum) * (t * t);
+    return 4 * (t - t * sum);
+}
+
 }  // namespace scb

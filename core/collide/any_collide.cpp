@@ -48,6 +48,8 @@ std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options)
             return ball_stages();
         case VolumeKind::obb:
             return obb_stages();
+        case VolumeKind::scb2:
+            return scb2_stages();
     }
     return stages_of(options.test);
 }
@@ -62,6 +64,8 @@ std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
             return transform_count<Ball>(stages, options);
         case VolumeKind::obb:
             return transform_count<Obb>(stages, options);
+        case VolumeKind::scb2:
+            return transform_count<Scb2>(stages, options);
     }
     return transform_count<Scb>(stages, options);
 }

@@ -13,6 +13,8 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
 
 template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
                            const CollideOptions&);
+template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
+                           const CollideOptions&);
 template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
                            const CollideOptions&);
 template Collision collide(const Collider<Obb>&, const Collider<Obb>&, const Pose&,

@@ -32,11 +32,15 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
 
 template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
                            const CollideOptions&, EventRecorder&);
+template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
+                           const CollideOptions&, EventRecorder&);
 template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
                            const CollideOptions&, EventRecorder&);
 template Collision collide(const Collider<Obb>&, const Collider<Obb>&, const Pose&,
                            const CollideOptions&, EventRecorder&);
 template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
+                           const CollideOptions&, const ObserverCalls&);
+template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
                            const CollideOptions&, const ObserverCalls&);
 template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
                            const CollideOptions&, const ObserverCalls&);

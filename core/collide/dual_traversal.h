@@ -37,7 +37,8 @@ bool descends_into_a(const V& a, const V& b, int depth) {
 
 /// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
 /// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
-/// center; of boxes the center and three axes.
+/// center; of boxes the center and three axes; of two slabs the center and, after the balls, both
+/// normals.
 template <Volume V>
 std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& options) {
     const std::uint64_t tests = test_count(stages);
@@ -45,6 +46,8 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
         return tests;
     } else if constexpr (std::same_as<V, Obb>) {
         return 4 * tests;
+    } else if constexpr (std::same_as<V, Scb2>) {
+        return 3 * tests - 2 * stages[static_cast<std::size_t>(Stage::ball_ball)];
     } else {
         std::uint64_t without_normal = stages[static_cast<std::size_t>(Stage::ball_ball)];
         if (options.test != OverlapTest::extents)

@@ -21,6 +21,43 @@ Vec3 farthest(const Scb& s, const Vec3& d) {
     return length > 0 ? Vec3(height * s.n + rim / length * level) : Vec3(height * s.n);
 }
 
+// The farthest of the sphere's point, the points of the planes' rims, and the corners that are in
+// the volume.
+Vec3 farthest(const Scb2& s, const Vec3& d) {
+    const double slop = 1e-14 * s.r;
+    Vec3 best = Vec3::Zero();
+    double most = 0;
+    const auto consider = [&](const Vec3& x) {
+        for (const Slab& slab : s.slabs) {
+            const double height = dot(slab.n, x);
+            if (height < slab.f - slop || height > slab.e + slop) return;
+        }
+        if (dot(d, x) > most) {
+            most = dot(d, x);
+            best = x;
+        }
+    };
+    consider(s.r * d);
+    const Vec3 line = long_axis(s);
+    const Vec3 &n = s.slabs[0].n, &m = s.slabs[1].n;
+    const auto on_rim = [&](const Vec3& foot, double height, const Vec3& u, const Vec3& v) {
+        const double rim = std::sqrt(std::max(0.0, (s.r - height) * (s.r + height)));
+        const double x = dot(u, d), y = dot(v, d), length = std::hypot(x, y);
+        if (length > 0) consider(foot + rim / length * (x * u + y * v));
+        consider(foot);
+    };
+    for (const double k : {s.slabs[0].e, s.slabs[0].f}) on_rim(k * n, k, m, line);
+    for (const double k : {s.slabs[1].e, s.slabs[1].f}) on_rim(k * m, k, n, line);
+    for (const double k : {s.slabs[0].e, s.slabs[0].f})
+        for (const double l : {s.slabs[1].e, s.slabs[1].f}) {
+            const double squared = s.r * s.r - k * k - l * l;
+            if (squared < -slop * s.r) continue;
+            const double rest = std::sqrt(std::max(0.0, squared));
+            for (const double side : {rest, -rest}) consider(k * n + l * m + side * line);
+        }
+    return best;
+}
+
 Vec3 farthest(const Ball& ball, const Vec3& d) { return ball.radius * d; }
 
 Vec3 farthest(const Obb& box, const Vec3& d) {
@@ -31,6 +68,9 @@ Vec3 farthest(const Obb& box, const Vec3& d) {
 }
 
 void add_directions(std::vector<Vec3>& to, const Scb& s) { to.push_back(s.n); }
+void add_directions(std::vector<Vec3>& to, const Scb2& s) {
+    for (const Slab& slab : s.slabs) to.push_back(slab.n);
+}
 void add_directions(std::vector<Vec3>&, const Ball&) {}
 void add_directions(std::vector<Vec3>& to, const Obb& box) {
     for (int i = 0; i < 3; ++i) to.push_back(box.axes.col(i));
@@ -66,6 +106,10 @@ bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate
 }  // namespace
 
 bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return bear_out(a, b, b.c - a.c, certificate);
+}
+
+bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
     return bear_out(a, b, b.c - a.c, certificate);
 }
 

@@ -12,6 +12,7 @@ namespace scb {
 /// It shares nothing with proven_gap, proven_depth and verify, by which a sharpened certificate is
 /// made.
 bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate);
+bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate);
 

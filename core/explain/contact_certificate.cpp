@@ -1,6 +1,7 @@
 #include "core/explain/contact_certificate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scb {
@@ -31,6 +32,83 @@ Surroundings surroundings(const Scb& s, const Vec3& from_center) {
 double reach(const Surroundings& s, double cosine, double sine) {
     const double h = std::min(s.to_plane, s.to_sphere);
     return reach(s.to_sphere, -h, h, std::abs(cosine), sine);
+}
+
+// An upper bound of the greatest d.(x - c), for a unit d, and the greatest itself up to rounding:
+// by duality (Boyd and Vandenberghe, "Convex Optimization", Section 5.2), d may be replaced by what
+// is left of it once multiples of the outward normals are taken away, which count by their planes.
+// With no plane, with either, and with both.
+double bounded_reach(const Scb2& s, const Vec3& d) {
+    const Vec3 along(std::abs(dot(s.slabs[0].n, d)), std::abs(dot(s.slabs[1].n, d)),
+                     std::abs(dot(long_axis(s), d)));
+    const auto plane = [&](const Slab& slab) { return dot(slab.n, d) < 0 ? -slab.f : slab.e; };
+    const std::array<double, 2> k = {plane(s.slabs[0]), plane(s.slabs[1])};
+    double least = s.r;
+    for (int i = 0; i < 2; ++i) {
+        const double at = k[static_cast<std::size_t>(i)],
+                     rim = std::sqrt(std::max(0.0, (s.r - at) * (s.r + at))),
+                     rest = std::hypot(along[1 - i], along[2]);
+        // The multiple with which the point of the rim is the farthest in what is left.
+        if (along[i] * rim >= rest * at) least = std::min(least, along[i] * at + rim * rest);
+    }
+    const double squared = s.r * s.r - k[0] * k[0] - k[1] * k[1],
+                 corner = std::sqrt(std::max(0.0, squared));
+    const double of_planes = along[0] * k[0] + along[1] * k[1];
+    if (along[0] * corner >= along[2] * k[0] && along[1] * corner >= along[2] * k[1] && squared > 0)
+        least = std::min(least, of_planes + along[2] * corner);
+    return std::min(least, of_planes + along[2] * s.r);
+}
+
+// The least sum of what two boxes about one point reach, which is along the normal of a face of
+// either or across an edge of each: how far one must go to leave the other.
+double least_reach(const Mat3& axes_a, const Vec3& half_a, const Mat3& axes_b, const Vec3& half_b) {
+    const auto reach = [&](const Vec3& d) {
+        return (axes_a.transpose() * d).cwiseAbs().dot(half_a) +
+               (axes_b.transpose() * d).cwiseAbs().dot(half_b);
+    };
+    double least = HUGE_VAL;
+    for (int i = 0; i < 3; ++i) {
+        least = std::min({least, reach(axes_a.col(i)), reach(axes_b.col(i))});
+        for (int j = 0; j < 3; ++j) {
+            const Vec3 across = cross(Vec3(axes_a.col(i)), Vec3(axes_b.col(j)));
+            if (across.norm() > 1e-9) least = std::min(least, reach(across.normalized()));
+        }
+    }
+    return least;
+}
+
+// A box about a point that the volume holds, and a ball.
+struct FreeBox {
+    Mat3 axes;
+    Vec3 half;
+    double ball, outside;
+};
+
+FreeBox free_box(const Scb2& s, const Vec3& from_center) {
+    const double to_sphere = s.r - from_center.norm();
+    std::array<double, 2> left{};
+    FreeBox box;
+    // Towards the center and to the planes, each of which leaves the others as they are.
+    box.outside = std::max(0.0, -to_sphere);
+    for (int i = 0; i < 2; ++i) {
+        const Slab& slab = s.slabs[static_cast<std::size_t>(i)];
+        const double height = slab.n.dot(from_center);
+        left[static_cast<std::size_t>(i)] = std::min(slab.e - height, height - slab.f);
+        box.outside += std::max(0.0, -left[static_cast<std::size_t>(i)]);
+        box.axes.col(i) = slab.n;
+    }
+    box.axes.col(2) = long_axis(s);
+    // Moved by `outside`, all of this is about the point. As wide as fits into the ball, the sides
+    // alike where the planes are far.
+    const double ball = std::max(0.0, to_sphere - box.outside);
+    const std::size_t near = left[0] <= left[1] ? 0 : 1, far = 1 - near;
+    const double narrow = std::clamp(left[near], 0.0, ball / std::sqrt(3.0)),
+                 wide = std::clamp(left[far], 0.0, std::sqrt((ball * ball - narrow * narrow) / 2));
+    const double rest = ball * ball - narrow * narrow - wide * wide;
+    box.half = near == 0 ? Vec3(narrow, wide, 0) : Vec3(wide, narrow, 0);
+    box.half[2] = std::sqrt(std::max(0.0, rest));
+    box.ball = std::min(ball, std::max(0.0, left[near]));
+    return box;
 }
 
 /// `size`: the largest of the lengths that meet.
@@ -69,6 +147,17 @@ double proven_depth(const Scb& a, const Scb& b, const Vec3& point) {
     return std::min(along_a, along_b) - in_a.outside - in_b.outside;
 }
 
+double proven_gap(const Scb2& a, const Scb2& b, const Vec3& direction) {
+    const Vec3 d = direction / direction.norm();
+    return dot(d, Vec3(b.c - a.c)) - bounded_reach(a, d) - bounded_reach(b, -d);
+}
+
+double proven_depth(const Scb2& a, const Scb2& b, const Vec3& point) {
+    const FreeBox in_a = free_box(a, point), in_b = free_box(b, point - (b.c - a.c));
+    const double of_boxes = least_reach(in_a.axes, in_a.half, in_b.axes, in_b.half);
+    return std::max(of_boxes, in_a.ball + in_b.ball) - in_a.outside - in_b.outside;
+}
+
 double proven_gap(const Ball& a, const Ball& b, const Vec3& direction) {
     const Vec3 d = direction / direction.norm();
     return dot(d, Vec3(b.center - a.center)) - a.radius - b.radius;
@@ -97,22 +186,14 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point) {
     };
     const Vec3 in_a = room(a, point), in_b = room(b, point - (b.center - a.center));
     const double outside = std::max(0.0, -in_a.minCoeff()) + std::max(0.0, -in_b.minCoeff());
-    const auto reach = [&](const Vec3& direction) {
-        return (a.axes.transpose() * direction).cwiseAbs().dot(in_a.cwiseMax(0)) +
-               (b.axes.transpose() * direction).cwiseAbs().dot(in_b.cwiseMax(0));
-    };
-    double least = HUGE_VAL;
-    for (int i = 0; i < 3; ++i) {
-        least = std::min({least, reach(a.axes.col(i)), reach(b.axes.col(i))});
-        for (int j = 0; j < 3; ++j) {
-            const Vec3 across = cross(Vec3(a.axes.col(i)), Vec3(b.axes.col(j)));
-            if (across.norm() > 1e-9) least = std::min(least, reach(across.normalized()));
-        }
-    }
-    return least - outside;
+    return least_reach(a.axes, in_a.cwiseMax(0), b.axes, in_b.cwiseMax(0)) - outside;
 }
 
 bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return verify_within(a, b, certificate, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
+}
+
+bool verify(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
     return verify_within(a, b, certificate, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
 }
 

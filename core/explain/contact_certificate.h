@@ -4,6 +4,7 @@
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb {
 
@@ -26,6 +27,7 @@ struct ContactCertificate {
 
 /// How far A and B are apart along a direction from A to B. Positive only for disjoint ones.
 double proven_gap(const Scb& a, const Scb& b, const Vec3& direction);
+double proven_gap(const Scb2& a, const Scb2& b, const Vec3& direction);
 double proven_gap(const Ball& a, const Ball& b, const Vec3& direction);
 double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
 
@@ -42,8 +44,10 @@ double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
 /// A point that is outside of a slab by rounding, as for a slab without thickness it will be,
 /// proves the same of a copy moved by so much, which is deducted. Of boxes the same with the boxes
 /// about the point within them, whose sum is least along a face's normal: of A, of B, or across an
-/// edge of each.
+/// edge of each. Of balls with two slabs the same with boxes about the point that fit into the two,
+/// or with balls, whichever shows more.
 double proven_depth(const Scb& a, const Scb& b, const Vec3& point);
+double proven_depth(const Scb2& a, const Scb2& b, const Vec3& point);
 double proven_depth(const Ball& a, const Ball& b, const Vec3& point);
 double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 
@@ -53,6 +57,7 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 /// never verified, nor are lengths whose squares are no normal numbers, or a direction that is no
 /// unit vector.
 bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate);
+bool verify(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate);
 

@@ -39,6 +39,13 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance = 
 ContactCertificate exact_overlap(const Ball& a, const Ball& b,
                                  double tolerance = contact_tolerance);
 
+/// The same of two balls with two slabs each. Closest points and directions as above: on up to
+/// three of the eight planes, or on the sphere and up to two of them. The common point is the mean
+/// of those found, and the depth that of boxes about it that fit into the two, so it is a lower
+/// bound even of the depth at this point.
+ContactCertificate exact_overlap(const Scb2& a, const Scb2& b,
+                                 double tolerance = contact_tolerance);
+
 /// The same of two boxes, times half the larger diagonal. The gap is the greatest along the 15
 /// directions among which one separates two disjoint boxes (Gottschalk, Lin and Manocha, "OBBTree",
 /// Section 5); a common point is looked for on the edges, of which one meets the other box where
@@ -49,6 +56,7 @@ ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance = 
 /// proven_depth: close to the distance, or the depth of a deep common point; less where two thin
 /// volumes are nearly parallel and nearly touch. For people to look at.
 ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate);
+ContactCertificate sharpened(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate);
 

@@ -1,25 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/explain/box_room.h"
 #include "core/explain/exact_overlap.h"
 
 namespace scb {
 namespace {
-
-/// Calls visit(d) with the unit directions across the faces of either box and across an edge of
-/// each; not where two edges are parallel, which adds none.
-template <class Visit>
-void visit_directions(const Obb& a, const Obb& b, const Visit& visit) {
-    for (int i = 0; i < 3; ++i) {
-        visit(Vec3(a.axes.col(i)));
-        visit(Vec3(b.axes.col(i)));
-        for (int j = 0; j < 3; ++j) {
-            const Vec3 across = cross(Vec3(a.axes.col(i)), Vec3(b.axes.col(j)));
-            const double length = std::sqrt(squared_norm(across));
-            if (length > 1e-9) visit(Vec3(across / length));
-        }
-    }
-}
 
 /// Adds up the ends of the parts that a box leaves of the edges of another: corners of what the two
 /// have in common.
@@ -62,27 +48,6 @@ struct CornerSum {
     }
 };
 
-/// How far B must go, at least, to leave the boxes about `point` that the two hold.
-double depth_at(const Obb& a, const Obb& b, const Vec3& point) {
-    const Vec3 in_b = point - (b.center - a.center);
-    Vec3 room_a, room_b;
-    double outside_a = 0, outside_b = 0;
-    for (int i = 0; i < 3; ++i) {
-        room_a[i] = a.half[i] - std::abs(dot(Vec3(a.axes.col(i)), point));
-        room_b[i] = b.half[i] - std::abs(dot(Vec3(b.axes.col(i)), in_b));
-        outside_a = std::max(outside_a, -room_a[i]);
-        outside_b = std::max(outside_b, -room_b[i]);
-        room_a[i] = std::max(0.0, room_a[i]);
-        room_b[i] = std::max(0.0, room_b[i]);
-    }
-    const Obb about_a{point, a.axes, room_a}, about_b{point, b.axes, room_b};
-    double least = HUGE_VAL;
-    visit_directions(a, b, [&](const Vec3& d) {
-        least = std::min(least, support(about_a, d) + support(about_b, d));
-    });
-    return least - outside_a - outside_b;
-}
-
 }  // namespace
 
 ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance) {
@@ -90,7 +55,7 @@ ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance) {
     const Vec3 to_b = b.center - a.center;
     ContactCertificate certificate;
     double gap = -HUGE_VAL;
-    visit_directions(a, b, [&](const Vec3& d) {
+    visit_box_directions(a, b, [&](const Vec3& d) {
         const double distance = dot(d, to_b),
                      g = std::abs(distance) - support(a, d) - support(b, d);
         if (g > gap) {
@@ -110,7 +75,8 @@ ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance) {
     corners.add_edges(b, a, to_b, Vec3::Zero(), slop);
     if (corners.count == 0) return certificate;
     certificate.point = corners.sum / corners.count;
-    const double depth = depth_at(a, b, certificate.point);
+    const double depth =
+        depth_of(room_about(a, certificate.point), room_about(b, certificate.point - to_b));
     if (depth > least) {
         certificate.contact = Contact::overlapping;
         certificate.margin = depth;

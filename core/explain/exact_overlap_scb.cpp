@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/explain/centered_pair.h"
+#include "core/volumes/half_chord.h"
+
 namespace scb {
 namespace {
 
@@ -17,8 +20,6 @@ Vec3 unit_across(const Vec3& n, const Vec3& v) {
     across -= dot(n, across) * n;
     return across / std::sqrt(squared_norm(across));
 }
-
-double half_chord(double r, double k) { return std::sqrt(std::max(0.0, (r - k) * (r + k))); }
 
 // The point closest to `target` of the circle in which the plane n.x = k cuts the ball of radius r
 // about the origin.
@@ -42,18 +43,7 @@ struct Crossing {
     }
 };
 
-// A and B as seen from a.c.
-struct Pair {
-    Scb a, b;
-
-    Vec3 to_b() const { return b.c; }
-    Pair exchanged() const {
-        Pair p{b, a};
-        p.a.c = Vec3::Zero();
-        p.b.c = -b.c;
-        return p;
-    }
-};
+using Pair = CenteredPair<Scb>;
 
 // Calls visit(x) with each point in which two of the planes, one of A and one of B, and the sphere
 // of A meet, if `with_sphere`; otherwise with the point of each line that is closest to B's center.
@@ -114,40 +104,18 @@ bool find_common_point(const Pair& p, const Crossing& crossing, double slop, Vec
     return visit_corners(p, crossing, true, is_common);
 }
 
-// The best separating direction so far.
-struct Separation {
-    const Pair& pair;
-    Vec3 direction = Vec3::Zero();
-    double gap = -HUGE_VAL;
+// The farthest point of the ball, or that of the rim that the slab leaves.
+double exact_reach(const Scb& s, const Vec3& d) {
+    const double cosine = dot(s.n, d), top = s.r * cosine;
+    if (top >= s.f && top <= s.e) return s.r;
+    const double k = top < s.f ? s.f : s.e;
+    return k * cosine + half_chord(s.r, k) * std::sqrt(squared_norm(cross(s.n, d)));
+}
 
-    void try_direction(const Vec3& d) {
-        const double length = std::sqrt(squared_norm(d));
-        if (!(length > 0)) return;
-        const Vec3 unit = d / length;
-        const double g = dot(unit, pair.to_b()) - reach(pair.a, unit, 1) - reach(pair.b, unit, -1);
-        if (g > gap) {
-            gap = g;
-            direction = unit;
-        }
-    }
-
-    void try_both_ways(const Vec3& d) {
-        try_direction(d);
-        try_direction(-d);
-    }
-
-  private:
-    // The farthest point of the ball, or that of the rim that the slab leaves.
-    static double reach(const Scb& s, const Vec3& d, double sign) {
-        const double cosine = sign * dot(s.n, d), top = s.r * cosine;
-        if (top >= s.f && top <= s.e) return s.r;
-        const double k = top < s.f ? s.f : s.e;
-        return k * cosine + half_chord(s.r, k) * std::sqrt(squared_norm(cross(s.n, d)));
-    }
-};
+using ScbSeparation = Separation<Scb, exact_reach>;
 
 // Faces, and all that involves a sphere.
-void try_closed_forms(const Pair& pair, Separation& separation) {
+void try_closed_forms(const Pair& pair, ScbSeparation& separation) {
     const Scb &a = pair.a, &b = pair.b;
     const Vec3 to_b = pair.to_b(), to_a = -to_b;
     separation.try_both_ways(a.n);
@@ -166,7 +134,7 @@ void try_closed_forms(const Pair& pair, Separation& separation) {
 
 // Rim against rim: a plane that holds the tangent of A's rim in a corner x and the tangent there of
 // the circle of B's plane about B's axis.
-void try_corners(const Pair& p, const Crossing& crossing, Separation& separation) {
+void try_corners(const Pair& p, const Crossing& crossing, ScbSeparation& separation) {
     visit_corners(p, crossing, true, [&](const Vec3& x) {
         const Vec3 a_tangent = cross(p.a.n, x), b_tangent = cross(p.b.n, Vec3(p.to_b() - x));
         separation.try_both_ways(cross(a_tangent, b_tangent));
@@ -177,7 +145,7 @@ void try_corners(const Pair& p, const Crossing& crossing, Separation& separation
 // The directions of the pair with a wider slab of B. Where A only touches B's slab, or misses it by
 // as little as `missed`, its one point in there has no direction, but the cap that it has in the
 // wider one does.
-void try_wider_slabs(const Pair& p, double missed, Separation& separation) {
+void try_wider_slabs(const Pair& p, double missed, ScbSeparation& separation) {
     for (const double share : {1e-3, 1e-6, 1e-9, 1e-12}) {
         const double by = missed + share * std::max(p.a.r, p.b.r);
         Pair wider = p;
@@ -212,12 +180,10 @@ Pair cores(Pair p, const Crossing& crossing, double depth) {
 
 ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     const double larger = std::max(a.r, b.r), least = tolerance * larger;
-    Pair pair{a, b};
-    pair.a.c = Vec3::Zero();
-    pair.b.c = b.c - a.c;
+    const Pair pair(a, b);
 
     ContactCertificate certificate;
-    Separation separation{pair};
+    ScbSeparation separation{pair};
     try_closed_forms(pair, separation);
     const auto conclude_disjoint = [&] {
         certificate.contact = Contact::disjoint;
@@ -238,7 +204,7 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     try_corners(pair, crossing, separation);
     if (separation.gap > least) return conclude_disjoint();
     const Pair exchanged = pair.exchanged();
-    Separation backward{exchanged};
+    ScbSeparation backward{exchanged};
     try_corners(exchanged, Crossing(b.n, a.n), backward);
     separation.try_direction(-backward.direction);
     if (separation.gap > least) return conclude_disjoint();

@@ -28,6 +28,10 @@ ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& pl
     return verdict(a, b, placed);
 }
 
+ContactCertificate exact_verdict(const Scb2& a, const Scb2& b, const Placement& placed) {
+    return verdict(a, b, placed);
+}
+
 ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed) {
     return verdict(a, b, placed);
 }
@@ -39,6 +43,15 @@ ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& pl
 Scb seen_from_a(const Scb& b, const Placement& placed) {
     Scb moved = scb::placed(b, placed.b_to_a);
     moved.n /= std::sqrt(squared_norm(moved.n));
+    return moved;
+}
+
+Scb2 seen_from_a(const Scb2& b, const Placement& placed) {
+    Scb2 moved = scb::placed(b, placed.b_to_a);
+    auto& [first, second] = moved.slabs;
+    first.n /= std::sqrt(squared_norm(first.n));
+    second.n -= dot(first.n, second.n) * first.n;
+    second.n /= std::sqrt(squared_norm(second.n));
     return moved;
 }
 

@@ -10,12 +10,14 @@ namespace scb {
 /// the overlap tests themselves cannot tell, and the verdict is that the two touch. An overlap test
 /// is judged by this verdict.
 ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed);
+ContactCertificate exact_verdict(const Scb2& a, const Scb2& b, const Placement& placed);
 ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
 ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed);
 
 /// B in A's frame, as the exact verdict takes it: a normal is made a unit vector again, where a
 /// pose that is rigid to ten digits has left it short.
 Scb seen_from_a(const Scb& b, const Placement& placed);
+Scb2 seen_from_a(const Scb2& b, const Placement& placed);
 Ball seen_from_a(const Ball& b, const Placement& placed);
 Obb seen_from_a(const Obb& b, const Placement& placed);
 

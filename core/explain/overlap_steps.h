@@ -80,6 +80,11 @@ OverlapSteps overlap_steps(const Scb& a, const Scb& b, const Placement& placed,
 OverlapSteps overlap_steps(const Ball& a, const Ball& b, const Placement& placed,
                            const OverlapOptions& = {});
 
+/// The comparisons of overlap_scb2. A double prime marks the second slab, w is the product of the
+/// long axes as a unit vector.
+OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed,
+                           const OverlapOptions& = {});
+
 /// The 15 separating axes, see overlap_obb. Sides and slack are those of unit axes, where the test
 /// itself does not normalize cross products; a and b are the axes of the boxes, ρ as above.
 OverlapSteps overlap_steps(const Obb& a, const Obb& b, const Placement& placed,

@@ -2,38 +2,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/explain/overlap_steps.h"
+#include "core/explain/step_parts.h"
 #include "core/overlap/overlap_extents.h"
 
 namespace scb {
 namespace {
-
-/// The slack of a comparison, as OverlapStep has it, and what else it is made of.
-OverlapStep comparison(Stage stage, int line, std::string formula, double left, double right,
-                       double slack, bool separates) {
-    OverlapStep step;
-    step.stage = stage;
-    step.line = line;
-    step.formula = std::move(formula);
-    step.left = left + 0.0;  // -0 is 0
-    step.right = right + 0.0;
-    step.slack = (separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
-    step.separates = separates;
-    return step;
-}
-
-/// `sum` is that of the radii and the margin, in the order in which the test adds them.
-OverlapStep ball_step(const Vec3& c, double r0, double r1, double margin, double sum) {
-    const double distance = std::sqrt(squared_norm(c));
-    OverlapStep step = comparison(Stage::ball_ball, 2, "‖c1′‖ > r0 + r1", distance, r0 + r1,
-                                  distance - (r0 + r1) - margin, squared_norm(c) > sum * sum);
-    if (distance > 0) step.direction = c / distance;
-    step.reach_a = r0;
-    step.reach_b = r1;
-    step.name_a = "r0";
-    step.name_b = "r1";
-    return step;
-}
 
 /// What the tests of two slab cut balls have in common.
 struct Numbers {

@@ -45,6 +45,11 @@ PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
     return result;
 }
 
+PairExplanation explain(const Scb2& a, const Scb2& b, const Placement& placed,
+                        const OverlapOptions& options) {
+    return explained(a, b, placed, options);
+}
+
 PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
                         const OverlapOptions& options) {
     return explained(a, b, placed, options);

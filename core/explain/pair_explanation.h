@@ -36,7 +36,7 @@ struct TestAnswer {
 struct PairExplanation {
     OverlapSteps steps;             ///< of the test that was asked for
     Answer answer{};                ///< that test's
-    std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for balls and boxes
+    std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for other volumes
     /// That of exact_verdict, sharpened; in A's frame.
     ContactCertificate certificate;
     /// What `verify` says of the verdict before it was sharpened, and check_certificate of the
@@ -49,6 +49,8 @@ struct PairExplanation {
 /// sharpening up to a millisecond.
 PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
                         const OverlapOptions& options);
+PairExplanation explain(const Scb2& a, const Scb2& b, const Placement& placed,
+                        const OverlapOptions& = {});
 PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
                         const OverlapOptions& = {});
 PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,

@@ -51,6 +51,21 @@ Vec3 pulled_in(const Scb& a, const Scb& b, const Vec3& point, double slop) {
            (from_b - cosine * from_a) / squared_sine * b.n;
 }
 
+/// To the slabs of each in turn, and into its ball.
+Vec3 pulled_in(const Scb2& a, const Scb2& b, Vec3 point, double) {
+    const Vec3 to_b = b.c - a.c;
+    const auto nearest = [](const Scb2& s, Vec3 from_center) {
+        for (const Slab& slab : s.slabs) {
+            const double height = dot(slab.n, from_center);
+            from_center += (std::clamp(height, slab.f, slab.e) - height) * slab.n;
+        }
+        const double distance = std::sqrt(squared_norm(from_center));
+        return distance > s.r ? Vec3(s.r / distance * from_center) : from_center;
+    };
+    for (int turn = 0; turn < 8; ++turn) point = to_b + nearest(b, nearest(a, point) - to_b);
+    return point;
+}
+
 Vec3 pulled_in(const Ball&, const Ball&, const Vec3& point, double) { return point; }
 
 Vec3 pulled_in(const Obb& a, const Obb& b, Vec3 point, double) {
@@ -71,6 +86,18 @@ Vec3 pulled_in(const Obb& a, const Obb& b, Vec3 point, double) {
 /// proven_depth is no depth outside of a ball.
 double outside(const Scb& a, const Scb& b, const Vec3& point) {
     return std::max(std::abs(miss(a, point)), std::abs(miss(b, point - (b.c - a.c))));
+}
+
+double outside(const Scb2& a, const Scb2& b, const Vec3& point) {
+    const auto beyond = [](const Scb2& s, const Vec3& from_center) {
+        double most = std::sqrt(squared_norm(from_center)) - s.r;
+        for (const Slab& slab : s.slabs) {
+            const double height = dot(slab.n, from_center);
+            most = std::max({most, height - slab.e, slab.f - height});
+        }
+        return most;
+    };
+    return std::max(beyond(a, point), beyond(b, point - (b.c - a.c)));
 }
 
 double outside(const Ball&, const Ball&, const Vec3&) { return 0; }
@@ -112,6 +139,10 @@ ContactCertificate sharpened_certificate(const V& a, const V& b, ContactCertific
 }  // namespace
 
 ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
+    return sharpened_certificate(a, b, certificate);
+}
+
+ContactCertificate sharpened(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
     return sharpened_certificate(a, b, certificate);
 }
 

@@ -8,7 +8,7 @@
 // After the line above.
 #include "core/fit/dop26-inl.h"
 #include "core/fit/fit_obb-inl.h"
-#include "core/fit/fit_scb-inl.h"
+#include "core/fit/fit_scb2-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace scb {
@@ -41,6 +41,9 @@ V fit_list(std::span<const Vec3> points, const FitOptions& options) {
 Scb fit_scb_list(std::span<const Vec3> points, const FitOptions& options) {
     return fit_list<Scb>(points, options);
 }
+Scb2 fit_scb2_list(std::span<const Vec3> points, const FitOptions& options) {
+    return fit_list<Scb2>(points, options);
+}
 Ball fit_ball_list(std::span<const Vec3> points, const FitOptions& options) {
     return fit_list<Ball>(points, options);
 }
@@ -62,6 +65,7 @@ HWY_AFTER_NAMESPACE();
 namespace scb {
 
 HWY_EXPORT(fit_scb_list);
+HWY_EXPORT(fit_scb2_list);
 HWY_EXPORT(fit_ball_list);
 HWY_EXPORT(fit_obb_list);
 
@@ -89,6 +93,10 @@ void check(std::span<const Vec3> points, const FitOptions& options) {
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options) {
     check(points, options);
     return SCB_AT_LEVEL(fit_scb_list, options.simd)(points, options);
+}
+Scb2 fit_scb2(std::span<const Vec3> points, const FitOptions& options) {
+    check(points, options);
+    return SCB_AT_LEVEL(fit_scb2_list, options.simd)(points, options);
 }
 Ball fit_ball(std::span<const Vec3> points, const FitOptions& options) {
     check(points, options);

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-struct Slab {
+struct CandidateSlab {
     Vec3 n;
     double width;  // of the interval below, or of the DOP's, before the interval is known
     Interval interval;
@@ -23,7 +23,7 @@ struct Slab {
 };
 
 // Line 7: the narrowest of the 13 slabs of the DOP, the first of several.
-HWY_INLINE Slab narrowest_dop_slab(const Dop26& dop) {
+HWY_INLINE CandidateSlab narrowest_dop_slab(const Dop26& dop) {
     alignas(64) Dop26::Numbers widths;
     Doubles narrowest = Doubles::all(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n) {
@@ -56,7 +56,7 @@ HWY_INLINE bool normal_of_largest_triangle(const FewPoints& points, const Vec3& 
 
 // Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they
 // mostly decide. Returns how many points were looked at.
-HWY_INLINE std::size_t keep_if_narrower(Slab& best, const Vec3& n, const Vec3& c,
+HWY_INLINE std::size_t keep_if_narrower(CandidateSlab& best, const Vec3& n, const Vec3& c,
                                         const FitInput& input) {
     Interval interval = interval_of(*input.few, c, n);
     std::size_t visits = input.few->count;
@@ -76,7 +76,7 @@ HWY_INLINE void fit(Scb& result, const FitInput& input, const FitOptions& option
     // Few points stand for themselves, as they do for the ball: the third corner of a slender
     // triangle need not be extremal, and a slab through the other two alone is not flat.
     const FewPoints& points = *input.few;
-    Slab slab = narrowest_dop_slab(*input.dop);
+    CandidateSlab slab = narrowest_dop_slab(*input.dop);
     std::array<std::uint32_t, FewPoints::capacity> met{};  // bit j of i: the pair i < j
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const auto upper = static_cast<std::size_t>(input.pairs->upper[i]),

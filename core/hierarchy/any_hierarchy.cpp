@@ -12,8 +12,9 @@ namespace scb {
 namespace {
 
 constexpr std::array all_kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
-                                  VolumeKind::obb};
-constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb", "ball", "ritter", "obb"};
+                                  VolumeKind::obb, VolumeKind::scb2};
+constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb", "ball", "ritter", "obb",
+                                                                "scb2"};
 
 }  // namespace
 
@@ -37,6 +38,8 @@ AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
             return fitted(Ball{});
         case VolumeKind::obb:
             return fitted(Obb{});
+        case VolumeKind::scb2:
+            return fitted(Scb2{});
         case VolumeKind::scb:
             break;
     }

@@ -24,6 +24,10 @@ void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOp
                   int threads, std::span<Scb> volumes) {
     fit_tree(topology, points, options, threads, volumes);
 }
+void fit_scb2_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
+                   int threads, std::span<Scb2> volumes) {
+    fit_tree(topology, points, options, threads, volumes);
+}
 void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
                    int threads, std::span<Ball> volumes) {
     fit_tree(topology, points, options, threads, volumes);
@@ -41,6 +45,7 @@ HWY_AFTER_NAMESPACE();
 namespace scb {
 
 HWY_EXPORT(fit_scb_tree);
+HWY_EXPORT(fit_scb2_tree);
 HWY_EXPORT(fit_ball_tree);
 HWY_EXPORT(fit_obb_tree);
 
@@ -51,6 +56,8 @@ std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
     const std::span<V> all(volumes);
     if constexpr (std::is_same_v<V, Scb>)
         SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, all);
+    else if constexpr (std::is_same_v<V, Scb2>)
+        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, all);
     else if constexpr (std::is_same_v<V, Ball>)
         SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, all);
     else if constexpr (std::is_same_v<V, Obb>)
@@ -59,6 +66,7 @@ std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
 }
 
 template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Scb2> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
 template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
 template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
 

@@ -70,9 +70,11 @@ std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh) {
 }
 
 template Hierarchy<Scb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
+template Hierarchy<Scb2> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
 template Hierarchy<Ball> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
 template Hierarchy<Obb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
 template std::string validate(const Hierarchy<Scb>&, const Mesh&);
+template std::string validate(const Hierarchy<Scb2>&, const Mesh&);
 template std::string validate(const Hierarchy<Ball>&, const Mesh&);
 template std::string validate(const Hierarchy<Obb>&, const Mesh&);
 

@@ -27,6 +27,7 @@ std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {
 }
 
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb>&);
+template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb2>&);
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Ball>&);
 template std::vector<LevelStatistics> level_statistics(const Hierarchy<Obb>&);
 

@@ -12,6 +12,7 @@ Stage overlap(const V& a, const V& b, const Pose& b_to_a, const OverlapOptions& 
 }
 
 template Stage overlap(const Scb&, const Scb&, const Pose&, const OverlapOptions&);
+template Stage overlap(const Scb2&, const Scb2&, const Pose&, const OverlapOptions&);
 template Stage overlap(const Ball&, const Ball&, const Pose&, const OverlapOptions&);
 template Stage overlap(const Obb&, const Obb&, const Pose&, const OverlapOptions&);
 

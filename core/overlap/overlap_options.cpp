@@ -17,6 +17,9 @@ constexpr EnumNames<OverlapTest, tests.size()> test_names = {"printed", "line8",
 constexpr std::array table_1 = {Stage::ball_ball, Stage::slab_ball, Stage::ball_slab,
                                 Stage::slab_cylinder, Stage::cylinder_slab};
 constexpr std::array extents = {Stage::ball_ball, Stage::slab_a, Stage::slab_b, Stage::center_line};
+constexpr std::array two_slabs = {Stage::ball_ball, Stage::slab_a,        Stage::second_slab_a,
+                                  Stage::slab_b,    Stage::second_slab_b, Stage::center_line,
+                                  Stage::long_axes};
 constexpr std::array axes = {
     Stage::axis_a0,    Stage::axis_a1,    Stage::axis_a2,    Stage::axis_b0,    Stage::axis_b1,
     Stage::axis_b2,    Stage::axis_a0_b0, Stage::axis_a0_b1, Stage::axis_a0_b2, Stage::axis_a1_b0,
@@ -41,6 +44,8 @@ std::span<const Stage> stages_of(OverlapTest test) {
 }
 
 std::span<const Stage> ball_stages() { return std::span(table_1).first(1); }
+
+std::span<const Stage> scb2_stages() { return two_slabs; }
 
 std::span<const Stage> obb_stages() { return axes; }
 

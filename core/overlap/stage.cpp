@@ -8,11 +8,12 @@ namespace scb {
 namespace {
 
 constexpr EnumNames<Stage, stage_count> stage_names = {
-    "overlapping", "ball-ball",  "slab-ball",   "ball-slab",  "slab-cylinder", "cylinder-slab",
-    "slab-a",      "slab-b",     "center-line", "axis-a0",    "axis-a1",       "axis-a2",
-    "axis-b0",     "axis-b1",    "axis-b2",     "axis-a0xb0", "axis-a0xb1",    "axis-a0xb2",
-    "axis-a1xb0",  "axis-a1xb1", "axis-a1xb2",  "axis-a2xb0", "axis-a2xb1",    "axis-a2xb2"};
-static_assert(static_cast<std::size_t>(Stage::axis_a2_b2) + 1 == stage_count);
+    "overlapping",   "ball-ball",     "slab-ball",   "ball-slab",  "slab-cylinder", "cylinder-slab",
+    "slab-a",        "slab-b",        "center-line", "axis-a0",    "axis-a1",       "axis-a2",
+    "axis-b0",       "axis-b1",       "axis-b2",     "axis-a0xb0", "axis-a0xb1",    "axis-a0xb2",
+    "axis-a1xb0",    "axis-a1xb1",    "axis-a1xb2",  "axis-a2xb0", "axis-a2xb1",    "axis-a2xb2",
+    "second-slab-a", "second-slab-b", "long-axes"};
+static_assert(static_cast<std::size_t>(Stage::long_axes) + 1 == stage_count);
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "core/overlap/overlap_extents.h"
 #include "core/overlap/overlap_figure8.h"
 #include "core/overlap/overlap_obb.h"
+#include "core/overlap/overlap_scb2.h"
 #include "core/overlap/overlap_symmetric.h"
 #include "scb/overlap_options.h"
 #include "scb/volume.h"
@@ -23,6 +24,11 @@ struct BallTest {
 struct ObbTest {
     Stage operator()(const Obb& a, const Obb& b, const Placement& placed) const {
         return overlap_obb(a, b, placed);
+    }
+};
+struct Scb2Test {
+    Stage operator()(const Scb2& a, const Scb2& b, const Placement& placed) const {
+        return overlap_scb2(a, b, placed);
     }
 };
 template <OverlapTest test>
@@ -50,6 +56,8 @@ decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
         return use(BallTest{});
     } else if constexpr (std::same_as<V, Obb>) {
         return use(ObbTest{});
+    } else if constexpr (std::same_as<V, Scb2>) {
+        return use(Scb2Test{});
     } else {
         assert(options.threshold >= 0 && options.threshold <= 1 && "a threshold is a cosine");
         switch (options.test) {

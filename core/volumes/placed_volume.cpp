@@ -7,6 +7,13 @@ Scb placed(const Scb& volume, const Pose& pose) {
             volume.e, volume.f};
 }
 
+Scb2 placed(const Scb2& volume, const Pose& pose) {
+    Scb2 result = volume;
+    result.c = transform_point(pose, volume.c);
+    for (Slab& slab : result.slabs) slab.n = transform_direction(pose, slab.n);
+    return result;
+}
+
 Ball placed(const Ball& volume, const Pose& pose) {
     return {transform_point(pose, volume.center), volume.radius};
 }

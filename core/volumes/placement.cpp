@@ -20,6 +20,7 @@ Placement placement(const Pose& b_to_a, double reach_a, double reach_b) {
 }
 
 double reach(const Scb& v) { return std::sqrt(squared_norm(v.c)) + v.r; }
+double reach(const Scb2& v) { return std::sqrt(squared_norm(v.c)) + v.r; }
 double reach(const Ball& v) { return std::sqrt(squared_norm(v.center)) + v.radius; }
 double reach(const Obb& v) {
     return std::sqrt(squared_norm(v.center)) + std::sqrt(squared_norm(v.half));

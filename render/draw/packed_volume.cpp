@@ -99,7 +99,7 @@ struct Pack {
     const EyeView& view;
     Words words;
     Rectangle rectangle;
-    bool is_box = false;
+    PackedVolume::Shape shape = PackedVolume::Shape::scb;
 
     bool behind(const Vec3& c, double r) const { return -c[2] + r < view.near_plane; }
 
@@ -114,6 +114,28 @@ struct Pack {
         words.set(1, c, r);
         words.set(2, n, e);
         words.set(3, f, rim_radius(r, e), rim_radius(r, f), 1 / r);
+        return true;
+    }
+    bool operator()(const Scb2& volume) {
+        const Vec3 c = to_eye_units(view, volume.c);
+        const double r = volume.r / view.unit;
+        if (!(r > 0) || behind(c, r)) return false;
+        rectangle.clip(around_ball(c, r, view));
+        Vec3 middle = c;
+        std::array<Vec3, 3> halves;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Slab& slab = volume.slabs[i];
+            const Vec3 n = rotate_to_eye(view, slab.n);
+            const double e = slab.e / view.unit, f = slab.f / view.unit;
+            middle += (e + f) / 2 * n;
+            halves[i] = (e - f) / 2 * n;
+            words.set(2 + i, n, e);
+            words.words[18 + i] = std::bit_cast<std::uint32_t>(static_cast<float>(f));
+        }
+        halves[2] = r * rotate_to_eye(view, long_axis(volume));
+        rectangle.clip(around_box(middle, halves, view));
+        words.set(1, c, r);
+        shape = PackedVolume::Shape::scb2;
         return true;
     }
     bool operator()(const Ball& ball) {
@@ -131,7 +153,7 @@ struct Pack {
         words.set(1, c, h[0]);
         words.set(2, axes[0], h[1]);
         words.set(3, axes[1], h[2]);
-        is_box = true;
+        shape = PackedVolume::Shape::obb;
         return true;
     }
 };
@@ -145,7 +167,7 @@ std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& 
     Rectangle& r = visitor.rectangle;
     if (!(r.left < r.right && r.bottom < r.top)) return std::nullopt;
 
-    packed.is_box = visitor.is_box;
+    packed.shape = visitor.shape;
     // A hundredth of a pixel, so that rounding to float loses nothing.
     const double x = 0.02 / view.target.width, y = 0.02 / view.target.height;
     visitor.words.set(0, r.left - x, r.bottom - y, r.right + x, r.top + y);

@@ -11,9 +11,9 @@ namespace scb::render {
 
 /// A volume as shaders/volume.vert reads it: five texels of four words. 0: its rectangle on the
 /// screen (left, bottom, right, top in normalised device coordinates); 1 to 3: its shape in eye
-/// space; 4: color and id.
+/// space; 4: color and id, and what a shape has left over.
 struct PackedVolume {
-    bool is_box;
+    enum class Shape { scb, scb2, obb } shape;
     std::array<std::uint32_t, 20> words;
 };
 

@@ -11,6 +11,7 @@ SCB_DECLARE_EMBEDDED(light_glsl)
 SCB_DECLARE_EMBEDDED(volume_glsl)
 SCB_DECLARE_EMBEDDED(volume_vert)
 SCB_DECLARE_EMBEDDED(scb_frag)
+SCB_DECLARE_EMBEDDED(scb2_frag)
 SCB_DECLARE_EMBEDDED(obb_frag)
 
 namespace scb::render {
@@ -19,6 +20,12 @@ namespace {
 
 constexpr std::size_t texels_per_volume = 5;
 constexpr std::size_t words_per_volume = 4 * texels_per_volume;
+
+PackedVolume::Shape shape_of(const AnyVolume& volume) {
+    if (std::holds_alternative<Scb2>(volume)) return PackedVolume::Shape::scb2;
+    if (std::holds_alternative<Obb>(volume)) return PackedVolume::Shape::obb;
+    return PackedVolume::Shape::scb;
+}
 
 std::size_t largest_batch(const Gl& gl) {
     GLint texels = 0;
@@ -34,6 +41,9 @@ VolumePainter::VolumePainter(const Gl& gl)
       scb_program_(gl, {SCB_EMBEDDED(volume_vert)},
                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                     SCB_EMBEDDED(scb_frag)}),
+      scb2_program_(gl, {SCB_EMBEDDED(volume_vert)},
+                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
+                     SCB_EMBEDDED(scb2_frag)}),
       obb_program_(gl, {SCB_EMBEDDED(volume_vert)},
                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                     SCB_EMBEDDED(obb_frag)}),
@@ -47,9 +57,10 @@ void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, cons
     for (const VolumeInstance& volume : volumes)
         if (volume.color.a == 255) opaque.push_back(&volume);
     // Batches by program; the depth test makes the order of no account.
-    std::stable_partition(opaque.begin(), opaque.end(), [](const VolumeInstance* volume) {
-        return !std::holds_alternative<Obb>(volume->volume);
-    });
+    std::stable_sort(opaque.begin(), opaque.end(),
+                     [](const VolumeInstance* a, const VolumeInstance* b) {
+                         return shape_of(a->volume) < shape_of(b->volume);
+                     });
     pack_all(opaque, view);
     draw(view, Sides::nearest);
 }
@@ -95,7 +106,7 @@ void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
     for (const VolumeInstance* volume : volumes) {
         const std::optional<PackedVolume> packed = pack(*volume, view);
         if (!packed) continue;
-        const Shape shape = packed->is_box ? Shape::obb : Shape::scb;
+        const PackedVolume::Shape shape = packed->shape;
         if (runs_.empty() || runs_.back().shape != shape || count % batch_limit_ == 0)
             runs_.push_back({shape, count, 0});
         texels_.insert(texels_.end(), packed->words.begin(), packed->words.end());
@@ -110,7 +121,7 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
     gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
     for (const Run& run : runs_) {
         upload(run.first / batch_limit_);
-        const GlProgram& program = run.shape == Shape::scb ? scb_program_ : obb_program_;
+        const GlProgram& program = program_of(run.shape);
         program.use();
         set_eye_uniforms(program, view);
         program.set("volumes", 0);
@@ -119,6 +130,18 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
         gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
                        static_cast<GLsizei>(corners * run.count));
     }
+}
+
+const GlProgram& VolumePainter::program_of(PackedVolume::Shape shape) const {
+    switch (shape) {
+        case PackedVolume::Shape::scb2:
+            return scb2_program_;
+        case PackedVolume::Shape::obb:
+            return obb_program_;
+        case PackedVolume::Shape::scb:
+            break;
+    }
+    return scb_program_;
 }
 
 void VolumePainter::upload(std::size_t batch) {

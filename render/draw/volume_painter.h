@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/draw/eye_view.h"
+#include "render/draw/packed_volume.h"
 #include "render/gl/gl_program.h"
 #include "render/view/picture.h"
 
@@ -24,12 +25,11 @@ class VolumePainter {
     void draw_translucent(const std::vector<VolumeInstance>& volumes, const EyeView& view);
 
   private:
-    enum class Shape { scb, obb };
     enum class Sides { nearest = 1, back_then_front = 2 };
 
     /// Volumes of one shape that follow each other in texels_.
     struct Run {
-        Shape shape;
+        PackedVolume::Shape shape;
         std::size_t first;
         std::size_t count;
     };
@@ -38,9 +38,11 @@ class VolumePainter {
     /// What was packed last, in its order.
     void draw(const EyeView& view, Sides sides);
     void upload(std::size_t batch);
+    const GlProgram& program_of(PackedVolume::Shape shape) const;
 
     const Gl& gl_;
     GlProgram scb_program_;
+    GlProgram scb2_program_;
     GlProgram obb_program_;
     GlVertexArray no_attributes_;
     GlBuffer buffer_;

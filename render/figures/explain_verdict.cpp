@@ -48,6 +48,11 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
     const auto shape = [](const AnyVolume& volume) {
         if (const Scb* s = std::get_if<Scb>(&volume))
             return "r " + number_text(s->r) + ", τ " + number_text(thickness(*s));
+        if (const Scb2* s = std::get_if<Scb2>(&volume)) {
+            const auto& [first, second] = s->slabs;
+            return "r " + number_text(s->r) + ", τ " + number_text(first.e - first.f) + ", τ″ " +
+                   number_text(second.e - second.f);
+        }
         if (const Ball* ball = std::get_if<Ball>(&volume)) return "r " + number_text(ball->radius);
         const Vec3& half = std::get<Obb>(volume).half;
         return "half " + number_text(half[0]) + " × " + number_text(half[1]) + " × " +

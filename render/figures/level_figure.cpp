@@ -62,9 +62,12 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         items.emplace_back(PanelHeading{""});
         items.emplace_back(*scale);
     }
-    const bool boxes = std::holds_alternative<Hierarchy<Obb>>(*figure.bodies[0].hierarchy);
-    items.emplace_back(PanelNote{boxes ? "d: diagonal, τ: shortest side"
-                                       : "d = 2r, τ = e − f; lengths in units of the mesh"});
+    const AnyHierarchy& hierarchy = *figure.bodies[0].hierarchy;
+    const bool boxes = std::holds_alternative<Hierarchy<Obb>>(hierarchy),
+               two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
+    items.emplace_back(PanelNote{boxes       ? "d: diagonal, τ: shortest side"
+                                 : two_slabs ? "d = 2r, τ: the thinner slab; units of the mesh"
+                                             : "d = 2r, τ = e − f; lengths in units of the mesh"});
     return items;
 }
 

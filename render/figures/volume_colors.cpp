@@ -87,9 +87,11 @@ double largest_root(const std::vector<AnyHierarchy>& hierarchies) {
 }
 
 template double color_magnitude(const ColorScale&, const Scb&, int);
+template double color_magnitude(const ColorScale&, const Scb2&, int);
 template double color_magnitude(const ColorScale&, const Ball&, int);
 template double color_magnitude(const ColorScale&, const Obb&, int);
 template Rgba8 volume_color(const ColorScale&, const Scb&, int, std::size_t, std::uint32_t);
+template Rgba8 volume_color(const ColorScale&, const Scb2&, int, std::size_t, std::uint32_t);
 template Rgba8 volume_color(const ColorScale&, const Ball&, int, std::size_t, std::uint32_t);
 template Rgba8 volume_color(const ColorScale&, const Obb&, int, std::size_t, std::uint32_t);
 

@@ -1,15 +1,23 @@
 #include "render/figures/volume_titles.h"
 
-#include <array>
-
 #include "scb/any_hierarchy.h"
 
 namespace scb::render {
 
 std::string_view volume_title(VolumeKind kind) {
-    // In the order of the enumeration.
-    constexpr std::array<std::string_view, 4> titles = {"SCB", "ball", "ball (Ritter)", "OBB"};
-    return titles[static_cast<std::size_t>(kind)];
+    switch (kind) {
+        case VolumeKind::scb:
+            break;
+        case VolumeKind::ball:
+            return "ball";
+        case VolumeKind::ritter:
+            return "ball (Ritter)";
+        case VolumeKind::obb:
+            return "OBB";
+        case VolumeKind::scb2:
+            return "SCB2";
+    }
+    return "SCB";
 }
 
 }  // namespace scb::render

@@ -32,6 +32,10 @@ Named normal_of(const AnyVolume& volume, const char* name) {
 
 }  // namespace
 
+bool has_section(const AnyVolume& volume) {
+    return std::holds_alternative<Scb>(volume) || std::holds_alternative<Ball>(volume);
+}
+
 SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const OverlapStep& step,
                            const std::optional<Vec3>& common_point) {
     const Vec3 to_b = center(b) - center(a);

@@ -20,6 +20,9 @@ struct SectionPlane {
     std::string words;  ///< "cut by the plane of n0 and the line of centers"
 };
 
+/// Whether there is a plane that shows a step of these volumes: not of boxes.
+bool has_section(const AnyVolume& volume);
+
 /// The plane in which the step's lengths are true and most is to be seen: of slabs and cylinders,
 /// and of an SCB's own extent, that of both normals; else, of a slab and a ball, that of the normal
 /// through the ball's center and a point of both volumes, where one is given (from the center of

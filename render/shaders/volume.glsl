@@ -2,7 +2,7 @@
 flat in vec4 v_a;
 flat in vec4 v_b;
 flat in vec4 v_c;
-flat in uvec2 v_tag;
+flat in uvec4 v_tag;
 flat in int v_side;
 
 layout(location = 0) out vec4 out_color;

@@ -5,7 +5,7 @@ uniform int sides;  // 1: the nearest surface; 2: the back side, then the front,
 flat out vec4 v_a;
 flat out vec4 v_b;
 flat out vec4 v_c;
-flat out uvec2 v_tag;  // color, id
+flat out uvec4 v_tag;  // color, id; of two slabs also their lower planes
 flat out int v_side;   // 0: the nearest surface; 1: the back side; 2: the front side
 
 vec4 texel(int index) { return uintBitsToFloat(texelFetch(volumes, index)); }
@@ -20,7 +20,7 @@ void main() {
     v_a = texel(base + 1);
     v_b = texel(base + 2);
     v_c = texel(base + 3);
-    v_tag = texelFetch(volumes, base + 4).xy;
+    v_tag = texelFetch(volumes, base + 4);
 
     bool right = corner == 1 || corner == 2 || corner == 4;
     bool top = corner == 2 || corner == 4 || corner == 5;

@@ -9,6 +9,7 @@ AnyVolume placed(const AnyVolume& volume, const Pose& pose) {
 Vec3 center(const AnyVolume& volume) {
     struct Center {
         Vec3 operator()(const Scb& v) const { return v.c; }
+        Vec3 operator()(const Scb2& v) const { return v.c; }
         Vec3 operator()(const Ball& v) const { return v.center; }
         Vec3 operator()(const Obb& v) const { return v.center; }
     };
@@ -22,6 +23,13 @@ double reach(const AnyVolume& volume, const Vec3& direction) {
 
 bool identical(const Scb& a, const Scb& b) {
     return a.c == b.c && a.r == b.r && a.n == b.n && a.e == b.e && a.f == b.f;
+}
+
+bool identical(const Scb2& a, const Scb2& b) {
+    const auto same = [](const Slab& p, const Slab& q) {
+        return p.n == q.n && p.e == q.e && p.f == q.f;
+    };
+    return a.c == b.c && a.r == b.r && same(a.slabs[0], b.slabs[0]) && same(a.slabs[1], b.slabs[1]);
 }
 
 bool identical(const Ball& a, const Ball& b) {

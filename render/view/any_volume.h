@@ -7,13 +7,14 @@
 namespace scb::render {
 
 /// A volume of any type, for pictures that mix them.
-using AnyVolume = std::variant<Scb, Ball, Obb>;
+using AnyVolume = std::variant<Scb, Ball, Obb, Scb2>;
 
 /// As of each type, see core/volumes/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
 /// Whether two volumes are the same numbers.
 bool identical(const Scb& a, const Scb& b);
+bool identical(const Scb2& a, const Scb2& b);
 bool identical(const Ball& a, const Ball& b);
 bool identical(const Obb& a, const Obb& b);
 

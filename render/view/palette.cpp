@@ -49,6 +49,8 @@ Rgba8 hierarchy_color(VolumeKind kind) {
             return category_color(0);
         case VolumeKind::ritter:
             return category_color(5);
+        case VolumeKind::scb2:
+            return category_color(2);
         case VolumeKind::obb:
             break;
     }

@@ -100,8 +100,8 @@ std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
     scene.mRootNode->addChildren(count, nodes.data());
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
-    // Into memory, of what was checked: a writer fails only where memory runs out, and then gives no
-    // reason or an odd one.
+    // Into memory, of what was checked: a writer fails only where memory runs out, and then gives
+    // no reason or an odd one.
     if (blob == nullptr) throw std::bad_alloc();
     const auto* bytes = static_cast<const std::uint8_t*>(blob->data);
     return {bytes, bytes + blob->size};

@@ -89,6 +89,142 @@ Mesh volume_mesh(const Scb& s, int segments) {
     return mesh;
 }
 
+namespace {
+
+/// What the slabs leave of the disc in which a plane across the long axis cuts the ball: a region
+/// that holds its axis, in coordinates along the two normals.
+struct Slice {
+    double radius;
+    std::array<double, 2> lower, upper;
+
+    Slice(const Scb2& s, double height)
+        : radius(std::sqrt(std::max(0.0, (s.r - height) * (s.r + height)))) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            lower[i] = std::max(s.slabs[i].f, -radius);
+            upper[i] = std::min(s.slabs[i].e, radius);
+        }
+    }
+
+    /// `count` points of its border, about the middle of the rectangle: a quarter of them from each
+    /// of the rectangle's corners on, so that the corners are among them.
+    std::vector<std::array<double, 2>> border(int count) const {
+        const std::array<double, 2> middle = {(lower[0] + upper[0]) / 2, (lower[1] + upper[1]) / 2},
+                                    half = {(upper[0] - lower[0]) / 2, (upper[1] - lower[1]) / 2};
+        std::vector<std::array<double, 2>> points;
+        for (int k = 0; k < count; ++k) {
+            // Along the sides of the rectangle, counterclockwise from its lower corner.
+            const int side = 4 * k / count;
+            const double along = 8.0 * k / count - 2 * side - 1;
+            const double turn = side < 2 ? 1 : -1;
+            const double x = half[0] * (side % 2 == 0 ? turn * along : turn),
+                         y = half[1] * (side % 2 == 0 ? -turn : turn * along);
+            points.push_back(on_border(middle, x, y));
+        }
+        return points;
+    }
+
+  private:
+    /// As far from the middle towards (x, y) from it, on the rectangle, as the circle allows.
+    std::array<double, 2> on_border(const std::array<double, 2>& middle, double x, double y) const {
+        const double squared = x * x + y * y, along = middle[0] * x + middle[1] * y,
+                     rest = radius * radius - middle[0] * middle[0] - middle[1] * middle[1];
+        double share = 1;
+        if (squared > 0)
+            share = std::min(
+                1.0, (std::sqrt(std::max(0.0, along * along + squared * rest)) - along) / squared);
+        return {middle[0] + share * x, middle[1] + share * y};
+    }
+};
+
+/// Heights of circles of latitude about the long axis, poles left out, those of corners among them.
+std::vector<double> latitudes(const Scb2& s, int segments, double pole) {
+    std::vector<double> heights;
+    const int belts = std::max(2, segments / 2);
+    for (int i = 1; i < belts; ++i) heights.push_back(-s.r * sin_cos_turns(0.5 * i / belts).cos);
+    const auto add = [&](double squared) {
+        if (!(squared > 0)) return;
+        heights.push_back(std::sqrt(squared));
+        heights.push_back(-std::sqrt(squared));
+    };
+    for (const double k : {s.slabs[0].e, s.slabs[0].f}) {
+        add(s.r * s.r - k * k);
+        for (const double l : {s.slabs[1].e, s.slabs[1].f}) add(s.r * s.r - k * k - l * l);
+    }
+    for (const double l : {s.slabs[1].e, s.slabs[1].f}) add(s.r * s.r - l * l);
+    std::sort(heights.begin(), heights.end());
+    std::vector<double> kept;
+    for (const double height : heights)
+        if (std::abs(height) < s.r - pole && (kept.empty() || height - kept.back() > pole))
+            kept.push_back(height);
+    return kept;
+}
+
+}  // namespace
+
+Mesh volume_mesh(const Scb2& s, int segments) {
+    Mesh mesh;
+    const double least = resolution(s.c, s.r);
+    if (!(s.r > least)) return mesh;
+    std::vector<std::size_t> flat;
+    for (std::size_t i = 0; i < 2; ++i)
+        if (s.slabs[i].e - s.slabs[i].f <= least) flat.push_back(i);
+    if (flat.size() == 2) return mesh;
+    const Vec3 &n = s.slabs[0].n, &m = s.slabs[1].n, axis = long_axis(s);
+    const auto at = [&](const std::array<double, 2>& p, double height) {
+        return Vec3(s.c + p[0] * n + p[1] * m + height * axis);
+    };
+    const std::vector<double> heights = latitudes(s, segments, std::max(1e-6 * s.r, least));
+
+    if (flat.size() == 1) {
+        // Up one side of the outline and down the other; a fan on either side of it.
+        const std::size_t wide = 1 - flat[0];
+        const auto corner = [&](double height, bool upper) {
+            const Slice slice(s, height);
+            std::array<double, 2> p{};
+            p[wide] = upper ? slice.upper[wide] : slice.lower[wide];
+            return at(p, height);
+        };
+        mesh.vertices.push_back(at({}, -s.r));
+        for (const double height : heights) mesh.vertices.push_back(corner(height, true));
+        mesh.vertices.push_back(at({}, s.r));
+        for (std::size_t i = heights.size(); i-- > 0;)
+            mesh.vertices.push_back(corner(heights[i], false));
+        const std::uint32_t count = next_index(mesh);
+        for (const bool front : {true, false}) {
+            const std::uint32_t middle = next_index(mesh);
+            std::array<double, 2> p{};
+            p[wide] = (s.slabs[wide].e + s.slabs[wide].f) / 2;
+            mesh.vertices.push_back(at(p, 0));
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const std::uint32_t next = (k + 1) % count;
+                mesh.triangles.push_back(front ? Triangle{middle, k, next}
+                                               : Triangle{middle, next, k});
+            }
+        }
+        return mesh;
+    }
+
+    const int corners = std::max(4, (segments + 3) / 4 * 4);
+    const auto count = static_cast<std::uint32_t>(corners);
+    mesh.vertices.push_back(at({}, -s.r));
+    for (const double height : heights)
+        for (const auto& p : Slice(s, height).border(corners))
+            mesh.vertices.push_back(at(p, height));
+    mesh.vertices.push_back(at({}, s.r));
+    const std::uint32_t top = next_index(mesh) - 1;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t next = (k + 1) % count;
+        mesh.triangles.push_back({0, 1 + next, 1 + k});
+        std::uint32_t ring = 1;
+        for (; ring + count < top; ring += count) {
+            mesh.triangles.push_back({ring + k, ring + next, ring + count + next});
+            mesh.triangles.push_back({ring + k, ring + count + next, ring + count + k});
+        }
+        mesh.triangles.push_back({top, ring + k, ring + next});
+    }
+    return mesh;
+}
+
 Mesh volume_mesh(const Ball& ball, int segments) {
     return volume_mesh(Scb{ball.center, ball.radius, Vec3::UnitZ(), ball.radius, -ball.radius},
                        segments);

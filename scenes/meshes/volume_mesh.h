@@ -4,6 +4,7 @@
 #include "scb/mesh.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb::scenes {
 
@@ -12,11 +13,12 @@ namespace scb::scenes {
 /// full ball has `segments / 2` belts, the outer two of which are fans about its poles.
 /// Counterclockwise seen from outside, closed, without triangles of two equal corners.
 ///
-/// A flat SCB gives a disc seen from both sides, a flat box a rectangle. What has no area gives no
-/// triangles: a ball without radius, an SCB that is cut away wholly, a box that is a line or a
-/// point. Lengths below 1e-12 of the coordinates, and cuts closer than 1e-6 radii to a pole or to
-/// another circle, count as zero.
+/// A flat SCB gives a disc seen from both sides, a flat box a rectangle, a flat ball of two slabs
+/// what its second slab leaves of a disc. What has no area gives no triangles: a ball without
+/// radius, an SCB that is cut away wholly, a box that is a line or a point. Lengths below 1e-12 of
+/// the coordinates, and cuts closer than 1e-6 radii to a pole or to another circle, count as zero.
 Mesh volume_mesh(const Scb& scb, int segments);
+Mesh volume_mesh(const Scb2& scb, int segments);
 Mesh volume_mesh(const Ball& ball, int segments);
 Mesh volume_mesh(const Obb& box, int segments);
 

@@ -93,6 +93,33 @@ double read_length(const JsonPlace& place) {
     return length;
 }
 
+/// Refuses planes that leave nothing of the ball, and moves those beyond it to its poles.
+void check_planes(const JsonPlace& place, double radius, double& upper, double& lower,
+                  Notes& notes) {
+    const auto e = [&] { return "e = " + exact_number(upper); };
+    const auto f = [&] { return "f = " + exact_number(lower); };
+    const std::string r = exact_number(radius);
+    if (upper < lower)
+        refuse(field(place, "e"), e() + " is below " + f() +
+                                      "; e is the upper plane: exchange "
+                                      "them, or turn the normal.");
+    if (lower > radius)
+        refuse(field(place, "f"), f() + " is above the ball, whose radius is " + r +
+                                      ": the volume holds no point; leave it out.");
+    if (upper < -radius)
+        refuse(field(place, "e"), e() + " is below the ball, whose radius is " + r +
+                                      ": the volume holds no point; leave it out.");
+    if (upper > radius) {
+        notes.push_back(place.path + "." + e() + " is beyond the ball and was made " + r + ".");
+        upper = radius;
+    }
+    if (lower < -radius) {
+        notes.push_back(place.path + "." + f() + " is beyond the ball and was made " +
+                        exact_number(-radius) + ".");
+        lower = -radius;
+    }
+}
+
 void read(const JsonPlace& place, Scb& s, Notes& notes) {
     check_fields(place, {"center", "radius", "normal", "e", "f"});
     s.c = read_vec3(field(place, "center"));
@@ -100,27 +127,43 @@ void read(const JsonPlace& place, Scb& s, Notes& notes) {
     s.n = read_normal(field(place, "normal"), notes);
     s.e = read_number(field(place, "e"));
     s.f = read_number(field(place, "f"));
-    const auto e = [&] { return "e = " + exact_number(s.e); };
-    const auto f = [&] { return "f = " + exact_number(s.f); };
-    const std::string r = exact_number(s.r);
-    if (s.e < s.f)
-        refuse(field(place, "e"), e() + " is below " + f() +
-                                      "; e is the upper plane: exchange "
-                                      "them, or turn the normal.");
-    if (s.f > s.r)
-        refuse(field(place, "f"), f() + " is above the ball, whose radius is " + r +
-                                      ": the volume holds no point; leave it out.");
-    if (s.e < -s.r)
-        refuse(field(place, "e"), e() + " is below the ball, whose radius is " + r +
-                                      ": the volume holds no point; leave it out.");
-    if (s.e > s.r) {
-        notes.push_back(place.path + "." + e() + " is beyond the ball and was made " + r + ".");
-        s.e = s.r;
+    check_planes(place, s.r, s.e, s.f, notes);
+}
+
+void read(const JsonPlace& place, Scb2& s, Notes& notes) {
+    check_fields(place, {"center", "radius", "slabs"});
+    s.c = read_vec3(field(place, "center"));
+    s.r = read_length(field(place, "radius"));
+    const JsonPlace slabs = field(place, "slabs");
+    if (array_size(slabs, "two slabs") != 2) refuse_value(slabs, "two slabs");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const JsonPlace at = element(slabs, i);
+        check_fields(at, {"normal", "e", "f"});
+        Slab& slab = s.slabs[i];
+        slab.n = read_normal(field(at, "normal"), notes);
+        slab.e = read_number(field(at, "e"));
+        slab.f = read_number(field(at, "f"));
+        check_planes(at, s.r, slab.e, slab.f, notes);
+        if (slab.e < 0)
+            refuse(field(at, "e"), "e = " + exact_number(slab.e) +
+                                       " is below the center, which each of two slabs must hold.");
+        if (slab.f > 0)
+            refuse(field(at, "f"), "f = " + exact_number(slab.f) +
+                                       " is above the center, which each of two slabs must hold.");
+        slab.f += 0.0;  // 0 for -0
     }
-    if (s.f < -s.r) {
-        notes.push_back(place.path + "." + f() + " is beyond the ball and was made " +
-                        exact_number(-s.r) + ".");
-        s.f = -s.r;
+    Vec3& n = s.slabs[1].n;
+    const double cosine = dot(s.slabs[0].n, n);
+    const JsonPlace second = field(element(slabs, 1), "normal");
+    if (!(std::abs(cosine) <= largest_defect))
+        refuse(second, "this is not at right angles to the first normal: their product is " +
+                           short_number(cosine) + "; give two that are.");
+    if (std::abs(cosine) > least_noted)
+        notes.push_back(second.path + " has the product " + short_number(cosine) +
+                        " with the first normal and was turned to a right angle.");
+    for (int i = 0; i < 2; ++i) {
+        n -= dot(s.slabs[0].n, n) * s.slabs[0].n;
+        n /= length_of(n);
     }
 }
 
@@ -144,21 +187,33 @@ void read(const JsonPlace& place, Obb& box, Notes& notes) {
         box.half[static_cast<Eigen::Index>(i)] = read_length(element(half, i));
 }
 
-enum class Kind { scb, ball, box };
+enum class Kind { scb, two_slabs, ball, box };
 
 /// By the fields that only one kind has.
 Kind kind_of(const JsonPlace& place) {
-    check_fields(place, {"center", "radius", "normal", "e", "f", "axes", "half"});
+    check_fields(place, {"center", "radius", "normal", "e", "f", "slabs", "axes", "half"});
     if (has(place, "axes") || has(place, "half")) return Kind::box;
+    if (has(place, "slabs")) return Kind::two_slabs;
     if (has(place, "normal") || has(place, "e") || has(place, "f")) return Kind::scb;
     return Kind::ball;
 }
 
 const char* words_of(Kind kind) {
-    return kind == Kind::scb ? "a slab cut ball" : kind == Kind::ball ? "a ball" : "a box";
+    switch (kind) {
+        case Kind::scb:
+            return "a slab cut ball";
+        case Kind::two_slabs:
+            return "a ball cut by two slabs";
+        case Kind::ball:
+            return "a ball";
+        case Kind::box:
+            break;
+    }
+    return "a box";
 }
 
 Vec3 center_of(const Scb& s) { return s.c; }
+Vec3 center_of(const Scb2& s) { return s.c; }
 Vec3 center_of(const Ball& ball) { return ball.center; }
 Vec3 center_of(const Obb& box) { return box.center; }
 
@@ -191,6 +246,7 @@ AnyRawPair read_pair(const JsonPlace& place) {
         refuse(place, std::string("a is ") + words_of(a) + " and b is " + words_of(b) +
                           "; give two of one kind.");
     if (a == Kind::scb) return read_pair_of<Scb>(place);
+    if (a == Kind::two_slabs) return read_pair_of<Scb2>(place);
     if (a == Kind::ball) return read_pair_of<Ball>(place);
     return read_pair_of<Obb>(place);
 }

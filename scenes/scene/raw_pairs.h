@@ -9,6 +9,7 @@
 #include "scb/obb.h"
 #include "scb/pose.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb::scenes {
 
@@ -19,13 +20,15 @@ struct RawPair {
     Pose b_to_a;
     std::vector<std::string> notes{};  ///< what was made good of the numbers, as sentences
 };
-using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>>;
+using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>, RawPair<Scb2>>;
 
 /// Reads pairs of volumes from JSON: a list of, or one,
 ///     {"a": VOLUME, "b": VOLUME, "pose": [12 numbers, the rows of [R|t], B's pose in A's frame]}
-/// where the pose may be left out, and VOLUME is a slab cut ball, a ball or a box, both of one
-/// kind:
+/// where the pose may be left out, and VOLUME is a slab cut ball, one with two slabs, a ball or a
+/// box, both of one kind:
 ///     {"center": [x, y, z], "radius": r, "normal": [x, y, z], "e": e, "f": f}
+///     {"center": [x, y, z], "radius": r, "slabs": [{"normal": [x, y, z], "e": e, "f": f}, the
+///     second]}
 ///     {"center": [x, y, z], "radius": r}
 ///     {"center": [x, y, z], "axes": [[x, y, z], [x, y, z], [x, y, z]], "half": [x, y, z]}
 ///
@@ -34,7 +37,9 @@ using AnyRawPair = std::variant<RawPair<Scb>, RawPair<Ball>, RawPair<Obb>>;
 /// and a note says so. Throws InputError, naming file, pair and field, for everything else: not
 /// JSON, unknown, missing or wrong fields, a normal without length, e < f, a slab that misses its
 /// ball, a negative radius or half length, one below min_size that is not 0 (or the distance of two
-/// points that is), axes or a pose that is not a rotation. `file` is named in errors.
+/// points that is), axes or a pose that is not a rotation, two
+/// normals that are not at right angles, of two slabs one that leaves the center out. `file` is
+/// named in errors.
 std::vector<AnyRawPair> parse_raw_pairs(std::string_view json_text, const std::string& file);
 
 /// The same of a file of at most 512 MiB.

@@ -20,6 +20,20 @@ Scb any_scb(fuzz::Numbers& numbers) {
 
 }  // namespace
 
+Scb2 with_second_slab(const Scb& s, fuzz::Numbers& numbers) {
+    const auto share = [&] { return std::abs(numbers.raw<std::int8_t>() / 128.0); };
+    const Vec3 first = s.n / std::sqrt(squared_norm(s.n));
+    Vec3 n = numbers.direction();
+    for (int i = 0; i < 2; ++i) {
+        n -= dot(first, n) * first;
+        n /= std::sqrt(squared_norm(n));
+    }
+    return {s.c,
+            s.r,
+            {Slab{first, std::max(s.e, 0.0), std::min(s.f, 0.0)},
+             Slab{n, s.r * share(), -s.r * share()}}};
+}
+
 // No sound test rejects a pair of which a certificate proves that it overlaps.
 SCB_FUZZ(input) {
     fuzz::Numbers numbers(input);
@@ -27,6 +41,13 @@ SCB_FUZZ(input) {
     if (!is_well_formed(a) || !is_well_formed(b)) return;
     const ContactCertificate certificate = exact_overlap(a, b);
     const Pose identity;
+    const Scb2 two_a = with_second_slab(a, numbers), two_b = with_second_slab(b, numbers);
+    if (is_well_formed(two_a) && is_well_formed(two_b)) {
+        const Contact contact = exact_overlap(two_a, two_b).contact;
+        fuzz::require(overlap(two_a, two_b, identity) == Stage::overlapping ||
+                          contact != Contact::overlapping,
+                      "the test of two slabs passes what overlaps");
+    }
     for (const OverlapTest test : all_overlap_tests()) {
         if (!is_sound(test)) continue;
         const OverlapOptions options{test, numbers.below(11) / 10.0};

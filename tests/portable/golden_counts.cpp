@@ -50,6 +50,15 @@ class Hash {
         add(s.e);
         add(s.f);
     }
+    void add(const Scb2& s) {
+        add(s.c);
+        add(s.r);
+        for (const Slab& slab : s.slabs) {
+            add(slab.n);
+            add(slab.e);
+            add(slab.f);
+        }
+    }
     void add(const Ball& b) {
         add(b.center);
         add(b.radius);

@@ -1,7 +1,8 @@
 // overlap_soundness [--pairs N] [--seed S] [--threads T]: asks every overlap test of slab cut balls
-// about N random pairs of each of the families in random_scb_pairs.h and holds the answers against
-// certified ones. The figures depend on N and S only, but for the times. Exit status 1 where a test
-// that must not has rejected an overlapping pair, or a certificate did not stand up.
+// about N random pairs of each of the families in random_scb_pairs.h, and that of two slabs about
+// those of scb2_pairs.h, and holds the answers against certified ones; with two slabs of what
+// passes only every hundredth. The figures depend on N and S only, but for the times. Exit status 1
+// where a test that must not has rejected an overlapping pair, or a certificate did not stand up.
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "tests/core/overlap/overlap_tally.h"
+#include "tests/core/overlap/scb2_tally.h"
 
 namespace {
 
@@ -41,17 +43,17 @@ bool parse(int count, char** values, Arguments& arguments) {
 }
 
 // Chunk by chunk, each from a seed of its own, so that the threads can share them in any order.
-OverlapTally tally_family(std::size_t family, const Arguments& arguments) {
-    OverlapTally tally;
+template <class Tally, class Draw>
+Tally tally_family(std::size_t family, const Arguments& arguments, const Draw& draw) {
+    Tally tally;
     std::mutex mutex;
     std::atomic<std::uint64_t> next = 0;
     const auto work = [&] {
-        OverlapTally own;
+        Tally own;
         for (std::uint64_t i; (i = chunk * next++) < arguments.pairs;) {
             const std::uint64_t seed =
                 Random(arguments.seed ^ Random(i + family + 1).next()).next();
-            own += tally_overlap_tests(scb_pair_families[family], seed,
-                                       std::min(chunk, arguments.pairs - i));
+            own += draw(seed, std::min(chunk, arguments.pairs - i));
         }
         const std::lock_guard lock(mutex);
         tally += own;
@@ -61,6 +63,23 @@ OverlapTally tally_family(std::size_t family, const Arguments& arguments) {
     work();
     for (std::thread& thread : threads) thread.join();
     return tally;
+}
+
+bool two_slabs_are_sound(const Arguments& arguments) {
+    print_scb2_tally_header();
+    Scb2Tally sum;
+    for (std::size_t k = 0; k < scb2_pair_families.size(); ++k) {
+        const Scb2PairFamily& family = scb2_pair_families[k];
+        const auto tally =
+            tally_family<Scb2Tally>(k, arguments, [&](std::uint64_t seed, std::uint64_t pairs) {
+                return tally_scb2(family, seed, pairs, 100);
+            });
+        print_tally(family.name, tally);
+        std::fflush(stdout);
+        sum += tally;
+    }
+    print_tally("all", sum);
+    return !sum.wrongly_rejected && sum.unproven == 0;
 }
 
 }  // namespace
@@ -77,7 +96,10 @@ int main(int count, char** values) {
     print_tally_header();
     OverlapTally sum;
     for (std::size_t k = 0; k < scb_pair_families.size(); ++k) {
-        const OverlapTally tally = tally_family(k, arguments);
+        const auto tally =
+            tally_family<OverlapTally>(k, arguments, [&](std::uint64_t seed, std::uint64_t pairs) {
+                return tally_overlap_tests(scb_pair_families[k], seed, pairs);
+            });
         print_tally(scb_pair_families[k].name, tally);
         std::fflush(stdout);
         sum += tally;
@@ -94,5 +116,6 @@ int main(int count, char** values) {
     for (const OverlapTest test :
          {OverlapTest::line8, OverlapTest::corrected, OverlapTest::symmetric, OverlapTest::extents})
         sound = sound && count_rejected(sum, Contact::overlapping, test) == 0;
-    return sound && sum.unproven == 0 ? 0 : 1;
+    const bool two_slabs = two_slabs_are_sound(arguments);
+    return sound && sum.unproven == 0 && two_slabs ? 0 : 1;
 }

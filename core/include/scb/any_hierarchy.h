@@ -10,16 +10,17 @@
 namespace scb {
 
 /// The volumes that can be asked for by name.
-enum class VolumeKind { scb, ball, ritter, obb };
+enum class VolumeKind { scb, ball, ritter, obb, scb2 };
 
-/// How a kind is named on the command line and in file names: "scb", "ball", "ritter", "obb".
+/// How a kind is named on the command line and in file names: "scb", "ball", "ritter", "obb",
+/// "scb2".
 std::string_view volume_kind_name(VolumeKind kind);
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 std::span<const VolumeKind> all_volume_kinds();
 
 /// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
 /// template.
-using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>>;
+using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>, Hierarchy<Scb2>>;
 
 /// A hierarchy of each kind, all on one topology, so that a difference between two of them comes
 /// from their volumes alone. Throws as build_hierarchy does.

@@ -53,7 +53,7 @@ struct Collision {
 /// Triangles are closed sets, and tested exactly as they are in A's frame: corners of A as stored,
 /// corners of B as transform_point rounds them. `b_to_a` must be rigid, see check_rigid and
 /// relative_pose. Thread-safe; throws nothing but std::bad_alloc; allocates for the result and a
-/// stack only. Defined for the three types of volume.h. The counts depend on the arguments alone,
+/// stack only. Defined for the types of volume.h. The counts depend on the arguments alone,
 /// not on how the caller is compiled.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,

@@ -7,6 +7,7 @@
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 #include "scb/simd_level.h"
 #include "scb/vec.h"
 
@@ -61,6 +62,9 @@ struct FitOptions {
 /// extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or
 /// whose points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
 ///
+/// Scb2: the same ball and slab; the second slab is the narrowest at right angles to it, as the
+/// extremal points (where n <= 26 all points) see it.
+///
 /// Ball: the same ball, or Ritter's.
 ///
 /// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha,
@@ -69,6 +73,7 @@ struct FitOptions {
 ///
 /// At least one point, all finite: throws InputError otherwise.
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});
+Scb2 fit_scb2(std::span<const Vec3> points, const FitOptions& options = {});
 Ball fit_ball(std::span<const Vec3> points, const FitOptions& options = {});
 Obb fit_obb(std::span<const Vec3> points, const FitOptions& options = {});
 

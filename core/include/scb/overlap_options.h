@@ -43,6 +43,7 @@ std::string overlap_title(const OverlapOptions& options);
 /// them. Those of slab cut balls depend on their test.
 std::span<const Stage> stages_of(OverlapTest test);
 std::span<const Stage> ball_stages();
+std::span<const Stage> scb2_stages();
 std::span<const Stage> obb_stages();
 
 }  // namespace scb

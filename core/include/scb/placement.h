@@ -26,6 +26,7 @@ Placement placement(const Pose& b_to_a, double reach_a, double reach_b);
 
 /// The distance from the origin within which the volume is.
 double reach(const Scb& v);
+double reach(const Scb2& v);
 double reach(const Ball& v);
 double reach(const Obb& v);
 

@@ -42,8 +42,14 @@ enum class Stage : std::uint8_t {
     axis_a2_b0,
     axis_a2_b1,
     axis_a2_b2,
+
+    // Balls cut by two slabs: ball_ball, slab_a, second_slab_a, slab_b, second_slab_b, center_line,
+    // long_axes.
+    second_slab_a,  ///< along the normal of A's second slab
+    second_slab_b,  ///< along the normal of B's second slab
+    long_axes,      ///< along the product of the long axes
 };
-inline constexpr std::size_t stage_count = 24;
+inline constexpr std::size_t stage_count = 27;
 
 /// Tests per stage, indexed by Stage.
 using StageCounts = std::array<std::uint64_t, stage_count>;

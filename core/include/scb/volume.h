@@ -6,11 +6,12 @@
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb {
 
 /// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
-/// free functions. The templates of hierarchy.h are instantiated for the three types below; another
+/// free functions. The templates of hierarchy.h are instantiated for the four types below; another
 /// one has to be added there and, with how it is fitted, in fit_volumes.cpp.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
@@ -24,6 +25,6 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
     { thickness(c) } -> std::same_as<double>;
 };
 
-static_assert(Volume<Scb> && Volume<Ball> && Volume<Obb>);
+static_assert(Volume<Scb> && Volume<Scb2> && Volume<Ball> && Volume<Obb>);
 
 }  // namespace scb

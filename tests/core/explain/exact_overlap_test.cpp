@@ -8,6 +8,7 @@
 #include "core/explain/certificate_check.h"
 #include "scb/overlap.h"
 #include "tests/core/overlap/random_scb_pairs.h"
+#include "tests/core/overlap/scb2_pairs.h"
 
 namespace scb {
 namespace {
@@ -111,6 +112,58 @@ TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
     EXPECT_TRUE(verify(flat, upright, certificate));
 }
 
+TEST(ExactOverlap, KnowsTwoSlabsThatOnlyTouch) {
+    // As boxes in the middle of long needles.
+    const auto needle = [](const Vec3& at) {
+        return Scb2{at, 100, {Slab{Vec3::UnitX(), 1, -1}, Slab{Vec3::UnitY(), 1, -1}}};
+    };
+    for (const Vec3& at : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(0, -2, 0.3), Vec3(-2, 0.5, 7)}) {
+        EXPECT_EQ(exact_overlap(needle(Vec3::Zero()), needle(at)).contact, Contact::touching);
+        EXPECT_EQ(exact_overlap(needle(Vec3::Zero()), needle(at * (1 + 1e-6))).contact,
+                  Contact::disjoint);
+        EXPECT_EQ(exact_overlap(needle(Vec3::Zero()), needle(at * (1 - 1e-6))).contact,
+                  Contact::overlapping);
+    }
+    // End to end, by their spheres.
+    for (const double share : {1 - 1e-8, 1.0, 1 + 1e-8}) {
+        const Contact contact =
+            exact_overlap(needle(Vec3::Zero()), needle(Vec3(0, 0, 200 * share))).contact;
+        EXPECT_EQ(contact, share < 1   ? Contact::overlapping
+                           : share > 1 ? Contact::disjoint
+                                       : Contact::touching);
+    }
+    // Two flat ones that cross, though no ball fits into either.
+    const Scb2 flat{Vec3::Zero(), 2, {Slab{Vec3::UnitZ(), 0, 0}, Slab{Vec3::UnitX(), 1, -1}}},
+        upright{Vec3::Zero(), 1, {Slab{Vec3::UnitX(), 0, 0}, Slab{Vec3::UnitY(), 0.5, -0.5}}};
+    const ContactCertificate certificate = exact_overlap(flat, upright);
+    EXPECT_EQ(certificate.contact, Contact::overlapping);
+    EXPECT_TRUE(verify(flat, upright, certificate));
+}
+
+// Where the second slab cuts nothing, there are two oracles.
+TEST(ExactOverlap, OfTwoSlabsAgreesWithThatOfOne) {
+    Random random(4);
+    int decided = 0;
+    for (const ScbPairFamily& family : scb_pair_families)
+        for (int i = 0; i < many_pairs / 100; ++i) {
+            const ScbPair pair = random_scb_pair(random, family);
+            const Scb b = placed(pair.b, pair.b_to_a);
+            if (!family.centered) continue;
+            const auto with_second = [&](const Scb& s) {
+                const Vec3 axis = std::abs(s.n[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY();
+                Vec3 n = cross(s.n, axis);
+                n /= std::sqrt(squared_norm(n));
+                return Scb2{s.c, s.r, {Slab{s.n, s.e, s.f}, Slab{n, s.r, -s.r}}};
+            };
+            const Contact one = exact_overlap(pair.a, b).contact,
+                          two = exact_overlap(with_second(pair.a), with_second(b)).contact;
+            // Depths are lower bounds, so either may call touching what is a little deep.
+            EXPECT_TRUE(one == two || one == Contact::touching || two == Contact::touching);
+            decided += one == two && one != Contact::touching;
+        }
+    EXPECT_GT(decided, many_pairs / 100 * 5);
+}
+
 /// How far B has to go along the best direction of a random search to be rid of A: no depth is
 /// more.
 template <class V>
@@ -143,10 +196,22 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
             EXPECT_TRUE(check_certificate(pair.a, b, certificate)) << family.name << " " << i;
             ++scbs;
         }
+    int two_slabs = 0;
+    for (const Scb2PairFamily& family : scb2_pair_families)
+        for (int i = 0; i < many_pairs / 500; ++i) {
+            const VolumePair<Scb2> pair = random_scb2_pair(random, family);
+            const Scb2 b = placed(pair.b, pair.b_to_a);
+            const ContactCertificate certificate = sharpened(pair.a, b, exact_overlap(pair.a, b));
+            if (certificate.contact != Contact::overlapping) continue;
+            EXPECT_LE(certificate.margin, way_out(random, pair.a, b, b.c - pair.a.c) + 1e-12);
+            EXPECT_TRUE(check_certificate(pair.a, b, certificate)) << family.name << " " << i;
+            ++two_slabs;
+        }
+    EXPECT_GT(two_slabs, many_pairs / 1000);
     for (int i = 0; i < many_pairs / 100; ++i) {
         const Obb a = random_box(random);
         Obb b = random_box(random);
-        b.center = a.center + random.uniform() * (b.center - a.center);
+        b.center = a.center + 0.5 * random.uniform() * (b.center - a.center);
         const ContactCertificate certificate = sharpened(a, b, exact_overlap(a, b));
         if (certificate.contact != Contact::overlapping) continue;
         EXPECT_LE(certificate.margin, way_out(random, a, b, b.center - a.center) + 1e-12);
@@ -185,6 +250,10 @@ TEST(CertificateCheck, RefusesMarginsThatFarthestPointsDoNotLeave) {
     expect_borne_out_up_to(0.5, whole(0), whole(2.5), whole(1.5));
     const auto cut = [](double z) { return Scb{Vec3(0, 0, z), 3, Vec3::UnitZ(), 1, -1}; };
     expect_borne_out_up_to(0.5, cut(0), cut(2.5), cut(1.5));
+    const auto twice = [](double z) {
+        return Scb2{Vec3(0, 0, z), 3, {Slab{Vec3::UnitX(), 2, -1}, Slab{Vec3::UnitZ(), 1, -1}}};
+    };
+    expect_borne_out_up_to(0.5, twice(0), twice(2.5), twice(1.5));
     const auto cube = [](double z) {
         return Obb{Vec3(0, 0, z), Mat3::Identity(), Vec3::Constant(1)};
     };

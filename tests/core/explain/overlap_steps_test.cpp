@@ -9,6 +9,7 @@
 #include "scb/overlap.h"
 #include "tests/core/overlap/overlap_checks.h"
 #include "tests/core/overlap/random_scb_pairs.h"
+#include "tests/core/overlap/scb2_pairs.h"
 
 namespace scb {
 namespace {
@@ -158,6 +159,48 @@ TEST(Steps, OfBoxesEndAtTheStageThatTheTestReturns) {
     }
     for (const Stage stage : obb_stages())
         EXPECT_GT(ended[static_cast<std::size_t>(stage)], 0) << stage_name(stage);
+}
+
+TEST(Steps, OfTwoSlabsEndAtTheStageThatTheTestReturns) {
+    Random random(21);
+    std::array<int, stage_count> ended{};
+    for (int i = 0; i < many_boxes; ++i) {
+        const Scb2PairFamily& family =
+            scb2_pair_families[static_cast<std::size_t>(i) % scb2_pair_families.size()];
+        const VolumePair<Scb2> p = random_scb2_pair(random, family);
+        const OverlapSteps steps = checked_steps(p.a, p.b, p.b_to_a, {});
+        ASSERT_EQ(steps.steps.size(), 7u);
+        ++ended[static_cast<std::size_t>(steps.stage())];
+        const Vec3 c = transform_point(p.b_to_a, p.b.c) - p.a.c;
+        const Vec3 long_b = transform_direction(p.b_to_a, long_axis(p.b));
+        const double sine = cross(long_axis(p.a), long_b).norm();
+        for (const OverlapStep& step : steps.steps) {
+            const bool of_product = step.stage == Stage::long_axes;
+            EXPECT_EQ(step.skipped.empty(), !of_product || sine > 1e-9 || step.separates)
+                << step.formula;
+            const double length = of_product ? sine : 1;
+            if (length > 1e-8) expect_consistent(step, c, steps.margin / length, 1e-13 / length);
+        }
+    }
+    for (const Stage stage : scb2_stages())
+        EXPECT_GT(ended[static_cast<std::size_t>(stage)], 0) << stage_name(stage);
+}
+
+TEST(Steps, OfTwoSlabsNameTheSecondOne) {
+    Scb2 a{Vec3::Zero(), 3, {Slab{Vec3::UnitZ(), 1, -1}, Slab{Vec3::UnitX(), 0.5, -0.25}}}, b = a;
+    b.c = Vec3(1, 0.5, 0.5);
+    const OverlapSteps steps = checked_steps(a, b, Pose{}, {});
+    ASSERT_EQ(steps.stage(), Stage::second_slab_a);
+    const OverlapStep& step = steps.steps[2];
+    EXPECT_EQ(step.formula, "d0″ − e0″ > ρ1(−n0″)");
+    EXPECT_EQ(step.name_a, "e0″");
+    EXPECT_EQ(step.name_b, "ρ1");
+    EXPECT_DOUBLE_EQ(step.reach_a, 0.5);
+    EXPECT_DOUBLE_EQ(step.reach_b, 0.25);
+    EXPECT_NEAR(step.slack, 0.25, 1e-12);
+    EXPECT_EQ(steps.steps[6].skipped, "the long axes are parallel");
+    b.c = Vec3::Zero();
+    EXPECT_EQ(checked_steps(a, b, Pose{}, {}).steps[5].skipped, "the centers coincide");
 }
 
 const OverlapStep& step_at(const OverlapSteps& steps, int line, std::size_t which = 0) {

@@ -219,6 +219,70 @@ TEST(FitScb, IsWellFormedAtEveryScale) {
     }
 }
 
+TEST(FitScb2, ContainsEveryPointExactly) {
+    Random random(41);
+    for (int i = 0; i < 2000; ++i) {
+        const int count = 1 + static_cast<int>(random.below(200));
+        const std::vector<Vec3> points =
+            random_points(random, count, i % 4 == 0 ? 0 : random.uniform());
+        for (const double margin : {0.0, 0.1}) {
+            const Scb2 s = fit_scb2(points, {.margin = margin});
+            EXPECT_TRUE(is_well_formed(s));
+            for (const Vec3& p : points) ASSERT_TRUE(contains(s, p));
+        }
+    }
+}
+
+TEST(FitScb2, HasTheBallAndTheSlabOfAnScb) {
+    Random random(42);
+    for (int i = 0; i < 500; ++i) {
+        const std::vector<Vec3> points = random_points(random, 2 + i, 0.3);
+        const Scb one = fit_scb(points);
+        const Scb2 two = fit_scb2(points);
+        EXPECT_EQ(two.c, one.c);
+        EXPECT_EQ(two.r, one.r);
+        EXPECT_EQ(two.slabs[0].n, one.n);
+        EXPECT_EQ(two.slabs[0].e, one.e);
+        EXPECT_EQ(two.slabs[0].f, one.f);
+        EXPECT_LE(surface_area(two), surface_area(one) * (1 + 1e-14));
+    }
+}
+
+// Against all directions that an edge between two of the points, as the first normal sees it, has.
+TEST(FitScb2, OfFewPointsHasTheNarrowestSecondSlab) {
+    Random random(43);
+    for (int i = 0; i < 300; ++i) {
+        const std::vector<Vec3> points =
+            random_points(random, 2 + static_cast<int>(random.below(25)), i % 3 == 0 ? 0 : 0.3);
+        const Scb2 s = fit_scb2(points);
+        const Vec3& n = s.slabs[0].n;
+        double least = 1e300;
+        for (const Vec3& p : points)
+            for (const Vec3& q : points) {
+                Vec3 edge = q - p;
+                edge -= dot(n, edge) * n;
+                if (!(edge.norm() > 1e-9)) continue;
+                least = std::min(least, width_along(points, cross(n, edge).normalized()));
+            }
+        if (least == 1e300) continue;
+        EXPECT_NEAR(width_along(points, s.slabs[1].n), least, 1e-12) << points.size();
+    }
+}
+
+TEST(FitScb2, OfANeedleIsItsBoxButForTheEnds) {
+    std::vector<Vec3> points;
+    for (const double x : {-4.0, 4.0})
+        for (const double y : {-0.2, 0.2})
+            for (const double z : {-0.1, 0.1}) points.emplace_back(x, y, z);
+    const Scb2 s = fit_scb2(points);
+    EXPECT_NEAR(std::abs(long_axis(s)[0]), 1, 1e-15);
+    EXPECT_NEAR(s.slabs[0].e, 0.1, 1e-15);
+    EXPECT_NEAR(s.slabs[0].f, -0.1, 1e-15);
+    EXPECT_NEAR(s.slabs[1].e, 0.2, 1e-15);
+    EXPECT_NEAR(s.slabs[1].f, -0.2, 1e-15);
+    EXPECT_LT(surface_area(s), surface_area(fit_scb(points)) / 8);
+}
+
 TEST(FitObb, FindsTheBoxOfABox) {
     Random random(40);
     Mat3 axes;

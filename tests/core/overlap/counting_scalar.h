@@ -5,6 +5,7 @@
 
 #include "scb/placement.h"
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb {
 
@@ -92,6 +93,15 @@ inline Vector3<CountingScalar> counting(const Vec3& v) { return {v[0], v[1], v[2
 
 inline BasicScb<CountingScalar> counting(const Scb& s) {
     return {counting(s.c), s.r, counting(s.n), s.e, s.f};
+}
+
+inline BasicScb2<CountingScalar> counting(const Scb2& s) {
+    BasicScb2<CountingScalar> result;
+    result.c = counting(s.c);
+    result.r = s.r;
+    for (std::size_t i = 0; i < 2; ++i)
+        result.slabs[i] = {counting(s.slabs[i].n), s.slabs[i].e, s.slabs[i].f};
+    return result;
 }
 
 inline BasicPlacement<CountingScalar> counting(const Placement& placed) {

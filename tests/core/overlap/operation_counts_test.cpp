@@ -11,6 +11,7 @@
 #include "core/analysis/operation_cost.h"
 #include "core/overlap/test_functors.h"
 #include "tests/core/overlap/counting_scalar.h"
+#include "tests/core/overlap/scb2_pairs.h"
 #include "tests/core/overlap/volume_pairs.h"
 
 namespace scb {
@@ -35,12 +36,13 @@ std::string text(const OperationCounts& c) {
 }
 
 /// Makes the test on many pairs, with numbers that count and with doubles, which must agree.
-template <class Counting, class Plain>
-std::map<Stage, Range> measure(const std::string& name, Counting counting_test, Plain plain_test) {
+template <class Draw, class Counting, class Plain>
+std::map<Stage, Range> measure(const std::string& name, int pairs, Draw draw,
+                               Counting counting_test, Plain plain_test) {
     Random random(31);
     std::map<Stage, Range> ranges;
-    for (int i = 0; i < 60000; ++i) {
-        const VolumePair<Scb> pair = random_scb_pair(random);
+    for (int i = 0; i < pairs; ++i) {
+        const auto pair = draw(random, i);
         const Placement placed = placement(pair.b_to_a, reach(pair.a), reach(pair.b));
         const auto a = counting(pair.a), b = counting(pair.b);
         const auto counting_placed = counting(placed);
@@ -55,6 +57,13 @@ std::map<Stage, Range> measure(const std::string& name, Counting counting_test, 
                                           ? text(range.most)
                                           : text(range.fewest) + " to " + text(range.most));
     return ranges;
+}
+
+template <class Counting, class Plain>
+std::map<Stage, Range> measure(const std::string& name, Counting counting_test, Plain plain_test) {
+    return measure(
+        name, 60000, [](Random& random, int) { return random_scb_pair(random); }, counting_test,
+        plain_test);
 }
 
 void expect_range(const std::map<Stage, Range>& ranges, Stage stage, const OperationCounts& fewest,
@@ -148,6 +157,28 @@ TEST(OperationCounts, OfExtentsAreAtMost115WithFiveSquareRoots) {
     // The fewest depend on how often axis points fall into the other slab, which is rare.
     EXPECT_EQ(text(ranges.at(Stage::overlapping).most), text({115, 33, 5}));
     expect_costs(ranges, OverlapTest::extents);
+}
+
+// At worst five square roots for each of the eight extents, and two for lengths.
+TEST(OperationCounts, OfTwoSlabs) {
+    const auto ranges = measure(
+        "scb2", 60000,
+        [](Random& random, int i) {
+            return random_scb2_pair(
+                random,
+                scb2_pair_families[static_cast<std::size_t>(i) % scb2_pair_families.size()]);
+        },
+        [](const auto& a, const auto& b, const auto& placed) { return overlap_scb2(a, b, placed); },
+        [](const Scb2& a, const Scb2& b, const Placement& placed) {
+            return overlap_scb2(a, b, placed);
+        });
+    for (const auto& [stage, range] : ranges) {
+        // The dearest case of all, signs included, is rare.
+        const auto cost = static_cast<int>(operation_cost(VolumeKind::scb2, {}, stage));
+        EXPECT_LE(range.most.operations, cost) << stage_name(stage);
+        EXPECT_GE(range.most.operations, cost - 2) << stage_name(stage);
+        EXPECT_LE(range.most.square_roots, 42) << stage_name(stage);
+    }
 }
 
 }  // namespace

@@ -49,6 +49,13 @@ inline Span intersect(const Ray& ray, const Scb& scb) {
     return span;
 }
 
+inline Span intersect(const Ray& ray, const Scb2& scb) {
+    Span span = intersect(ray, Ball{scb.c, scb.r});
+    for (const Slab& slab : scb.slabs)
+        cut(span, dot(slab.n, ray.origin - scb.c), dot(slab.n, ray.direction), slab.f, slab.e);
+    return span;
+}
+
 inline Span intersect(const Ray& ray, const Obb& box) {
     Span span;
     for (int i = 0; i < 3; ++i) {

@@ -56,6 +56,7 @@ TEST_P(RayCast, AgreesFromTheAxesOfTheSlabs) {
         Scb{Vec3(0, 0, 0), 1, Vec3::UnitZ(), 0.3, -0.2},
         Scb{Vec3(2.5, 0, 0), 1, Vec3::UnitY(), 0.3, -0.2},
         Scb{Vec3(0, 0, 2.5), 1, Vec3::UnitX(), 0.3, -0.2},
+        two_slabs(Vec3(0, 2.5, 2.5), 1, Mat3::Identity(), 0.3, -0.2, 0.4, -0.7),
         Obb{Vec3(2.5, 0, 2.5), Mat3::Identity(), Vec3(1, 0.5, 0.7)}};
     for (const bool orthographic : {false, true}) {
         Picture picture = picture_of(volumes, 150, 150, GetParam());

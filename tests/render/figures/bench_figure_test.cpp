@@ -33,7 +33,8 @@ BenchFigure example(int frames = 300) {
     figure.series = {series_of("SCB", VolumeKind::scb, 20000, 3, frames),
                      series_of("ball, minimum", VolumeKind::ball, 90000, 7, frames),
                      series_of("ball, Ritter", VolumeKind::ritter, 94000, 7.5, frames),
-                     series_of("OBB", VolumeKind::obb, 13000, 4.5, frames)};
+                     series_of("OBB", VolumeKind::obb, 13000, 4.5, frames),
+                     series_of("SCB2", VolumeKind::scb2, 11000, 3.5, frames)};
     figure.ranges = {{144, 156, "parallel close proximity, frames 144–156"}};
     figure.footnote = "Times depend on the machine: gcc 12.2, -O3, best of three runs.";
     return figure;
@@ -154,7 +155,7 @@ TEST(BenchFigure, DrawsEachTestOfAHierarchyInItsOwnLook) {
         BenchFigure figure = tests_example();
         figure.theme = theme;
         const std::vector<SeriesLook> looks = looks_of(figure);
-        ASSERT_EQ(looks.size(), 8u);
+        ASSERT_EQ(looks.size(), 9u);
         EXPECT_EQ(looks[0].color, hierarchy_color(VolumeKind::scb));
         EXPECT_EQ(looks[0].stroke, LineStroke::solid);
         std::set<LineStroke> strokes;
@@ -259,7 +260,7 @@ TEST(BenchLegend, SaysWhoMissesPairs) {
     EXPECT_EQ(warned(), std::vector<std::size_t>{0});
     for (BenchSeries& series : figure.series) series.pairs = {1, 2};
     figure.series[1].pairs = {2, 1};
-    EXPECT_EQ(warned().size(), 8u);
+    EXPECT_EQ(warned().size(), 9u);
     for (BenchSeries& series : figure.series) series.pairs.clear();
     EXPECT_TRUE(warned().empty());
 }

@@ -48,8 +48,14 @@ inline Picture picture_of(const std::vector<AnyVolume>& volumes, int width, int 
     return picture;
 }
 
+/// Two slabs with the axes of a frame as their normals.
+inline Scb2 two_slabs(const Vec3& c, double r, const Mat3& axes, double e, double f, double e2,
+                      double f2) {
+    return {c, r, {Slab{axes.col(2), e, f}, Slab{axes.col(0), e2, f2}}};
+}
+
 /// Slabs at many tilts, one that leaves the center out, discs (e == f), a ball and boxes, some of
-/// them overlapping.
+/// them overlapping; balls with two slabs, one flat, one without its second cut.
 inline std::vector<AnyVolume> assorted_volumes() {
     std::vector<AnyVolume> volumes;
     for (int i = 0; i < 12; ++i) {
@@ -64,6 +70,11 @@ inline std::vector<AnyVolume> assorted_volumes() {
     for (int i = 0; i < 3; ++i)
         volumes.push_back(Obb{Vec3(8.4, 1.9 * i, 0.3), orbit_axes(i * 50.0 + 5, i * 30.0 + 15),
                               Vec3(0.8, 0.5, i == 2 ? 0.0 : 0.2)});
+    for (int i = 0; i < 6; ++i)
+        volumes.push_back(two_slabs(Vec3(1.6 * i - 1, -4, 0.2 * i), 1.1,
+                                    orbit_axes(i * 41.0, i * 27.0 - 70), 0.1 + 0.08 * i, -0.2,
+                                    i == 2 ? 0 : 0.5, i == 2 ? 0 : 0.04 * i - 0.6));
+    volumes.push_back(two_slabs(Vec3(9.2, -4, 0), 0.9, orbit_axes(30, 20), 0.3, 0, 0.9, -0.9));
     return volumes;
 }
 

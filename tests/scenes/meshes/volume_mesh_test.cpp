@@ -100,6 +100,45 @@ TEST(VolumeMesh, ApproachesAreaAndVolumeFromInside) {
     }
 }
 
+TEST(VolumeMesh, OfTwoSlabsApproachesAreaAndVolumeFromInside) {
+    const Vec3 n = Vec3(1, 2, -2) / 3, m = Vec3(2, 1, 2) / 3, c(1, 2, 3);
+    for (const double e : {2.0, 1.7, 0.4, 0.01, 0.0})
+        for (const double f : {-2.0, -1.5, -0.2, -1e-3}) {
+            for (const Scb2& s : {Scb2{c, 2, {Slab{n, e, f}, Slab{m, 0.9, -0.6}}},
+                                  Scb2{c, 2, {Slab{n, e, f}, Slab{m, 2, -2}}},
+                                  Scb2{c, 2, {Slab{m, 0.3, 0}, Slab{n, e, f}}}}) {
+                const Mesh mesh = volume_mesh(s, 128);
+                EXPECT_TRUE(closed(mesh)) << e << ' ' << f;
+                EXPECT_NEAR(area_of(mesh), surface_area(s), 0.02 * surface_area(s));
+                EXPECT_NEAR(volume_of(mesh), volume(s), 0.02 * volume(s));
+                EXPECT_LT(volume_of(mesh), volume(s));
+                EXPECT_EQ(degenerate(mesh), 0) << e << ' ' << f;
+                const double slop = 1e-12;
+                for (const Vec3& v : mesh.vertices) {
+                    EXPECT_LE(squared_norm(v - s.c), s.r * s.r * (1 + slop));
+                    for (const Slab& slab : s.slabs) {
+                        EXPECT_LE(dot(slab.n, v - s.c), slab.e + slop);
+                        EXPECT_GE(dot(slab.n, v - s.c), slab.f - slop);
+                    }
+                }
+            }
+        }
+}
+
+TEST(VolumeMesh, OfAFlatBallOfTwoSlabsIsSeenFromBothSides) {
+    const Vec3 n = Vec3(1, 2, -2) / 3, m = Vec3(2, 1, 2) / 3, c(1, 2, 3);
+    for (const Scb2& s : {Scb2{c, 2, {Slab{n, 0, 0}, Slab{m, 0.9, -0.6}}},
+                          Scb2{c, 2, {Slab{n, 2, -2}, Slab{m, 0, 0}}},
+                          Scb2{c, 2, {Slab{n, 0.3, 0}, Slab{m, 0, 0}}}}) {
+        const Mesh mesh = volume_mesh(s, 128);
+        EXPECT_TRUE(closed(mesh));
+        EXPECT_EQ(degenerate(mesh), 0);
+        EXPECT_NEAR(area_of(mesh), surface_area(s), 0.01 * surface_area(s));
+    }
+    EXPECT_TRUE(volume_mesh(Scb2{c, 2, {Slab{n, 0, 0}, Slab{m, 0, 0}}}, 8).triangles.empty());
+    EXPECT_TRUE(volume_mesh(Scb2{c, 0, {Slab{n, 0, 0}, Slab{m, 0, 0}}}, 8).triangles.empty());
+}
+
 TEST(VolumeMesh, OfABoxIsExact) {
     Obb box{{1, 1, 1}, Mat3::Identity(), {1, 2, 3}};
     const Mesh mesh = volume_mesh(box, 8);
