@@ -73,14 +73,13 @@ struct Measured {
 
 void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& mesh,
                 const StatsOptions& options) {
-    const auto* scbs = std::get_if<Hierarchy<Scb>>(&hierarchy);
-    if (scbs == nullptr) return;
+    if (!can_pack(measured.kind)) return;
     for (const PackedLayout& layout : packed_layouts(options)) {
         Packed row;
         row.layout = packed_layout_name(layout);
         const auto start = Clock::now();
         try {
-            row.bytes = bytes_of(pack_any(layout, *scbs, mesh, measured.mesh, options.threads));
+            row.bytes = bytes_of(pack_any(layout, hierarchy, mesh, measured.mesh, options.threads));
         } catch (const InputError& error) {
             row.refused = error.what();
         }
@@ -226,14 +225,14 @@ Json json_of(const Measured& m) {
                    {"bytes_per_triangle", m.per_triangle(m.bytes())},
                    {"levels", levels},
                    {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
-    if (m.kind == VolumeKind::scb) result["packed"] = std::move(packed);
+    if (can_pack(m.kind)) result["packed"] = std::move(packed);
     return result;
 }
 
 int run(const StatsOptions& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     const StatsOptions defaults;
-    if (std::find(kinds.begin(), kinds.end(), VolumeKind::scb) == kinds.end())
+    if (std::none_of(kinds.begin(), kinds.end(), can_pack))
         for (const auto& [option, given] :
              {std::pair("--layout", options.layouts != defaults.layouts),
               std::pair("--leaf", options.leaf_triangles != defaults.leaf_triangles)})

@@ -99,7 +99,7 @@ SimdLevel simd_level(const BenchCommandOptions& options) {
 std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
-        if (kind != VolumeKind::scb) {
+        if (!can_pack(kind)) {
             result.push_back({kind, OverlapTest::corrected});
             continue;
         }
@@ -109,7 +109,10 @@ std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
             if (layout && options.coherent)
                 result.push_back({kind, OverlapTest::symmetric, layout, true});
             if (layout) continue;
-            for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
+            if (kind != VolumeKind::scb)
+                result.push_back({kind, OverlapTest::corrected});
+            else
+                for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
         }
     }
     if (options.coherent && std::none_of(result.begin(), result.end(),
@@ -133,10 +136,10 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
         console.note("scb: " + std::string(option) + " has no effect: " + why);
     };
     std::vector<VolumeKind> reference;
-    bool has_scb = false;
+    bool has_packable = false;
     for (const BenchSubject& s : subjects) {
         if (!s.layout) reference.push_back(s.kind);
-        has_scb |= s.kind == VolumeKind::scb;
+        has_packable |= can_pack(s.kind);
     }
     const bool packed = any_packed(subjects);
     const bool reference_scb =
@@ -151,8 +154,8 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
     if (reference.empty() && options.query.descent != defaults.query.descent)
         note("--descent", own);
     if (packed) return;
-    const char* why = has_scb ? "it is of packed layouts; name one with --layout."
-                              : "only slab cut balls have packed layouts.";
+    const char* why = has_packable ? "it is of packed layouts; name one with --layout."
+                                   : "only slab cut balls have packed layouts.";
     if (options.layouts != defaults.layouts) note("--layout", why);
     if (options.leaf_triangles != defaults.leaf_triangles) note("--leaf", why);
     if (options.simd != defaults.simd) note("--simd", why);

@@ -8,10 +8,10 @@
 namespace scb::app {
 
 std::string BenchSubject::title() const {
-    if (kind != VolumeKind::scb) return std::string(render::volume_title(kind));
     if (layout)
         return std::string(render::volume_title(kind)) + " " + packed_layout_name(*layout) +
                (coherent ? " front" : "");
+    if (kind != VolumeKind::scb) return std::string(render::volume_title(kind));
     return std::string(render::volume_title(kind)) + " " + std::string(overlap_test_name(test));
 }
 
@@ -93,9 +93,9 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
                          4 * scene.meshes[m].mesh.triangles.size();
                 continue;
             }
-            packed[s].push_back(
-                pack_any(*subject.layout, std::get<Hierarchy<Scb>>(h[m]), scene.meshes[m].mesh,
-                         scene.name + ", " + scene.meshes[m].name, options.build.threads));
+            packed[s].push_back(pack_any(*subject.layout, h[m], scene.meshes[m].mesh,
+                                         scene.name + ", " + scene.meshes[m].name,
+                                         options.build.threads));
             bytes += bytes_of(packed[s].back());
         }
         result.subjects[s].bytes_per_triangle =

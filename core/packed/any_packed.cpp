@@ -4,7 +4,10 @@
 
 namespace scb {
 
-AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+bool can_pack(VolumeKind kind) { return kind == VolumeKind::scb || kind == VolumeKind::scb2; }
+
+template <class V>
+AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, const Mesh& mesh,
                    std::string_view name, int threads) {
     const auto packed = [&]<class Codec>() -> AnyPacked {
         return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
@@ -12,24 +15,40 @@ AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, 
     const bool floats = layout.numbers == PackedLayout::Numbers::floats;
     switch (layout.width) {
         case 2:
-            return floats ? packed.operator()<FloatCodec<2>>()
-                          : packed.operator()<QuantizedCodec<2>>();
+            return floats ? packed.template operator()<FloatCodec<2, V>>()
+                          : packed.template operator()<QuantizedCodec<2, V>>();
         case 4:
-            return floats ? packed.operator()<FloatCodec<4>>()
-                          : packed.operator()<QuantizedCodec<4>>();
+            return floats ? packed.template operator()<FloatCodec<4, V>>()
+                          : packed.template operator()<QuantizedCodec<4, V>>();
         case 8:
-            return floats ? packed.operator()<FloatCodec<8>>()
-                          : packed.operator()<QuantizedCodec<8>>();
+            return floats ? packed.template operator()<FloatCodec<8, V>>()
+                          : packed.template operator()<QuantizedCodec<8, V>>();
         default:
             throw InputError("a packed layout has nodes of 2, 4 or 8 children.");
     }
+}
+
+template AnyPacked pack_any(const PackedLayout&, const Hierarchy<Scb>&, const Mesh&,
+                            std::string_view, int);
+template AnyPacked pack_any(const PackedLayout&, const Hierarchy<Scb2>&, const Mesh&,
+                            std::string_view, int);
+
+AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, const Mesh& mesh,
+                   std::string_view name, int threads) {
+    if (const auto* two_slabs = std::get_if<Hierarchy<Scb2>>(&hierarchy))
+        return pack_any(layout, *two_slabs, mesh, name, threads);
+    if (const auto* one_slab = std::get_if<Hierarchy<Scb>>(&hierarchy))
+        return pack_any(layout, *one_slab, mesh, name, threads);
+    throw InputError(std::string(name) +
+                     ": packed layouts have slab cut balls alone, with one slab or two.");
 }
 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
                                PackedWorkspace* workspace, PackedFront* front) {
     if (a.index() != b.index())
-        throw InputError("the two packed hierarchies have different layouts; pack both to one.");
+        throw InputError(
+            "the two packed hierarchies have different layouts or volumes; pack both to one.");
     return std::visit(
         [&]<class Codec>(const PackedHierarchy<Codec>& of_a) {
             return collide_packed<Codec>({of_a, mesh_a},

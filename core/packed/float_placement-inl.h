@@ -7,8 +7,7 @@
 #endif
 
 #include "core/base/lanes-inl.h"
-#include "core/packed/grown_scb.h"
-#include "scb/packed_scb.h"
+#include "core/packed/grown_slab.h"
 #include "scb/placement.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -8,7 +8,7 @@
 #include "core/base/parallel_for.h"
 #include "core/collide/pair_sort.h"
 #include "core/packed/each_codec.h"
-#include "core/packed/grown_scb.h"
+#include "core/packed/grown_slab.h"
 #include "core/packed/packed_query.h"
 #include "scb/triangle_overlap.h"
 
@@ -150,8 +150,8 @@ AnyQuery query_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b
 template <class Codec>
 Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
     const PackedRef root = hierarchy.root;
-    const PackedScb own =
-        root.is_leaf() ? hierarchy.leaf(root).own() : hierarchy.nodes[root.index()].own;
+    const auto own = root.is_leaf() ? hierarchy.leaf(root).template own<typename Codec::Decoded>()
+                                    : hierarchy.nodes[root.index()].own;
     // Volumes hold their points but for the rounding of doubles.
     return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
 }
@@ -212,9 +212,9 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
 }
 
-#define SCB_COLLIDE(Codec)                                                             \
-    template PackedCollision collide_packed(const PackedCollider<Codec>&,              \
-                                            const PackedCollider<Codec>&, const Pose&, \
+#define SCB_COLLIDE(...)                                                                     \
+    template PackedCollision collide_packed(const PackedCollider<__VA_ARGS__>&,              \
+                                            const PackedCollider<__VA_ARGS__>&, const Pose&, \
                                             const PackedOptions&, PackedWorkspace*, PackedFront*);
 SCB_FOR_EACH_CODEC(SCB_COLLIDE)
 #undef SCB_COLLIDE

@@ -10,6 +10,7 @@
 
 #include "core/packed/packed_query.h"
 #include "core/packed/prefetch.h"
+#include "core/packed/two_slab_kernel-inl.h"
 #include "core/packed/volume_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -76,14 +77,16 @@ class PackedTraversal {
 
   private:
     using Node = PackedNode<Codec>;
+    using Volume = typename Codec::Decoded;
     static constexpr int W = child_lanes<Codec::width>;
-    using Part = ChildLanes<Codec::width>;
+    using Part = ChildLanes<Codec>;
     static constexpr int n = Part::n;
     static constexpr std::size_t enough = 256;  // leaves are tested in long runs of the same code
     static constexpr std::size_t batch = 32, ahead = 4;
     /// What the skin adds to the lengths is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
-        return distance_bound * float_unit * (o.length + skin_) + placed_.double_error + skin_;
+        return distance_bound<Volume> * float_unit * (o.length + skin_) + placed_.double_error +
+               skin_;
     }
 
     HWY_INLINE bool is_kept(PackedRef i, PackedRef j) const {
@@ -150,21 +153,12 @@ class PackedTraversal {
         list.grow(static_cast<std::size_t>(std::popcount(bits)));
     }
 
-    static HWY_INLINE PackedScb centered(PackedScb scb) {
-        scb.c[0] = scb.c[1] = scb.c[2] = 0;
-        return scb;
+    static HWY_INLINE Volume centered(Volume volume) {
+        volume.c[0] = volume.c[1] = volume.c[2] = 0;
+        return volume;
     }
     HWY_INLINE Part children_of_b(const Node& b, int first, const Offset& o) const {
         return placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t));
-    }
-
-    /// Which children of A overlap a volume that all lanes have, in A's frame.
-    HWY_INLINE std::uint32_t overlapping_a(const Node& a, const Part& b, Lanes<n> wide) {
-        found_.n_v += a.count;
-        std::uint32_t bits = 0;
-        for (int first = 0; first < W; first += n)
-            bits |= overlap(load_children(a.volumes, first), b, wide).bits() << first;
-        return bits & low_bits(a.count);
     }
 
     HWY_INLINE void inner_inner(PackedRef i, PackedRef j) {
@@ -174,35 +168,43 @@ class PackedTraversal {
         const Part own = Part::all(centered(a.own));
         found_.n_v += b.count;
         std::uint32_t left = 0;
-        float rows[9][W];  // the children of B in A's frame
+        float rows[Part::rows][W];  // the children of B in A's frame
         for (int first = 0; first < W; first += n) {
             const Part of_b = children_of_b(b, first, o);
             left |= overlap(own, of_b, wide).bits() << first;
-            const Lanes<n>* const lanes[] = {&of_b.c.x,      &of_b.c.y,      &of_b.c.z,
-                                             &of_b.normal.x, &of_b.normal.y, &of_b.normal.z,
-                                             &of_b.r,        &of_b.m,        &of_b.h};
-            for (int row = 0; row < 9; ++row) lanes[row]->store(rows[row] + first);
+            of_b.put(rows, first);
         }
-        for (left &= low_bits(b.count); left != 0; left &= left - 1) {
+        left &= low_bits(b.count);
+        if (left == 0) return;
+        Part of_a[W / n];
+        for (int part = 0; part < W / n; ++part) of_a[part] = load_children(a.volumes, part * n);
+        for (; left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
-            const auto row = [&rows, k](int r) HWY_ATTR { return Lanes<n>::all(rows[r][k]); };
-            const Part one = {
-                {row(0), row(1), row(2)}, {row(3), row(4), row(5)}, row(6), row(7), row(8)};
-            put_a(a, overlapping_a(a, one, wide), {b.child[k]});
+            const Part one = Part::column(rows, k);
+            found_.n_v += a.count;
+            std::uint32_t bits = 0;
+            for (int part = 0; part < W / n; ++part)
+                bits |= overlap(of_a[part], one, wide).bits() << part * n;
+            put_a(a, bits & low_bits(a.count), {b.child[k]});
         }
     }
 
     HWY_INLINE void inner_leaf(PackedRef i, PackedRef j) {
         const Node& a = a_.nodes[i.index()];
-        const PackedScb b = b_.leaf(j).own();
+        const Volume b = b_.leaf(j).template own<Volume>();
         const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
+        const Lanes<n> wide = Lanes<n>::all(margin(o));
         const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
-        put_a(a, overlapping_a(a, of_b, Lanes<n>::all(margin(o))), j);
+        found_.n_v += a.count;
+        std::uint32_t bits = 0;
+        for (int first = 0; first < W; first += n)
+            bits |= overlap(load_children(a.volumes, first), of_b, wide).bits() << first;
+        put_a(a, bits & low_bits(a.count), j);
     }
 
     HWY_INLINE void leaf_inner(PackedRef i, PackedRef j) {
         const Node& b = b_.nodes[j.index()];
-        const PackedScb a = a_.leaf(i).own();
+        const Volume a = a_.leaf(i).template own<Volume>();
         const Offset o = offset(placed_, a.c, a.r, b.own.c, b.reach);
         const Lanes<n> wide = Lanes<n>::all(margin(o));
         const Part own = Part::all(centered(a));

@@ -10,6 +10,8 @@ namespace {
 
 template <class Codec>
 class PackedCheck {
+    using Decoded = typename Codec::Decoded;
+
   public:
     PackedCheck(const PackedHierarchy<Codec>& packed, const Mesh& mesh)
         : packed_(packed), mesh_(mesh), met_(mesh.triangles.size(), 0) {}
@@ -45,7 +47,7 @@ class PackedCheck {
             if (is_leaf != (std::uint32_t{node.leaf_bits} >> k & 1))
                 fail(sentence(name, " is wrong on whether child ", k, " is a leaf."));
             const std::vector<std::uint32_t> below = check(child);
-            const PackedScb volume = node.volumes.decode(k);
+            const Decoded volume = node.volumes.decode(k);
             check_inside(volume, center(node.own), below, sentence("child ", k, " of ", name));
             if (std::sqrt(squared_norm(center(volume))) + static_cast<double>(volume.r) >
                 static_cast<double>(node.reach))
@@ -72,12 +74,12 @@ class PackedCheck {
             }
             if (packed_.corners == LeafCorners::stored) check_corners(leaf, k);
         }
-        check_inside(leaf.own(), Vec3::Zero(), all, name);
+        check_inside(leaf.template own<Decoded>(), Vec3::Zero(), all, name);
         return all;
     }
 
     void check_corners(const PackedLeaf& leaf, std::size_t k) {
-        const Vec3 origin = center(leaf.own());
+        const Vec3 origin = center(leaf.template own<Decoded>());
         const std::uint32_t triangle = leaf.triangle(k);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3 p = mesh_.vertices[mesh_.triangles[triangle][corner]] - origin;
@@ -89,7 +91,7 @@ class PackedCheck {
         }
     }
 
-    void check_inside(const PackedScb& volume, const Vec3& origin,
+    void check_inside(const Decoded& volume, const Vec3& origin,
                       const std::vector<std::uint32_t>& triangles, const std::string& name) {
         for (const std::uint32_t t : triangles)
             for (const std::uint32_t v : mesh_.triangles[t])
@@ -111,8 +113,8 @@ std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh) {
     return PackedCheck<Codec>(packed, mesh).run();
 }
 
-#define SCB_VALIDATE(Codec) \
-    template std::string validate(const PackedHierarchy<Codec>&, const Mesh&);
+#define SCB_VALIDATE(...) \
+    template std::string validate(const PackedHierarchy<__VA_ARGS__>&, const Mesh&);
 SCB_FOR_EACH_CODEC(SCB_VALIDATE)
 #undef SCB_VALIDATE
 

@@ -14,31 +14,63 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// n slab cut balls in one frame, see PackedScb.
+/// Three rows of a table, of which a point of each column has one each.
+template <int n, int W>
+HWY_INLINE void put_point(const Lanes3<n>& point, float (*to)[W], int first) {
+    point.x.store(to[0] + first);
+    point.y.store(to[1] + first);
+    point.z.store(to[2] + first);
+}
+
+template <int n, int W>
+HWY_INLINE Lanes3<n> point_of(const float (*from)[W], int k) {
+    return {Lanes<n>::all(from[0][k]), Lanes<n>::all(from[1][k]), Lanes<n>::all(from[2][k])};
+}
+
+/// n volumes in one frame, see PackedScb and PackedScb2. Their numbers can be put into the rows of
+/// a table, and those of one of its columns be taken for all.
+template <class Packed, int n_>
+struct LaneVolumes;
+
 template <int n_>
-struct LaneScbs {
-    static constexpr int n = n_;
+struct LaneVolumes<PackedScb, n_> {
+    static constexpr int n = n_, rows = 9;
     Lanes3<n> c, normal;
     Lanes<n> r, m, h;
 
-    static HWY_INLINE LaneScbs all(const PackedScb& s) {
+    static HWY_INLINE LaneVolumes all(const PackedScb& s) {
         return {Lanes3<n>::all(s.c), Lanes3<n>::all(s.n), Lanes<n>::all(s.r), Lanes<n>::all(s.m),
                 Lanes<n>::all(s.h)};
     }
+    template <int W>
+    HWY_INLINE void put(float (*to)[W], int first) const {
+        put_point(c, to, first);
+        put_point(normal, to + 3, first);
+        r.store(to[6] + first);
+        m.store(to[7] + first);
+        h.store(to[8] + first);
+    }
+    template <int W>
+    static HWY_INLINE LaneVolumes column(const float (*from)[W], int k) {
+        return {point_of<n>(from, k), point_of<n>(from + 3, k), Lanes<n>::all(from[6][k]),
+                Lanes<n>::all(from[7][k]), Lanes<n>::all(from[8][k])};
+    }
 };
+template <int n>
+using LaneScbs = LaneVolumes<PackedScb, n>;
 
 /// Children of a node that are loaded at a time, and for a node of so many children in all: no
 /// fewer than any target loads.
 template <int width>
 inline constexpr int child_lanes = width < 4 ? 4 : width;
-template <int width>
-using ChildLanes = LaneScbs<part_lanes(child_lanes<width>)>;
+template <class Codec>
+using ChildLanes = LaneVolumes<typename Codec::Decoded, part_lanes(child_lanes<Codec::width>)>;
 
 /// Children of a node, from the one of that index on, in its own frame. Lanes behind the last child
 /// are without meaning.
 template <int width>
-HWY_INLINE ChildLanes<width> load_children(const FloatCodec<width>& from, int first) {
-    using L = Lanes<ChildLanes<width>::n>;
+HWY_INLINE ChildLanes<FloatCodec<width>> load_children(const FloatCodec<width>& from, int first) {
+    using L = Lanes<ChildLanes<FloatCodec<width>>::n>;
     return {{L::load(from.c[0] + first), L::load(from.c[1] + first), L::load(from.c[2] + first)},
             {L::load(from.n[0] + first), L::load(from.n[1] + first), L::load(from.n[2] + first)},
             L::load(from.r + first),
@@ -46,11 +78,12 @@ HWY_INLINE ChildLanes<width> load_children(const FloatCodec<width>& from, int fi
             L::load(from.h + first)};
 }
 template <int width>
-HWY_INLINE ChildLanes<width> load_children(const QuantizedCodec<width>& from, int first) {
-    using L = Lanes<ChildLanes<width>::n>;
+HWY_INLINE ChildLanes<QuantizedCodec<width>> load_children(const QuantizedCodec<width>& from,
+                                                           int first) {
+    using L = Lanes<ChildLanes<QuantizedCodec<width>>::n>;
     // All of them powers of two: products are exact.
     const L length = L::all(from.length_unit), slab = L::all(from.slab_unit),
-            unit = L::all(normal_unit);
+            unit = L::all(direction_unit);
     return {{L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
              L::load(from.c[2] + first) * length},
             {L::load(from.n[0] + first) * unit, L::load(from.n[1] + first) * unit,
@@ -70,6 +103,7 @@ HWY_INLINE LaneScbs<n> placed(const LaneScbs<n>& b, const FloatPlacement& placem
 /// What overlap computes of the distances of volumes in one frame may be off by so many units of
 /// the length of an Offset: a center of B by some 18, its normal by 12, distances along both
 /// normals and their cosine by 60 in all, and radii times the sine by 20.
+template <class Packed>
 inline constexpr float distance_bound = 96;
 
 /// Which of n pairs of volumes overlap or are within `margin`: the symmetric form of Figure 8, all

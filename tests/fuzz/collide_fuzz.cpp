@@ -39,7 +39,8 @@ struct Bodies {
     std::vector<IndexPair> pairs;  ///< by brute force
 };
 
-void expect_packed(const Bodies& bodies, const Hierarchy<Scb>& a, const Hierarchy<Scb>& b,
+template <Volume V>
+void expect_packed(const Bodies& bodies, const Hierarchy<V>& a, const Hierarchy<V>& b,
                    const PackedLayout& layout) {
     try {
         check_packable(bodies.a, "a");
@@ -62,7 +63,7 @@ void expect_pairs(const Bodies& bodies, const Way& way) {
                b = build_hierarchy<V>(bodies.b, way.build);
     fuzz::require(validate(a, bodies.a).empty() && validate(b, bodies.b).empty(),
                   "hierarchies are valid");
-    if constexpr (std::is_same_v<V, Scb>) {
+    if constexpr (std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
         if (way.is_packed) return expect_packed(bodies, a, b, way.layout);
     }
     fuzz::require(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scb/any_hierarchy.h"
 #include "scb/packed_layout.h"
 #include "tests/peers/peer.h"
 
@@ -9,8 +10,13 @@ namespace scb {
 // peers.cpp.
 
 PeerKind reference_peer();
-/// `by_cost`: its hierarchies are split by cost.
-PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads);
+/// How a packed hierarchy is made.
+struct PackedPeerOptions {
+    PackedLayout layout;
+    SplitMethod split = SplitMethod::section_3;
+    VolumeKind volume = VolumeKind::scb;  ///< or scb2
+};
+PeerKind packed_peer(const PackedPeerOptions& options, int threads);
 PeerKind fcl_peer();
 PeerKind bullet_peer();
 PeerKind ode_peer();

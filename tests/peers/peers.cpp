@@ -38,23 +38,33 @@ std::vector<Library> libraries() {
     return all;
 }
 
-/// Behind the name of a layout: its hierarchy is split by cost.
-constexpr std::string_view cost_suffix = "-cost";
+/// Behind the name of a layout: its hierarchy is split by cost; its volumes have two slabs.
+constexpr std::string_view cost_suffix = "-cost", two_slabs_suffix = "-scb2";
+
+/// Takes the ending from a name that has it.
+bool take_suffix(std::string& name, std::string_view suffix) {
+    if (!name.ends_with(suffix)) return false;
+    name.resize(name.size() - suffix.size());
+    return true;
+}
 
 std::string known_names() {
     std::string names = reference_name;
     for (const PackedLayout& layout : all_packed_layouts())
-        names += ", " + packed_layout_name(layout) + "[-cost]";
+        names += ", " + packed_layout_name(layout) + "[-cost][-scb2]";
     for (const Library& library : libraries()) names += ", " + library.name;
     return names;
 }
 
 PeerKind peer_of(const std::string& name, int threads) {
     if (name == reference_name) return reference_peer();
-    const bool by_cost = name.ends_with(cost_suffix);
-    if (const auto layout =
-            packed_layout_of(name.substr(0, name.size() - (by_cost ? cost_suffix.size() : 0)))) {
-        PeerKind kind = packed_peer(*layout, by_cost, threads);
+    std::string layout_name = name;
+    PackedPeerOptions options;
+    if (take_suffix(layout_name, two_slabs_suffix)) options.volume = VolumeKind::scb2;
+    if (take_suffix(layout_name, cost_suffix)) options.split = SplitMethod::cost;
+    if (const auto layout = packed_layout_of(layout_name)) {
+        options.layout = *layout;
+        PeerKind kind = packed_peer(options, threads);
         kind.name = name;
         return kind;
     }
@@ -70,7 +80,8 @@ PeerKind peer_of(const std::string& name, int threads) {
 }  // namespace
 
 std::vector<std::string> default_peers() {
-    std::vector<std::string> names = {reference_name, "float8", "quantized8", "quantized8-cost"};
+    std::vector<std::string> names = {reference_name, "float8", "quantized8", "quantized8-cost",
+                                      "quantized8-cost-scb2"};
     for (const Library& library : libraries())
         if (library.adapter) names.push_back(library.name);
     return names;

@@ -41,9 +41,15 @@ class ReferencePeer : public Peer {
 
 /// A mesh, and its packed hierarchy; the reference hierarchy that it is made of is dropped.
 struct PackedBody {
-    PackedBody(const PeerMesh& from, const PackedLayout& layout, SplitMethod split)
-        : mesh(core_mesh(from)),
-          hierarchy(pack_any(layout, build_hierarchy<Scb>(mesh, {.split = split}), mesh)) {}
+    PackedBody(const PeerMesh& from, const PackedPeerOptions& options)
+        : mesh(core_mesh(from)), hierarchy(packed(mesh, options)) {}
+
+    static AnyPacked packed(const Mesh& mesh, const PackedPeerOptions& options) {
+        const BuildOptions build{.split = options.split};
+        if (options.volume == VolumeKind::scb2)
+            return pack_any(options.layout, build_hierarchy<Scb2>(mesh, build), mesh);
+        return pack_any(options.layout, build_hierarchy<Scb>(mesh, build), mesh);
+    }
 
     Mesh mesh;
     AnyPacked hierarchy;
@@ -51,9 +57,8 @@ struct PackedBody {
 
 class PackedPeer : public Peer {
   public:
-    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedLayout& layout, SplitMethod split,
-               int threads)
-        : a_(a, layout, split), b_(b, layout, split) {
+    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedPeerOptions& options, int threads)
+        : a_(a, options), b_(b, options) {
         options_.threads = threads;
     }
 
@@ -89,20 +94,20 @@ PeerKind reference_peer() {
     return kind;
 }
 
-PeerKind packed_peer(const PackedLayout& layout, bool by_cost, int threads) {
-    const SplitMethod split = by_cost ? SplitMethod::cost : SplitMethod::section_3;
+PeerKind packed_peer(const PackedPeerOptions& options, int threads) {
     PeerKind kind;
-    kind.name = packed_layout_name(layout);
-    kind.title = "SCB, " + kind.name + (split == SplitMethod::cost ? ", split by cost" : "");
+    kind.name = packed_layout_name(options.layout);
+    kind.title = (options.volume == VolumeKind::scb2 ? "SCB2, " : "SCB, ") + kind.name +
+                 (options.split == SplitMethod::cost ? ", split by cost" : "");
     kind.method =
         "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
         "the time" +
-        std::string(layout.corners == LeafCorners::stored
+        std::string(options.layout.corners == LeafCorners::stored
                         ? ", and its memory has the triangles' corners."
                         : ".");
     kind.own = true;
-    kind.prepare = [layout, split, threads](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<PackedPeer>(a, b, layout, split, threads);
+    kind.prepare = [options, threads](const PeerMesh& a, const PeerMesh& b) {
+        return std::make_unique<PackedPeer>(a, b, options, threads);
     };
     return kind;
 }

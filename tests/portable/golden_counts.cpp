@@ -170,15 +170,22 @@ std::string query_lines(const std::string& start, VolumeKind kind, const BuiltMe
 std::string packed_lines(const std::string& start, const BuiltMesh& a, const BuiltMesh& b,
                          const Pose& b_to_a) {
     std::string lines;
-    for (const PackedLayout& layout : all_packed_layouts()) {
-        const auto packed = [&](const BuiltMesh& built) {
-            return pack_any(layout, std::get<Hierarchy<Scb>>(built.hierarchies[0]), built.mesh);
-        };
-        const PackedCollision found = collide_packed(packed(a), a.mesh, packed(b), b.mesh, b_to_a);
-        lines += start + " " + packed_layout_name(layout) + ":" + count("v", found.n_v) +
-                 count("p", found.n_p) + count("exact", found.n_exact) +
-                 count("pairs", found.pairs.size()) + " " + hash_of(found.pairs) + "\n";
-    }
+    const std::span<const VolumeKind> kinds = all_volume_kinds();
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+        for (const PackedLayout& layout : all_packed_layouts()) {
+            if (!can_pack(kinds[kind])) continue;
+            const auto packed = [&](const BuiltMesh& built) {
+                return pack_any(layout, built.hierarchies[kind], built.mesh);
+            };
+            const PackedCollision found =
+                collide_packed(packed(a), a.mesh, packed(b), b.mesh, b_to_a);
+            const std::string volume = kinds[kind] == VolumeKind::scb
+                                           ? ""
+                                           : std::string(volume_kind_name(kinds[kind])) + " ";
+            lines += start + " " + volume + packed_layout_name(layout) + ":" +
+                     count("v", found.n_v) + count("p", found.n_p) + count("exact", found.n_exact) +
+                     count("pairs", found.pairs.size()) + " " + hash_of(found.pairs) + "\n";
+        }
     return lines;
 }
 

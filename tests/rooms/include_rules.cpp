@@ -38,8 +38,8 @@ const std::map<std::string, std::vector<std::string>> public_headers = {
     {"hierarchy", {"topology", "hierarchy", "any_hierarchy", "level_cover"}},
     {"collide", {"descent_rule", "observer", "event_recorder", "collide", "any_collide"}},
     {"packed",
-     {"packed_scb", "node_codec", "packed_layout", "packed_hierarchy", "packed_front",
-      "packed_collide", "any_packed"}},
+     {"packed_scb", "packed_scb2", "node_codec", "packed_layout", "packed_hierarchy",
+      "packed_front", "packed_collide", "any_packed"}},
 };
 
 std::optional<std::size_t> floor_of(const Floors& floors, const std::string& room) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scb/any_hierarchy.h"
 #include "scb/packed_collide.h"
 #include "scb/packed_layout.h"
 
@@ -8,9 +9,15 @@ namespace scb {
 /// A packed hierarchy whose layout is chosen at run time, as AnyHierarchy's volumes are.
 using AnyPacked = AnyCodec<PackedHierarchy>;
 
-/// `pack` to a layout. Throws InputError as that does, and where the layout has another width than
-/// 2, 4 or 8.
-AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+/// Whether packed layouts have such volumes: slab cut balls, with one slab or two.
+bool can_pack(VolumeKind kind);
+
+/// `pack` to a layout; V is Scb or Scb2. Throws InputError as that does, where the layout has
+/// another width than 2, 4 or 8, and where the hierarchy is of volumes that no layout has.
+template <class V>
+AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, const Mesh& mesh,
+                   std::string_view name = "mesh", int threads = 1);
+AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
 /// `collide_packed` for hierarchies of one layout. Throws InputError where A and B have different

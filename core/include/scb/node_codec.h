@@ -6,16 +6,30 @@
 #include <variant>
 
 #include "scb/packed_scb.h"
+#include "scb/packed_scb2.h"
 
 namespace scb {
 
 /// How the volumes of a wide node's children are stored: a structure of arrays of `width` volumes,
-/// whose centers are relative to the node's own. A codec has `encode`, `decode` and the arrays that
-/// kernels read; see load_children. What it decodes to is exactly what kernels compute with.
+/// whose centers are relative to the node's own. A codec is for one type of volume, and has
+/// `encode`, `decode` and the arrays that kernels read; see load_children. What it decodes to is
+/// exactly what kernels compute with.
+
+/// As floats.
+template <int width, class V = Scb>
+struct FloatCodec;
+
+/// As 16-bit numbers, times one power of two for centers and radii and others for slabs (Section
+/// 1.1 has 26 bytes for an SCB: floats but for the slab). Components of normals and quaternions are
+/// in units of 2^-15.
+template <int width, class V = Scb>
+struct QuantizedCodec;
 
 /// 36 bytes for each: 9 floats.
 template <int width_>
-struct FloatCodec {
+struct FloatCodec<width_, Scb> {
+    using Volume = Scb;         ///< what is encoded
+    using Decoded = PackedScb;  ///< what it is decoded to
     static constexpr int width = width_;
     float c[3][width], r[width], n[3][width], m[width], h[width];
 
@@ -25,27 +39,55 @@ struct FloatCodec {
     PackedScb decode(std::size_t i) const;
 };
 
-/// 18 bytes for each: 16 bits for each component, times one power of two for centers and radii and
-/// another for slabs (Section 1.1 has 26 bytes: floats but for the slab). Normals are in units of
-/// 2^-15.
+/// 44 bytes for each: 11 floats.
 template <int width_>
-struct QuantizedCodec {
+struct FloatCodec<width_, Scb2> {
+    using Volume = Scb2;
+    using Decoded = PackedScb2;
+    static constexpr int width = width_;
+    float c[3][width], r[width], q[3][width], m[2][width], h[2][width];
+
+    void encode(std::span<const Scb2> volumes, const Vec3& origin);
+    PackedScb2 decode(std::size_t i) const;
+};
+
+/// 18 bytes for each.
+template <int width_>
+struct QuantizedCodec<width_, Scb> {
+    using Volume = Scb;
+    using Decoded = PackedScb;
     static constexpr int width = width_;
     std::int16_t c[3][width], n[3][width], m[width];
     std::uint16_t r[width], h[width];
     float length_unit, slab_unit;
 
-    /// See FloatCodec.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
     PackedScb decode(std::size_t i) const;
 };
 
-/// What a component of a quantized normal counts in.
-inline constexpr float normal_unit = 0x1p-15f;
+/// 22 bytes for each: a quaternion has three numbers, as a normal has.
+template <int width_>
+struct QuantizedCodec<width_, Scb2> {
+    using Volume = Scb2;
+    using Decoded = PackedScb2;
+    static constexpr int width = width_;
+    std::int16_t c[3][width], q[3][width], m[2][width];
+    std::uint16_t r[width], h[2][width];
+    float length_unit, slab_unit[2];
+
+    void encode(std::span<const Scb2> volumes, const Vec3& origin);
+    PackedScb2 decode(std::size_t i) const;
+};
+
+/// What a component of a quantized normal or quaternion counts in.
+inline constexpr float direction_unit = 0x1p-15f;
 
 /// One of T<Codec>, for every codec there is.
 template <template <class> class T>
-using AnyCodec = std::variant<T<FloatCodec<2>>, T<FloatCodec<4>>, T<FloatCodec<8>>,
-                              T<QuantizedCodec<2>>, T<QuantizedCodec<4>>, T<QuantizedCodec<8>>>;
+using AnyCodec =
+    std::variant<T<FloatCodec<2>>, T<FloatCodec<4>>, T<FloatCodec<8>>, T<QuantizedCodec<2>>,
+                 T<QuantizedCodec<4>>, T<QuantizedCodec<8>>, T<FloatCodec<2, Scb2>>,
+                 T<FloatCodec<4, Scb2>>, T<FloatCodec<8, Scb2>>, T<QuantizedCodec<2, Scb2>>,
+                 T<QuantizedCodec<4, Scb2>>, T<QuantizedCodec<8, Scb2>>>;
 
 }  // namespace scb

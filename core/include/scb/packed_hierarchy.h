@@ -20,7 +20,7 @@ struct PackedRef {
     std::uint32_t bits = 0;
 
     bool is_leaf() const { return (bits & leaf_bit) != 0; }
-    /// Of a node: its index; of a leaf: where its words begin.
+    /// Of a node: its index; of a leaf: which word is its first, see PackedLeaf.
     std::uint32_t index() const { return bits & ~leaf_bit; }
 };
 
@@ -34,28 +34,33 @@ struct PackedNode {
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
     Codec volumes;
     float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
-    PackedScb own;
+    typename Codec::Decoded own;
 };
 
-/// A leaf, as words of 4 bytes: its volume, how many triangles it has, their indices, and, where
-/// they are stored, the coordinates of their corners relative to the volume's center: x of all
-/// first corners, y, z, then those of the second and third corners. Words are floats, of which
-/// counts and indices have the bits: these are moved and compared, not computed with.
+/// A leaf, as words of 4 bytes: the center and radius of its volume, how many triangles it has,
+/// their indices, and, where they are stored, the coordinates of their corners relative to the
+/// center: x of all first corners, y, z, then those of the second and third corners. The slabs of
+/// its volume are before all this: triangles need the ball alone. Words are floats, of which counts
+/// and indices have the bits: these are moved and compared, not computed with.
 struct PackedLeaf {
     /// What queries fetch ahead, three lines of a cache, nearly all of the largest leaf. Shorter
     /// leaves have fewer, so that as many are allocated behind the last one.
     static constexpr std::size_t fetched_words = 48;
-    static constexpr std::size_t header = sizeof(PackedScb) / 4 + 1;
+    static constexpr std::size_t ball = 4, header = ball + 1;
     const float* words = nullptr;
 
-    PackedScb own() const {
-        PackedScb scb;
-        std::memcpy(static_cast<void*>(&scb), words, sizeof scb);
-        return scb;
+    /// The volume: a PackedScb or a PackedScb2, whichever the layout has.
+    template <class Volume>
+    Volume own() const {
+        Volume volume;
+        std::memcpy(static_cast<void*>(&volume), words, sizeof(float) * ball);
+        std::memcpy(reinterpret_cast<float*>(&volume) + ball, words - words_before<Volume>,
+                    sizeof(float) * words_before<Volume>);
+        return volume;
     }
     const float* center() const { return words; }
     float radius() const { return words[3]; }
-    std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[header - 1]); }
+    std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[ball]); }
     /// The index of triangle k of `count()`.
     std::uint32_t triangle(std::size_t k) const {
         return std::bit_cast<std::uint32_t>(triangle_bits()[k]);
@@ -63,17 +68,26 @@ struct PackedLeaf {
     /// The bits of all indices.
     const float* triangle_bits() const { return words + header; }
     const float* corners() const { return words + header + count(); }
-    /// Words of a leaf of so many triangles.
+    /// The words of a leaf of so many triangles from its center on, and those of its slabs.
     static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
         return header + (corners == LeafCorners::stored ? 10 : 1) * count;
+    }
+    template <class Volume>
+    static constexpr std::size_t words_before = sizeof(Volume) / sizeof(float) - ball;
+    /// Writes the volume, all but the corners.
+    template <class Volume>
+    static void write_volume(float* words, const Volume& volume) {
+        std::memcpy(words, &volume, sizeof(float) * ball);
+        std::memcpy(words - words_before<Volume>, reinterpret_cast<const float*>(&volume) + ball,
+                    sizeof(float) * words_before<Volume>);
     }
     /// Writes the corners behind the indices, rounded to the nearest floats.
     static void write_corners(float* words, const Mesh& mesh);
 };
 
-/// A hierarchy of slab cut balls made for queries: wide nodes whose volumes and triangles are
-/// rounded to less memory, outward, so that a query finds the same pairs as with the hierarchy that
-/// it was made of, see collide_packed. Immutable once built.
+/// A hierarchy of slab cut balls, with one slab or two, made for queries: wide nodes whose volumes
+/// and triangles are rounded to less memory, outward, so that a query finds the same pairs as with
+/// the hierarchy that it was made of, see collide_packed. Immutable once built.
 template <class Codec>
 struct PackedHierarchy {
     std::vector<PackedNode<Codec>> nodes;  ///< parents first
@@ -98,7 +112,7 @@ void check_packable(const Mesh& mesh, std::string_view name);
 /// where its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners.
 /// O(n).
 template <class Codec>
-PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, const Mesh& mesh,
                             int leaf_triangles = most_leaf_triangles,
                             LeafCorners corners = LeafCorners::stored,
                             std::string_view name = "mesh", int threads = 1);

@@ -34,8 +34,10 @@ Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
         for (const auto& [leaf, corners] : {std::pair(1, LeafCorners::stored),
                                             std::pair(most_leaf_triangles, LeafCorners::stored),
                                             std::pair(most_leaf_triangles, LeafCorners::in_mesh)}) {
-            const auto packed_a = pack<Codec>(scb_of(a), a.mesh, leaf, corners),
-                       packed_b = pack<Codec>(scb_of(b), b.mesh, leaf, corners);
+            const auto packed_a =
+                           pack<Codec>(scb_of<typename Codec::Volume>(a), a.mesh, leaf, corners),
+                       packed_b =
+                           pack<Codec>(scb_of<typename Codec::Volume>(b), b.mesh, leaf, corners);
             PackedWorkspace workspace;  // of the query before, which must not matter
             const auto found = [&](SimdLevel level) {
                 return collide_packed<Codec>({packed_a, a.mesh}, {packed_b, b.mesh}, pose, {level},
@@ -152,13 +154,15 @@ TEST(CollidePacked, OfALayoutChosenAtRunTime) {
     for (const PackedLayout& layout : all_packed_layouts()) {
         EXPECT_EQ(packed_layout_name(*packed_layout_of(packed_layout_name(layout))),
                   packed_layout_name(layout));
-        const AnyPacked packed = pack_any(layout, scb_of(a), a.mesh);
-        EXPECT_EQ(validate(packed, a.mesh), "");
-        EXPECT_EQ(collide_packed(packed, a.mesh, packed, a.mesh, pose).pairs,
-                  brute_force(a.mesh, a.mesh, pose));
-        sizes.insert(bytes_of(packed));
+        for (const AnyHierarchy& hierarchy : packable(a)) {
+            const AnyPacked packed = pack_any(layout, hierarchy, a.mesh);
+            EXPECT_EQ(validate(packed, a.mesh), "");
+            EXPECT_EQ(collide_packed(packed, a.mesh, packed, a.mesh, pose).pairs,
+                      brute_force(a.mesh, a.mesh, pose));
+            sizes.insert(bytes_of(packed));
+        }
     }
-    EXPECT_EQ(sizes.size(), all_packed_layouts().size());
+    EXPECT_EQ(sizes.size(), 2 * all_packed_layouts().size());
     EXPECT_FALSE(packed_layout_of("float3"));
 }
 

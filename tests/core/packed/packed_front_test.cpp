@@ -31,8 +31,10 @@ struct FrontUse {
 template <class Codec>
 FrontUse expect_same_of(const BuiltMesh& a, const BuiltMesh& b, const std::vector<Pose>& motion,
                         LeafCorners corners = LeafCorners::stored) {
-    const auto packed_a = pack<Codec>(scb_of(a), a.mesh, most_leaf_triangles, corners),
-               packed_b = pack<Codec>(scb_of(b), b.mesh, most_leaf_triangles, corners);
+    const auto packed_a = pack<Codec>(scb_of<typename Codec::Volume>(a), a.mesh,
+                                      most_leaf_triangles, corners),
+               packed_b = pack<Codec>(scb_of<typename Codec::Volume>(b), b.mesh,
+                                      most_leaf_triangles, corners);
     const PackedCollider<Codec> side_a{packed_a, a.mesh}, side_b{packed_b, b.mesh};
     std::vector<PackedOptions> ways = {{}, {SimdLevel::best, 3}};
     for (const SimdLevel level : available_simd_levels()) ways.push_back({level});

@@ -33,11 +33,14 @@ std::vector<Mesh> all_kinds() {
 
 TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
     for (const Mesh& mesh : all_kinds()) {
-        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        const BuiltMesh built(mesh);
         for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
             for (int leaf = 1; leaf <= most_leaf_triangles; ++leaf)
                 for (const LeafCorners corners : {LeafCorners::stored, LeafCorners::in_mesh})
-                    EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf, corners), mesh), "")
+                    EXPECT_EQ(validate(pack<Codec>(scb_of<typename Codec::Volume>(built), mesh,
+                                                   leaf, corners),
+                                       mesh),
+                              "")
                         << name << ", " << mesh.triangles.size() << " triangles, " << leaf;
         });
     }
@@ -46,10 +49,12 @@ TEST(PackedHierarchy, EveryKindOfMeshIsValidInEveryLayout) {
 // Volumes without a radius, which roundings of their coordinates may not leave.
 TEST(PackedHierarchy, HoldsTrianglesThatArePoints) {
     const auto expect_valid = [](const Mesh& mesh) {
-        const auto hierarchy = build_hierarchy<Scb>(mesh);
+        const BuiltMesh built(mesh);
         for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
             for (const int leaf : {1, 4})
-                EXPECT_EQ(validate(pack<Codec>(hierarchy, mesh, leaf), mesh), "")
+                EXPECT_EQ(
+                    validate(pack<Codec>(scb_of<typename Codec::Volume>(built), mesh, leaf), mesh),
+                    "")
                     << name << ", " << leaf;
         });
     };
@@ -103,18 +108,20 @@ TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
     EXPECT_NE(
         said([](Packed& p) { p.nodes[0].child[1] = p.nodes[0].child[0]; }).find("exactly one"),
         std::string::npos);
-    EXPECT_NE(
-        said([](Packed& p) { p.leaves[PackedLeaf::header + 5] *= 1.1f; }).find("nearest float"),
-        std::string::npos);
+    EXPECT_NE(said([](Packed& p) {
+                  p.leaves[PackedLeaf::words_before<PackedScb> + PackedLeaf::header + 5] *= 1.1f;
+              }).find("nearest float"),
+              std::string::npos);
 }
 
 TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = height_field(100);  // more nodes than a thread takes at a time
-    const auto hierarchy = build_hierarchy<Scb>(mesh);
+    const BuiltMesh built(mesh);
     for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
         SCOPED_TRACE(name);
-        const auto one = pack<Codec>(hierarchy, mesh, 1);
-        const auto three = pack<Codec>(hierarchy, mesh, 1, LeafCorners::stored, "mesh", 3);
+        const auto one = pack<Codec>(scb_of<typename Codec::Volume>(built), mesh, 1);
+        const auto three = pack<Codec>(scb_of<typename Codec::Volume>(built), mesh, 1,
+                                       LeafCorners::stored, "mesh", 3);
         EXPECT_EQ(one.leaves, three.leaves);
         ASSERT_EQ(one.nodes.size(), three.nodes.size());
         for (std::size_t i = 0; i < one.nodes.size(); ++i)
@@ -138,6 +145,9 @@ TEST(PackedHierarchy, QuantizedTakesLessMemory) {
     const auto hierarchy = build_hierarchy<Scb>(mesh);
     EXPECT_LT(pack<QuantizedCodec<8>>(hierarchy, mesh).bytes(),
               pack<FloatCodec<8>>(hierarchy, mesh).bytes());
+    const auto two_slabs = build_hierarchy<Scb2>(mesh);
+    EXPECT_LT((pack<QuantizedCodec<8, Scb2>>(two_slabs, mesh).bytes()),
+              (pack<FloatCodec<8, Scb2>>(two_slabs, mesh).bytes()));
     EXPECT_LT(pack<FloatCodec<8>>(hierarchy, mesh, 4).bytes(),
               pack<FloatCodec<8>>(hierarchy, mesh, 1).bytes());
 }

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/packed/grown_scb.h"
+#include "core/packed/grown_slab.h"
 #include "scb/node_codec.h"
 #include "tests/core/overlap/volume_pairs.h"
 
@@ -31,46 +31,109 @@ Scb some_scb(Random& random, double size) {
     return scb;
 }
 
+Scb2 some_scb2(Random& random, double size) {
+    const Scb one = some_scb(random, size);
+    Vec3 second = cross(one.n, random_unit_vector(random));
+    second /= std::sqrt(squared_norm(second));
+    const double thin = random.below(3) == 0 ? 1e-5 : 1;
+    Scb2 scb{one.c,
+             one.r,
+             {Slab{one.n, one.e, one.f},
+              Slab{second, thin * one.r * random.uniform(), -thin * one.r * random.uniform()}}};
+    if (random.below(2) == 0) std::swap(scb.slabs[0], scb.slabs[1]);
+    return scb;
+}
+template <class V>
+V some_volume(Random& random, double size) {
+    if constexpr (std::is_same_v<V, Scb>)
+        return some_scb(random, size);
+    else
+        return some_scb2(random, size);
+}
+
+double height_in(const Slab& slab, Random& random) {
+    return random.below(3) == 0   ? slab.e
+           : random.below(2) == 0 ? slab.f
+                                  : slab.f + (slab.e - slab.f) * random.uniform();
+}
+
 /// A point in the volume, most often on its surface.
 Vec3 point_of(const Scb& scb, Random& random) {
-    const double along = random.below(3) == 0   ? scb.e
-                         : random.below(2) == 0 ? scb.f
-                                                : scb.f + (scb.e - scb.f) * random.uniform();
+    const double along = height_in({scb.n, scb.e, scb.f}, random);
     Vec3 side = cross(scb.n, random_unit_vector(random));
     side /= std::sqrt(squared_norm(side));
     const double far = std::sqrt(std::max(0.0, scb.r * scb.r - along * along));
     return scb.c + along * scb.n + (1 - 1e-15) * far * side;
 }
+Vec3 point_of(const Scb2& scb, Random& random) {
+    const auto& [first, second] = scb.slabs;
+    double along = height_in(first, random), across = height_in(second, random);
+    const double most = std::sqrt(along * along + across * across);
+    if (most > scb.r) {
+        along *= scb.r / most;
+        across *= scb.r / most;
+    }
+    const double far = std::sqrt(std::max(0.0, scb.r * scb.r - along * along - across * across));
+    return scb.c + along * first.n + across * second.n +
+           (1 - 1e-15) * (random.below(2) == 0 ? far : -far) * long_axis(scb);
+}
 
-TEST(PackedScb, HoldsTheWholeVolume) {
+double narrowest(const Scb& scb) { return scb.e - scb.f; }
+double narrowest(const Scb2& scb) { return thickness(scb); }
+double half_of(const PackedScb& scb) { return static_cast<double>(scb.h); }
+double half_of(const PackedScb2& scb) { return static_cast<double>(scb.h[0]); }
+
+template <class V>
+void expect_that_floats_hold() {
     Random random(81);
     for (int i = 0; i < 20'000; ++i) {
-        const Scb scb = some_scb(random, std::ldexp(1.0, static_cast<int>(random.below(40)) - 20));
+        const V scb =
+            some_volume<V>(random, std::ldexp(1.0, static_cast<int>(random.below(40)) - 20));
         const Vec3 origin = scb.c + scb.r * random_point(random);
-        const PackedScb small = packed(scb, origin);
+        const auto small = packed(scb, origin);
         for (int k = 0; k < 8; ++k)
             ASSERT_TRUE(contains(small, point_of(scb, random) - origin)) << i;
         ASSERT_LT(static_cast<double>(small.r), scb.r * (1 + 1e-6));
-        ASSERT_LT(2 * static_cast<double>(small.h), scb.e - scb.f + 1e-6 * scb.r);
+        ASSERT_LT(2 * half_of(small), narrowest(scb) + 4e-6 * scb.r);
+    }
+}
+TEST(PackedScb, HoldsTheWholeVolume) { expect_that_floats_hold<Scb>(); }
+TEST(PackedScb2, HoldsTheWholeVolume) { expect_that_floats_hold<Scb2>(); }
+
+TEST(PackedScb2, HasTheAxesOfTheVolume) {
+    Random random(83);
+    for (int i = 0; i < 10'000; ++i) {
+        const Scb2 scb = some_scb2(random, 1);
+        const PackedScb2 small = packed(scb, scb.c);
+        const std::array<Vec3, 2> n = normals(small);
+        const bool swapped = scb.slabs[1].e - scb.slabs[1].f < scb.slabs[0].e - scb.slabs[0].f;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Vec3& own = scb.slabs[swapped ? 1 - k : k].n;
+            EXPECT_NEAR(std::abs(dot(n[k], own)), 1, 1e-6) << i;
+            EXPECT_NEAR(squared_norm(n[k]), 1, 2e-6) << i;
+        }
+        EXPECT_NEAR(dot(n[0], n[1]), 0, 2e-6) << i;
+        for (const float q : small.q) EXPECT_LE(std::abs(q), 0.7072f) << i;
     }
 }
 
 template <class Codec>
 void expect_that_children_hold(double growth) {
+    using V = typename Codec::Volume;
     Random random(82);
     for (int i = 0; i < 3'000; ++i) {
         const double size = std::ldexp(1.0, static_cast<int>(random.below(40)) - 20);
-        std::vector<Scb> children(1 + random.below(Codec::width));
+        std::vector<V> children(1 + random.below(Codec::width));
         double reach = 0;
         const Vec3 origin = size * random_point(random);
-        for (Scb& scb : children) {
-            scb = some_scb(random, size);
+        for (V& scb : children) {
+            scb = some_volume<V>(random, size);
             reach = std::max(reach, scb.r + (scb.c - origin).cwiseAbs().maxCoeff());
         }
         Codec codec;
         codec.encode(children, origin);
         for (std::size_t k = 0; k < children.size(); ++k) {
-            const PackedScb decoded = codec.decode(k);
+            const auto decoded = codec.decode(k);
             for (int sample = 0; sample < 8; ++sample)
                 ASSERT_TRUE(contains(decoded, point_of(children[k], random) - origin)) << i;
             ASSERT_LT(static_cast<double>(decoded.r), children[k].r + growth * reach);
@@ -78,8 +141,14 @@ void expect_that_children_hold(double growth) {
     }
 }
 
-TEST(NodeCodec, FloatsHoldTheVolumes) { expect_that_children_hold<FloatCodec<8>>(1e-6); }
-TEST(NodeCodec, QuantizedOnesHoldTheVolumes) { expect_that_children_hold<QuantizedCodec<4>>(2e-4); }
+TEST(NodeCodec, FloatsHoldTheVolumes) {
+    expect_that_children_hold<FloatCodec<8>>(1e-6);
+    expect_that_children_hold<FloatCodec<8, Scb2>>(1e-6);
+}
+TEST(NodeCodec, QuantizedOnesHoldTheVolumes) {
+    expect_that_children_hold<QuantizedCodec<4>>(2e-4);
+    expect_that_children_hold<QuantizedCodec<4, Scb2>>(2e-4);
+}
 
 TEST(NodeCodec, ThinSlabsStayThin) {
     const Scb scb{{0.3, 0.1, 0.2}, 0.5, {0, 0.6, 0.8}, 1e-7, -1e-7};
@@ -89,11 +158,21 @@ TEST(NodeCodec, ThinSlabsStayThin) {
     QuantizedCodec<2> quantized;
     quantized.encode(std::span(&scb, 1), Vec3::Zero());
     EXPECT_LT(quantized.decode(0).h, 4e-5f) << "a normal is off by some 2^-16";
+    const Scb2 needle{
+        {0.3, 0.1, 0.2}, 0.5, {Slab{{0, 0.6, 0.8}, 1e-7, -1e-7}, Slab{{1, 0, 0}, 1e-6, -1e-6}}};
+    FloatCodec<2, Scb2> two_floats;
+    two_floats.encode(std::span(&needle, 1), Vec3::Zero());
+    EXPECT_LT(two_floats.decode(0).h[0], 4e-7f);
+    QuantizedCodec<2, Scb2> two_quantized;
+    two_quantized.encode(std::span(&needle, 1), Vec3::Zero());
+    EXPECT_LT(two_quantized.decode(0).h[1], 8e-5f) << "twice that of a quaternion";
 }
 
 TEST(NodeCodec, BytesForEachVolume) {
     EXPECT_EQ(sizeof(FloatCodec<8>), 8 * 36u);
     EXPECT_EQ(sizeof(QuantizedCodec<8>), 8 * 18u + 8);
+    EXPECT_EQ(sizeof(FloatCodec<8, Scb2>), 8 * 44u);
+    EXPECT_EQ(sizeof(QuantizedCodec<8, Scb2>), 8 * 22u + 12);
 }
 
 }  // namespace

@@ -80,13 +80,22 @@ struct AnsweredScene {
     std::vector<IndexPair> pairs;
 };
 
+/// Every layout, with one slab and with two.
+std::vector<std::pair<PackedLayout, bool>> packed_variants() {
+    std::vector<std::pair<PackedLayout, bool>> all;
+    for (const PackedLayout& layout : all_packed_layouts())
+        for (const bool two_slabs : {false, true}) all.push_back({layout, two_slabs});
+    return all;
+}
+
 /// Every layout, the widest at every SIMD level, finds these pairs.
 void expect_packed(const std::map<std::string, BuiltMesh>& meshes,
                    const std::vector<AnsweredScene>& answered) {
-    for (const PackedLayout& layout : all_packed_layouts()) {
+    for (const auto& [layout, two_slabs] : packed_variants()) {
         std::map<std::string, AnyPacked> packed;
         for (const auto& [name, built] : meshes)
-            packed.emplace(name, pack_any(layout, scb_of(built), built.mesh));
+            packed.emplace(name, two_slabs ? pack_any(layout, scb_of<Scb2>(built), built.mesh)
+                                           : pack_any(layout, scb_of<Scb>(built), built.mesh));
         for (const auto& [scene, pairs] : answered)
             for (const SimdLevel level : available_simd_levels()) {
                 if (layout.width != 8 && level != SimdLevel::best) continue;
@@ -96,7 +105,7 @@ void expect_packed(const std::map<std::string, BuiltMesh>& meshes,
                               .pairs,
                           pairs)
                     << "scene " << scene.id << ", " << packed_layout_name(layout) << ", "
-                    << simd_level_name(level);
+                    << (two_slabs ? "two slabs, " : "") << simd_level_name(level);
             }
     }
 }
