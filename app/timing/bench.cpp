@@ -371,7 +371,8 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         "and its data is in the\n"
         "caches.\n"
         "Ctrl-C keeps what was finished and exits with 130.\n\n"
-        "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
+        "Examples:\n  scb bench spheres-l1 knots-l1 -o out/\n"
+        "  scb bench cad --volume scb,scb2,obb --frames 0:499:10");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
