@@ -13,7 +13,6 @@
 #include "app/pictures/picture_options.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_report.h"
-#include "app/timing/table_3.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/draw/renderer.h"
@@ -21,6 +20,7 @@
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
+#include "scenes/scene/scene_group.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
@@ -57,29 +57,23 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
 }
 
 bool is_mesh_file(const std::string& name) {
-    return scenes::find_builtin(name) == nullptr && !name.ends_with(".json");
+    return scenes::find_builtin(name) == nullptr && scenes::find_scene_group(name) == nullptr &&
+           !name.ends_with(".json");
 }
 
-// Those named, two meshes as one; or all of Table 3 whose meshes are there.
+// Those named, two meshes as one; or Table 3's.
 std::vector<Entry> entries(const BenchCommandOptions& options, const Console& console) {
     SceneOptions one = options.scene;
     if (one.names.size() == 2 && is_mesh_file(one.names[0]) && is_mesh_file(one.names[1]))
         return {entry_of(one, options.query)};
-    std::vector<std::string> names = one.names;
-    if (names.empty()) names.assign(std::begin(table_3_scenes), std::end(table_3_scenes));
+    const scenes::MeasuredScenes measured =
+        scenes::measured_scenes(one.names, {"table-3"}, one.models_dir);
+    for (const std::string& sentence : measured.left_out) console.note("scb: " + sentence);
     std::vector<Entry> result;
-    for (const std::string& name : names) {
-        const scenes::BuiltinScene* builtin = scenes::find_builtin(name);
-        if (options.scene.names.empty())
-            if (const std::string file = scenes::missing_mesh_file(*builtin, one.models_dir);
-                !file.empty()) {
-                console.note("scb: " + name + " is left out: it needs " + file +
-                             "; name the folder that holds it with --models DIR or SCB_MODELS.");
-                continue;
-            }
+    for (const std::string& name : measured.names) {
         one.names = {name};
         Entry entry = entry_of(one, options.query);
-        entry.builtin = builtin != nullptr;
+        entry.builtin = scenes::find_builtin(name) != nullptr;
         for (const Entry& other : result)
             if (other.scene.name == entry.scene.name)
                 throw InputError("two scenes have the name '" + entry.scene.name +
@@ -336,8 +330,8 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         .expected(0, 1000)
         .type_name("[SCENE...]")
         .description(
-            "Built-in scenes or scene files, or two mesh files; else the seven scenes of "
-            "Table 3");
+            "Built-in scenes or scene files, or two mesh files; `cad`: the eight scenes of CAD "
+            "models; `table-3`, and by default: the seven scenes of Table 3");
     add_hierarchy_options(command, options->hierarchy);
     add_query_options(command, options->query, true);
     command
@@ -380,7 +374,8 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         "and its data is in the\n"
         "caches.\n"
         "Ctrl-C keeps what was finished and exits with 130.\n\n"
-        "Example:\n  scb bench spheres-l1 knots-l1 -o out/");
+        "Examples:\n  scb bench spheres-l1 knots-l1 -o out/\n"
+        "  scb bench cad --volume scb,scb2,obb --frames 0:499:10");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });

@@ -43,7 +43,7 @@ struct SceneBench {
     std::vector<std::size_t> triangles;  ///< of A and B
     std::vector<int> frames;
     bool all_frames = false;  ///< whether these are all of the scene
-    bool builtin = false;     ///< whether the name is that of a built-in scene, and so Table 3's
+    bool builtin = false;     ///< whether it is a built-in scene, and so may be one of Table 3's
     std::vector<SubjectBench> subjects;
 };
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <iterator>
 
+#include "scenes/scene/scene_group.h"
+
 namespace scb::app {
 namespace {
 
@@ -10,7 +12,8 @@ struct Row {
     Table3Entry ball, scb, obb;
 };
 
-constexpr std::array<Row, std::size(table_3_scenes)> rows = {{
+/// In the order of table_3_scenes.
+constexpr std::array<Row, std::size(scenes::table_3_scenes)> rows = {{
     {{8.0, 99733, 10585}, {3.3, 21412, 2112}, {4.9, 13350, 1135}},
     {{16.4, 200235, 20776}, {6.5, 42295, 4419}, {9.2, 24835, 2240}},
     {{9.7, 68543, 15503}, {1.8, 13005, 63}, {3.0, 8731, 0}},
@@ -24,7 +27,7 @@ constexpr std::array<Row, std::size(table_3_scenes)> rows = {{
 
 std::optional<Table3Entry> table_3(std::string_view scene, VolumeKind kind) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (table_3_scenes[i] != scene) continue;
+        if (scenes::table_3_scenes[i] != scene) continue;
         if (kind == VolumeKind::ball) return rows[i].ball;
         if (kind == VolumeKind::scb) return rows[i].scb;
         if (kind == VolumeKind::obb) return rows[i].obb;

@@ -16,8 +16,4 @@ struct Table3Entry {
 /// Ritter's balls. Its OBB figures are RAPID's.
 std::optional<Table3Entry> table_3(std::string_view scene, VolumeKind kind);
 
-/// The seven scenes of Table 3, in its order.
-inline constexpr std::string_view table_3_scenes[] = {
-    "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses", "hands"};
-
 }  // namespace scb::app

@@ -15,6 +15,14 @@
     X(horses)                   \
     X(hands)                    \
     X(dragons)                  \
+    X(aatbase)                  \
+    X(tray_bottom)              \
+    X(boeing)                   \
+    X(cheese)                   \
+    X(tr12j)                    \
+    X(anchor)                   \
+    X(cycloidal)                \
+    X(tube)                     \
     X(flat_plate)               \
     X(concentric_spheres)       \
     X(thin_cylinder)            \

@@ -18,8 +18,8 @@ struct BuiltinScene {
     std::vector<std::string> mesh_files;  ///< that its models need, see load_builtin
 };
 
-/// All of them: the benchmark scenes of Section 5 of the paper first, then the ones that show a
-/// strength or a weakness of slab cut balls. The order is fixed.
+/// All of them: the benchmark scenes of Section 5 of the paper first, then those of CAD models,
+/// then the ones that show a strength or a weakness of slab cut balls. The order is fixed.
 const std::vector<BuiltinScene>& builtin_scenes();
 
 /// The built-in scene of this name, or null.

@@ -12,8 +12,8 @@
 #include "render/files/child_process.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
-#include "scenes/scene/builtin.h"
 #include "scenes/scene/load_scene.h"
+#include "scenes/scene/scene_group.h"
 #include "tests/peers/peer_json.h"
 #include "tests/peers/peer_plot.h"
 #include "tests/peers/peer_tables.h"
@@ -29,10 +29,6 @@ struct Options {
     std::size_t compared_frames = 25;
     double budget = 3;
 };
-
-/// The scenes of Section 5, and the large one.
-constexpr const char* all_scenes[] = {"spheres-l1", "spheres-l2", "knots-l1", "knots-l2",
-                                      "knots-l3",   "horses",     "hands",    "dragons"};
 
 void note(const std::string& line) { std::cerr << "scb_peers: " << line << std::endl; }
 
@@ -63,33 +59,17 @@ std::vector<int> frames_of(const std::string& text, const scenes::Scene& scene) 
     return frames;
 }
 
-/// Those named, or all whose meshes are there.
-std::vector<std::string> scene_names(const Options& options) {
-    if (!options.scenes.empty()) return options.scenes;
-    std::vector<std::string> names;
-    for (const char* name : all_scenes) {
-        const std::string file =
-            scenes::missing_mesh_file(*scenes::find_builtin(name), options.models_dir);
-        if (file.empty())
-            names.push_back(name);
-        else
-            note(std::string(name) + " is left out: it needs " + file +
-                 "; name the folder that holds it with --models DIR or SCB_MODELS.");
-    }
-    return names;
-}
-
 void write_files(const Options& options, std::span<const PeerKind> kinds,
-                 std::span<const SceneComparison> scenes, const std::string& tables) {
-    if (!options.json.empty()) render::write_file_whole(options.json, peer_json(kinds, scenes));
+                 std::span<const ComparisonGroup> groups, const std::string& tables) {
+    if (!options.json.empty()) render::write_file_whole(options.json, peer_json(kinds, groups));
     if (options.output.empty()) return;
     const std::filesystem::path folder = options.output;
     render::write_file_whole(folder / "peers.md", tables);
-    render::write_file_whole(folder / "peers.json", peer_json(kinds, scenes));
+    render::write_file_whole(folder / "peers.json", peer_json(kinds, groups));
     if (!find_peer(kinds, baseline_name))
         return note(std::string("there is no plot: it compares with ") + baseline_name +
                     ", which does not take part.");
-    render::write_file_whole(folder / "peers.gnuplot", plot_script(kinds, scenes));
+    render::write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups));
     if (render::is_on_path("gnuplot"))
         run_gnuplot(folder, "peers.gnuplot");
     else
@@ -117,7 +97,10 @@ int compare(const Options& options) {
     // All at once, so that what is wrong with the last is said before the first is measured.
     std::vector<scenes::Scene> loaded;
     std::vector<std::vector<int>> frames;
-    for (const std::string& name : scene_names(options)) {
+    const scenes::MeasuredScenes measured =
+        scenes::measured_scenes(options.scenes, {"table-3", "dragons", "cad"}, options.models_dir);
+    for (const std::string& sentence : measured.left_out) note(sentence);
+    for (const std::string& name : measured.names) {
         loaded.push_back(
             scenes::load_scene({name}, {.models_dir = options.models_dir, .pose = {}}));
         const scenes::Scene& scene = loaded.back();
@@ -127,7 +110,7 @@ int compare(const Options& options) {
         frames.push_back(frames_of(options.frames, scene));
     }
 
-    std::vector<SceneComparison> scenes;
+    std::vector<ComparisonGroup> groups;
     bool same = true;
     for (std::size_t i = 0; i < loaded.size(); ++i) {
         const scenes::Scene& scene = loaded[i];
@@ -136,17 +119,19 @@ int compare(const Options& options) {
         timing.budget = options.budget;
         timing.wall = options.threads > 1;
         timing.progress = [&](const std::string& what) { note(scene.name + ": " + what); };
-        scenes.push_back(compare_peers(scene, frames[i], kinds, options.compared_frames, timing));
+        SceneComparison found =
+            compare_peers(scene, frames[i], kinds, options.compared_frames, timing);
         for (std::size_t p = 0; p < kinds.size(); ++p) {
-            if (!kinds[p].own || scenes.back().peers[p].difference.none()) continue;
+            if (!kinds[p].own || found.peers[p].difference.none()) continue;
             same = false;
             note(kinds[p].name + " finds other pairs on " + scene.name +
                  " than the reference, which is an error of this project.");
         }
+        add_to_group(groups, std::move(found));
     }
-    const std::string tables = peer_tables(kinds, scenes);
+    const std::string tables = peer_tables(kinds, groups);
     std::cout << tables << std::flush;
-    write_files(options, kinds, scenes, tables);
+    write_files(options, kinds, groups, tables);
     return same ? exit_done : exit_different;
 }
 
@@ -154,9 +139,10 @@ int run(int argc, char** argv) {
     CLI::App program{
         "scb_peers: slab cut balls against other libraries: pair sets first, times second."};
     Options options;
-    program.add_option("SCENE", options.scenes,
-                       "built-in scenes or scene files of two bodies; else those of Table 3 and "
-                       "dragons");
+    program.add_option(
+        "SCENE", options.scenes,
+        "built-in scenes or scene files of two bodies, or table-3, cad; else table-3, "
+        "dragons and cad");
     program.add_option("--models", options.models_dir, "the folder that meshes are in")
         ->envname("SCB_MODELS");
     program.add_option("--frames", options.frames, "all, or FIRST:LAST[:STEP]")

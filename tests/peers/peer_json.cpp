@@ -27,39 +27,43 @@ Json json_of(const std::vector<double>& times, std::size_t stride, const std::ve
     return json;
 }
 
+Json json_of(const SceneComparison& scene, std::span<const PeerKind> kinds) {
+    const std::optional<std::size_t> baseline = find_peer(kinds, baseline_name);
+    Json of_scene = {{"scene", scene.scene},
+                     {"triangles", scene.triangles},
+                     {"frames", scene.frames},
+                     {"peers", Json::array()}};
+    for (std::size_t p = 0; p < kinds.size(); ++p) {
+        const PeerResult& peer = scene.peers[p];
+        const PeerTimes* other = baseline ? &scene.peers[*baseline].times : nullptr;
+        Json of_peer = {{"name", kinds[p].name},
+                        {"compared_frames", peer.difference.frames},
+                        {"pairs", peer.difference.pairs},
+                        {"missing", json_of(peer.difference.missing)},
+                        {"extra", json_of(peer.difference.extra)},
+                        {"build_ms", peer.build_ms},
+                        {"bytes_per_triangle", nullptr},
+                        {"frame_stride", peer.times.stride}};
+        if (std::isfinite(peer.bytes)) of_peer["bytes_per_triangle"] = peer.bytes;
+        of_peer["warm"] = json_of(peer.times.warm, peer.times.stride,
+                                  other ? &other->warm : nullptr, other ? other->stride : 1);
+        of_peer["cold"] = json_of(peer.times.cold, peer.times.stride,
+                                  other ? &other->cold : nullptr, other ? other->stride : 1);
+        of_scene["peers"].push_back(std::move(of_peer));
+    }
+    return of_scene;
+}
+
 }  // namespace
 
-std::string peer_json(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
     Json json = {{"peers", Json::array()}, {"scenes", Json::array()}};
     for (const PeerKind& kind : kinds)
         json["peers"].push_back(
             {{"name", kind.name}, {"title", kind.title}, {"method", kind.method}});
-    const std::optional<std::size_t> baseline = find_peer(kinds, baseline_name);
-    for (const SceneComparison& scene : scenes) {
-        Json of_scene = {{"scene", scene.scene},
-                         {"triangles", scene.triangles},
-                         {"frames", scene.frames},
-                         {"peers", Json::array()}};
-        for (std::size_t p = 0; p < kinds.size(); ++p) {
-            const PeerResult& peer = scene.peers[p];
-            const PeerTimes* other = baseline ? &scene.peers[*baseline].times : nullptr;
-            Json of_peer = {{"name", kinds[p].name},
-                            {"compared_frames", peer.difference.frames},
-                            {"pairs", peer.difference.pairs},
-                            {"missing", json_of(peer.difference.missing)},
-                            {"extra", json_of(peer.difference.extra)},
-                            {"build_ms", peer.build_ms},
-                            {"bytes_per_triangle", nullptr},
-                            {"frame_stride", peer.times.stride}};
-            if (std::isfinite(peer.bytes)) of_peer["bytes_per_triangle"] = peer.bytes;
-            of_peer["warm"] = json_of(peer.times.warm, peer.times.stride,
-                                      other ? &other->warm : nullptr, other ? other->stride : 1);
-            of_peer["cold"] = json_of(peer.times.cold, peer.times.stride,
-                                      other ? &other->cold : nullptr, other ? other->stride : 1);
-            of_scene["peers"].push_back(std::move(of_peer));
-        }
-        json["scenes"].push_back(std::move(of_scene));
-    }
+    for (const ComparisonGroup& group : groups)
+        for (const SceneComparison& scene : group.scenes)
+            json["scenes"].push_back(json_of(scene, kinds));
     return json.dump(1) + "\n";
 }
 

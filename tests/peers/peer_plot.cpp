@@ -84,37 +84,119 @@ std::string style(std::span<const PeerKind> kinds, std::size_t p) {
 }
 
 /// In the legend; marked where the peer finds other pairs somewhere.
-std::string title(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
+std::string title(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
                   std::size_t p) {
-    const bool same = std::all_of(scenes.begin(), scenes.end(), [p](const SceneComparison& scene) {
-        return scene.peers[p].difference.none();
-    });
-    return kinds[p].title + (same ? "" : " *");
+    return kinds[p].title + (finds_the_same(groups, p) ? "" : " *");
+}
+
+/// Where things are in the picture, in pixels: under each other, so that neither more groups of
+/// scenes nor more peers make anything smaller.
+struct Layout {
+    static constexpr int width = 1600, top = 120, panel = 440, names = 115, panel_title = 60,
+                         legend_row = 36, note = 60;
+    int rows, legend_rows, height;
+
+    Layout(std::size_t groups, std::size_t peers)
+        : rows(static_cast<int>(groups)),
+          legend_rows(static_cast<int>((peers + 2) / 3)),
+          height(legend_top() + legend_row * legend_rows + note) {}
+
+    /// From the top of the picture.
+    int panel_top(int row) const { return top + row * (panel + names + panel_title); }
+    int legend_top() const { return panel_top(rows - 1) + panel + names; }
+
+    /// As gnuplot has it: from the bottom, as a share of the height.
+    std::string screen(int from_top) const {
+        return std::to_string(1 - static_cast<double>(from_top) / height);
+    }
+};
+
+/// The least and the most that is drawn.
+std::pair<double, double> range(std::span<const ComparisonGroup> groups, std::size_t baseline) {
+    double least = 1, most = 1;
+    for (const ComparisonGroup& group : groups)
+        for (const SceneComparison& scene : group.scenes)
+            for (const Panel& panel : panels)
+                for (const PeerResult& peer : scene.peers) {
+                    const PeerTimes& other = scene.peers[baseline].times;
+                    const double by = speedup(peer.times.*panel.times, peer.times.stride,
+                                              other.*panel.times, other.stride);
+                    least = std::min(least, by);
+                    most = std::max(most, by);
+                }
+    return {least, most};
+}
+
+/// The name of a panel's data.
+std::string block_name(std::size_t group, std::size_t panel) {
+    return "$panel" + std::to_string(group * std::size(panels) + panel);
+}
+
+/// The panels of a group of scenes, beside each other.
+std::string panel_row(std::span<const PeerKind> kinds, const ComparisonGroup& group, std::size_t g,
+                      const Layout& layout) {
+    const int top = layout.panel_top(static_cast<int>(g));
+    std::string text = "set tmargin at screen " + layout.screen(top) + "\nset bmargin at screen " +
+                       layout.screen(top + Layout::panel) + "\nset xrange [-0.4:" +
+                       std::to_string(static_cast<double>(group.scenes.size()) - 0.6) + "]\n";
+    for (std::size_t i = 0; i < std::size(panels); ++i) {
+        text += "set lmargin at screen " + std::to_string(panels[i].left) +
+                "\nset rmargin at screen " + std::to_string(panels[i].right) + "\nset title " +
+                quoted((group.title.empty() ? "" : group.title + ", ") + panels[i].title) +
+                (i == 0 ? "\nset ylabel 'times as quick as FCL' offset 0.5\nset ytics format '%g'\n"
+                        : "\nunset ylabel\nset ytics format ''\n") +
+                "plot ";
+        for (std::size_t p = 0; p < kinds.size(); ++p)
+            text += std::string(p > 0 ? ", \\\n     " : "") + block_name(g, i) +
+                    " using 0:" + std::to_string(p + 2) + ":xtic(1) " + style(kinds, p);
+        text += "\n";
+    }
+    return text;
+}
+
+/// The legend, below all panels.
+std::string legend(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
+                   const Layout& layout) {
+    const std::string top = layout.screen(layout.legend_top());
+    std::string text =
+        "unset title\nunset ylabel\nunset border\nunset xtics\nunset ytics\nunset grid\nunset "
+        "logscale\n"
+        "set tmargin at screen " +
+        top +
+        "\nset bmargin at screen 0\n"
+        "set lmargin at screen 0\nset rmargin at screen 1\nset xrange [0:1]\nset yrange [0:1]\n"
+        "set key at screen 0.5, screen " +
+        top + " center top maxrows " + std::to_string(layout.legend_rows) +
+        " width -1 samplen 3 spacing 1.2 Left reverse font ',18' textcolor rgb '#1C2026'\n";
+    bool all_same = true;
+    for (std::size_t p = 0; p < kinds.size(); ++p) all_same &= finds_the_same(groups, p);
+    if (!all_same)
+        text +=
+            "set label '* finds other pairs of triangles than the others on some scenes' at screen "
+            "0.5, screen " +
+            layout.screen(layout.height - 22) + " center textcolor rgb '#60676F'\n";
+    text += "plot ";
+    for (std::size_t p = 0; p < kinds.size(); ++p)
+        text += std::string(p > 0 ? ", \\\n     " : "") + "NaN " + style(kinds, p) + " title " +
+                quoted(title(kinds, groups, p));
+    return text + "\n";
 }
 
 }  // namespace
 
-std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+std::string plot_script(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
     const std::size_t baseline = find_peer(kinds, baseline_name).value();
-    double least = 1, most = 1;
-    for (const SceneComparison& scene : scenes)
-        for (const Panel& panel : panels)
-            for (const PeerResult& peer : scene.peers) {
-                const PeerTimes& other = scene.peers[baseline].times;
-                const double by = speedup(peer.times.*panel.times, peer.times.stride,
-                                          other.*panel.times, other.stride);
-                least = std::min(least, by);
-                most = std::max(most, by);
-            }
-
-    std::string text =
-        "# gnuplot: draws peers.png\n"
-        "set terminal pngcairo size 1600,900 font 'Roboto,19' noenhanced background '#FFFFFF'\n"
-        "set output 'peers.png'\n"
-        "set encoding utf8\n";
-    for (std::size_t i = 0; i < std::size(panels); ++i)
-        text += "$panel" + std::to_string(i) + " << END\n" +
-                data_block(scenes, baseline, panels[i].times) + "END\n";
+    const auto [least, most] = range(groups, baseline);
+    const Layout layout(groups.size(), kinds.size());
+    std::string text = "# gnuplot: draws peers.png\nset terminal pngcairo size " +
+                       std::to_string(Layout::width) + "," + std::to_string(layout.height) +
+                       " font 'Roboto,19' noenhanced background '#FFFFFF'\n"
+                       "set output 'peers.png'\n"
+                       "set encoding utf8\n";
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (std::size_t i = 0; i < std::size(panels); ++i)
+            text += block_name(g, i) + " << END\n" +
+                    data_block(groups[g].scenes, baseline, panels[i].times) + "END\n";
     text +=
         "set multiplot title 'All pairs of triangles that intersect: speed of a query, by "
         "scene' "
@@ -123,51 +205,14 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const SceneCo
         "set yrange [" +
         std::to_string(least / 1.3) + ":" + std::to_string(most * 1.3) +
         "]\n"
-        "set xrange [-0.4:" +
-        std::to_string(static_cast<double>(scenes.size()) - 0.6) +
-        "]\n"
         "set border 3 linecolor rgb '#60676F'\n"
         "set grid ytics linecolor rgb '#C4C8CE' linewidth 1\n"
         "set xtics nomirror rotate by 25 right textcolor rgb '#1C2026'\n"
         "set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) "
         "textcolor rgb '#1C2026'\n"
-        "set tmargin at screen 0.875\n"
-        "set bmargin at screen 0.34\n"
-        "unset key\n"
-        "set ylabel 'times as quick as FCL' offset 0.5\n";
-    for (std::size_t i = 0; i < std::size(panels); ++i) {
-        text += "set lmargin at screen " + std::to_string(panels[i].left) +
-                "\nset rmargin at screen " + std::to_string(panels[i].right) + "\nset title " +
-                quoted(panels[i].title) + "\n";
-        if (i > 0) text += "unset ylabel\nset ytics format ''\n";
-        text += "plot ";
-        for (std::size_t p = 0; p < kinds.size(); ++p)
-            text += std::string(p > 0 ? ", \\\n     " : "") + "$panel" + std::to_string(i) +
-                    " using 0:" + std::to_string(p + 2) + ":xtic(1) " + style(kinds, p);
-        text += "\n";
-    }
-    // The legend, below both.
-    const std::size_t rows = (kinds.size() + 2) / 3;
-    const std::size_t font = rows <= 4 ? 18 : std::max<std::size_t>(8, 4 * 18 / rows);
-    text +=
-        "unset title\nunset border\nunset xtics\nunset ytics\nunset grid\nunset logscale\n"
-        "set tmargin at screen 0.2\nset bmargin at screen 0\n"
-        "set lmargin at screen 0\nset rmargin at screen 1\nset yrange [0:1]\n"
-        "set key at screen 0.5, screen 0.2 center top maxrows " +
-        std::to_string(rows) + " width -1 samplen 3 spacing 1.2 Left reverse font '," +
-        std::to_string(font) + "' textcolor rgb '#1C2026'\n";
-    if (std::any_of(scenes.begin(), scenes.end(), [](const SceneComparison& scene) {
-            return std::any_of(scene.peers.begin(), scene.peers.end(),
-                               [](const PeerResult& peer) { return !peer.difference.none(); });
-        }))
-        text +=
-            "set label '* finds other pairs of triangles than the others on some scenes' at screen "
-            "0.5, screen 0.025 center textcolor rgb '#60676F'\n";
-    text += "plot ";
-    for (std::size_t p = 0; p < kinds.size(); ++p)
-        text += std::string(p > 0 ? ", \\\n     " : "") + "NaN " + style(kinds, p) + " title " +
-                quoted(title(kinds, scenes, p));
-    return text + "\nunset multiplot\n";
+        "unset key\n";
+    for (std::size_t g = 0; g < groups.size(); ++g) text += panel_row(kinds, groups[g], g, layout);
+    return text + legend(kinds, groups, layout) + "unset multiplot\n";
 }
 
 void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {

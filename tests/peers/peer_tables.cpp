@@ -28,25 +28,36 @@ std::string factor(double value) {
     return text;
 }
 
-/// A table of the peers, one column for each scene.
-std::string table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
-                  const std::string& title,
-                  const std::function<std::string(const SceneComparison&, std::size_t)>& cell) {
-    std::string text = "| " + title + " |", rule = "|---|";
-    for (const SceneComparison& scene : scenes) {
-        text += " " + scene.scene + " |";
-        rule += "--:|";
-    }
-    text += "\n" + rule + "\n";
-    for (std::size_t p = 0; p < kinds.size(); ++p) {
-        text += "| " + kinds[p].title + " |";
-        for (const SceneComparison& scene : scenes) text += " " + cell(scene, p) + " |";
-        text += "\n";
-    }
-    return text + "\n";
+using Groups = std::span<const ComparisonGroup>;
+
+std::string titled(const ComparisonGroup& group, const std::string& title,
+                   const std::string& separator) {
+    return group.title.empty() ? title : group.title + separator + title;
 }
 
-std::string pair_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+/// For each group of scenes, a table of the peers, one column for each scene.
+std::string tables(std::span<const PeerKind> kinds, Groups groups, const std::string& title,
+                   const std::function<std::string(const SceneComparison&, std::size_t)>& cell) {
+    std::string text;
+    for (const ComparisonGroup& group : groups) {
+        text += "| " + titled(group, title, ", ") + " |";
+        std::string rule = "|---|";
+        for (const SceneComparison& scene : group.scenes) {
+            text += " " + scene.scene + " |";
+            rule += "--:|";
+        }
+        text += "\n" + rule + "\n";
+        for (std::size_t p = 0; p < kinds.size(); ++p) {
+            text += "| " + kinds[p].title + " |";
+            for (const SceneComparison& scene : group.scenes) text += " " + cell(scene, p) + " |";
+            text += "\n";
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string pair_tables(std::span<const PeerKind> kinds, Groups groups) {
     const auto cell = [&](const SceneComparison& scene, std::size_t p) -> std::string {
         const PairDifference& difference = scene.peers[p].difference;
         if (kinds[p].name == reference_name) return std::to_string(difference.pairs);
@@ -57,7 +68,7 @@ std::string pair_table(std::span<const PeerKind> kinds, std::span<const SceneCom
             text += (text.empty() ? "+" : " +") + std::to_string(difference.extra.count);
         return text;
     };
-    return table(kinds, scenes, "pairs, of the frames compared", cell);
+    return tables(kinds, groups, "pairs, of the frames compared", cell);
 }
 
 std::string reasons_of(const UnsharedPairs& unshared, const std::string& what) {
@@ -76,24 +87,24 @@ std::string reasons_of(const UnsharedPairs& unshared, const std::string& what) {
 }
 
 /// A line for each peer and scene whose pairs are others.
-std::string difference_list(std::span<const PeerKind> kinds,
-                            std::span<const SceneComparison> scenes) {
+std::string difference_list(std::span<const PeerKind> kinds, Groups groups) {
     std::string text;
-    for (const SceneComparison& scene : scenes)
-        for (std::size_t p = 0; p < kinds.size(); ++p) {
-            const PairDifference& difference = scene.peers[p].difference;
-            if (difference.none()) continue;
-            const std::string missing = reasons_of(difference.missing, "missing"),
-                              extra = reasons_of(difference.extra, "more");
-            text += "- " + scene.scene + ", " + kinds[p].title + ": " + missing +
-                    (missing.empty() || extra.empty() ? "" : "; ") + extra + ", of " +
-                    std::to_string(difference.pairs) + ".\n";
-        }
+    for (const ComparisonGroup& group : groups)
+        for (const SceneComparison& scene : group.scenes)
+            for (std::size_t p = 0; p < kinds.size(); ++p) {
+                const PairDifference& difference = scene.peers[p].difference;
+                if (difference.none()) continue;
+                const std::string missing = reasons_of(difference.missing, "missing"),
+                                  extra = reasons_of(difference.extra, "more");
+                text += "- " + scene.scene + ", " + kinds[p].title + ": " + missing +
+                        (missing.empty() || extra.empty() ? "" : "; ") + extra + ", of " +
+                        std::to_string(difference.pairs) + ".\n";
+            }
     return text.empty() ? text : text + "\n";
 }
 
-std::string time_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes,
-                       const std::string& title, std::vector<double> PeerTimes::*times) {
+std::string time_tables(std::span<const PeerKind> kinds, Groups groups, const std::string& title,
+                        std::vector<double> PeerTimes::*times) {
     const std::optional<std::size_t> baseline = find_peer(kinds, baseline_name);
     const auto cell = [&](const SceneComparison& scene, std::size_t p) {
         const PeerTimes& own = scene.peers[p].times;
@@ -107,12 +118,12 @@ std::string time_table(std::span<const PeerKind> kinds, std::span<const SceneCom
         }
         return text;
     };
-    return table(kinds, scenes, title, cell);
+    return tables(kinds, groups, title, cell);
 }
 
-std::string build_table(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
-    return table(
-        kinds, scenes, "build both trees, ms; bytes per triangle",
+std::string build_tables(std::span<const PeerKind> kinds, Groups groups) {
+    return tables(
+        kinds, groups, "build both trees, ms; bytes per triangle",
         [](const SceneComparison& scene, std::size_t p) {
             const PeerResult& peer = scene.peers[p];
             return number(peer.build_ms) + "; " +
@@ -120,15 +131,17 @@ std::string build_table(std::span<const PeerKind> kinds, std::span<const SceneCo
         });
 }
 
-/// How many times as quick as other peers the layouts are: the least and most over all scenes.
-std::string summary(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+/// How many times as quick as other peers the layouts are: the least and most over the scenes.
+std::string summary(std::span<const PeerKind> kinds, const ComparisonGroup& group) {
+    const std::vector<SceneComparison>& scenes = group.scenes;
     std::string text;
     for (const std::string& name : {std::string(baseline_name), std::string(reference_name)}) {
         const std::optional<std::size_t> other = find_peer(kinds, name);
         if (!other) continue;
         for (std::size_t p = 0; p < kinds.size(); ++p) {
             if (!kinds[p].own || kinds[p].name == reference_name) continue;
-            text += "- " + kinds[p].title + " against " + kinds[*other].title + ":";
+            text += "- " + titled(group, kinds[p].title, ": ") + " against " + kinds[*other].title +
+                    ":";
             for (const auto& [times, order] :
                  {std::pair{&PeerTimes::cold, "cold"}, std::pair{&PeerTimes::warm, "warm"}}) {
                 double least = INFINITY, most = 0;
@@ -148,13 +161,19 @@ std::string summary(std::span<const PeerKind> kinds, std::span<const SceneCompar
             text += " as quick.\n";
         }
     }
+    return text;
+}
+
+std::string summaries(std::span<const PeerKind> kinds, Groups groups) {
+    std::string text;
+    for (const ComparisonGroup& group : groups) text += summary(kinds, group);
     return text.empty() ? text : text + "\n";
 }
 
 /// How many frames were asked for, and of which peers fewer were taken.
-std::string frame_list(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+std::string frame_list(std::span<const PeerKind> kinds, const ComparisonGroup& group) {
     std::string text;
-    for (const SceneComparison& scene : scenes) {
+    for (const SceneComparison& scene : group.scenes) {
         text += "- " + scene.scene + ": " + std::to_string(scene.triangles) +
                 " triangles, frames " + std::to_string(scene.frames.front()) + " to " +
                 std::to_string(scene.frames.back()) + ", " + std::to_string(scene.frames.size()) +
@@ -165,17 +184,24 @@ std::string frame_list(std::span<const PeerKind> kinds, std::span<const SceneCom
                         ", " + std::to_string(times.stride) + " apart";
         text += ".\n";
     }
+    return text;
+}
+
+std::string frame_lists(std::span<const PeerKind> kinds, Groups groups) {
+    std::string text;
+    for (const ComparisonGroup& group : groups) text += frame_list(kinds, group);
     return text + "\n";
 }
 
 /// What the marks in the tables of times mean, where there are any.
-std::string marks(std::span<const SceneComparison> scenes) {
+std::string marks(Groups groups) {
     bool other_pairs = false, fewer_frames = false;
-    for (const SceneComparison& scene : scenes)
-        for (const PeerResult& peer : scene.peers) {
-            other_pairs |= !peer.difference.none();
-            fewer_frames |= peer.times.stride > 1;
-        }
+    for (const ComparisonGroup& group : groups)
+        for (const SceneComparison& scene : group.scenes)
+            for (const PeerResult& peer : scene.peers) {
+                other_pairs |= !peer.difference.none();
+                fewer_frames |= peer.times.stride > 1;
+            }
     std::string text;
     if (other_pairs) text += "\\* other pairs than the reference's.";
     if (fewer_frames)
@@ -192,14 +218,14 @@ std::optional<std::size_t> find_peer(std::span<const PeerKind> kinds, const std:
     return std::nullopt;
 }
 
-std::string peer_tables(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes) {
+std::string peer_tables(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
     const bool compared = find_peer(kinds, baseline_name).has_value();
     const std::string by = compared ? " (times as quick as FCL)" : "";
-    std::string text = pair_table(kinds, scenes) + difference_list(kinds, scenes) +
-                       time_table(kinds, scenes, "warm, ms" + by, &PeerTimes::warm) +
-                       time_table(kinds, scenes, "cold, ms" + by, &PeerTimes::cold) +
-                       marks(scenes) + build_table(kinds, scenes) + summary(kinds, scenes) +
-                       frame_list(kinds, scenes);
+    std::string text = pair_tables(kinds, groups) + difference_list(kinds, groups) +
+                       time_tables(kinds, groups, "warm, ms" + by, &PeerTimes::warm) +
+                       time_tables(kinds, groups, "cold, ms" + by, &PeerTimes::cold) +
+                       marks(groups) + build_tables(kinds, groups) + summaries(kinds, groups) +
+                       frame_lists(kinds, groups);
     for (const PeerKind& kind : kinds) text += "- " + kind.title + ": " + kind.method + "\n";
     return text;
 }

@@ -4,13 +4,13 @@
 #include <span>
 #include <string>
 
-#include "tests/peers/comparison.h"
+#include "tests/peers/comparison_group.h"
 
 namespace scb {
 
 /// What was found as Markdown: pair sets, warm times, cold times, building, and how the peers were
-/// called.
-std::string peer_tables(std::span<const PeerKind> kinds, std::span<const SceneComparison> scenes);
+/// called. Every group of scenes has its own table of each.
+std::string peer_tables(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups);
 
 /// The position of the peer of that name; nothing where it does not take part.
 std::optional<std::size_t> find_peer(std::span<const PeerKind> kinds, const std::string& name);

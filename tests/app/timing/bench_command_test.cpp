@@ -4,6 +4,7 @@
 
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
+#include "tests/real_models.h"
 
 namespace scb::app {
 namespace {
@@ -173,6 +174,37 @@ TEST(BenchCommand, RefusesASceneBeforeMeasuringAnother) {
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.out, "");
     EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(BenchCommand, LeavesOutScenesOfAGroupWhoseMeshesAreNotThere) {
+    const TemporaryFolder models;
+    const std::string here = " --frames 0 --repeat 1 --volume scb --models " + models.path.string();
+    const ProgramRun run = run_scb("bench cad soup --json" + here);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["scenes"].size(), 1u);
+    for (const char* name : {"aatbase", "tube"})
+        EXPECT_NE(run.err.find(std::string("scb: ") + name + " is left out: it needs " + name),
+                  std::string::npos)
+            << run.err;
+    const ProgramRun none = run_scb("bench cad" + here);
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("there is no scene to measure"), std::string::npos) << none.err;
+    // One that is named itself is not left out.
+    EXPECT_EQ(run_scb("bench soup tube" + here).status, 2);
+}
+
+TEST(BenchCommand, ComparesCadScenesWithNoNumberOfThePaper) {
+    if (!has_model_file("anchor.ply", "scb bench of CAD scenes")) GTEST_SKIP();
+    const std::string models = " --repeat 1 --volume scb,obb --models " + models_folder().string();
+    const ProgramRun run = run_scb("bench cad --frames 300 --json" + models);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json scenes = json::parse(run.out)["scenes"];
+    ASSERT_EQ(scenes.size(), 8u);
+    for (const json& scene : scenes)
+        EXPECT_EQ(scene["hierarchies"][0]["pairs"], scene["hierarchies"][1]["pairs"]) << scene;
+    const ProgramRun all_frames = run_scb("bench anchor" + models);
+    EXPECT_EQ(all_frames.out.find("Table 3"), std::string::npos) << all_frames.out;
+    EXPECT_NE(all_frames.out.find("All found the same pairs"), std::string::npos);
 }
 
 }  // namespace

@@ -154,11 +154,15 @@ TEST_P(ModelPairSums, AreTheRecordedOnes) {
     EXPECT_EQ(sum.degenerate, GetParam().degenerate);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ModelPairSums,
-                         testing::Values(RecordedSum{"horses", 1, 505'029, 0},
-                                         RecordedSum{"hands", 1, 447'610, 0},
-                                         RecordedSum{"dragons", 25, 101'893, 5}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ModelPairSums,
+    testing::Values(RecordedSum{"horses", 1, 505'029, 0}, RecordedSum{"hands", 1, 447'610, 0},
+                    RecordedSum{"dragons", 25, 101'893, 5}, RecordedSum{"aatbase", 10, 47'551, 0},
+                    RecordedSum{"tray_bottom", 10, 22'810, 0}, RecordedSum{"boeing", 10, 31'988, 0},
+                    RecordedSum{"cheese", 10, 732'869, 0}, RecordedSum{"tr12j", 10, 225'157, 0},
+                    RecordedSum{"anchor", 10, 28'004, 0}, RecordedSum{"cycloidal", 50, 561'512, 0},
+                    RecordedSum{"tube", 10, 15'322, 0}),
+    [](const auto& test) { return std::string(test.param.name); });
 #endif
 
 }  // namespace

@@ -11,10 +11,14 @@ namespace {
 TEST(BuiltinScenes, AreListedInAFixedOrder) {
     std::vector<std::string> names;
     for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
-    EXPECT_EQ(names, (std::vector<std::string>{
-                         "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses",
-                         "hands", "dragons", "flat-plate", "concentric-spheres", "thin-cylinder",
-                         "cone", "soup", "line-8", "lines-20-23", "long-triangles"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"spheres-l1",    "spheres-l2",  "knots-l1",
+                                               "knots-l2",      "knots-l3",    "horses",
+                                               "hands",         "dragons",     "aatbase",
+                                               "tray_bottom",   "boeing",      "cheese",
+                                               "tr12j",         "anchor",      "cycloidal",
+                                               "tube",          "flat-plate",  "concentric-spheres",
+                                               "thin-cylinder", "cone",        "soup",
+                                               "line-8",        "lines-20-23", "long-triangles"}));
     EXPECT_EQ(find_builtin("nothing"), nullptr);
 }
 

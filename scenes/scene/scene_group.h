@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scb::scenes {
+
+/// Built-in scenes that are measured together, and can be named together where scenes are measured.
+struct SceneGroup {
+    std::string_view name;
+    std::span<const std::string_view> scenes;
+};
+
+/// The seven scenes of Table 3 of the paper, in its order.
+inline constexpr std::string_view table_3_scenes[] = {
+    "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses", "hands"};
+
+/// Two of a CAD model each, which overlap, turn, and draw apart. Most have long thin triangles, for
+/// which the paper names slab cut balls weak (Section 6).
+inline constexpr std::string_view cad_scenes[] = {"aatbase", "tray_bottom", "boeing",    "cheese",
+                                                  "tr12j",   "anchor",      "cycloidal", "tube"};
+
+inline constexpr SceneGroup scene_groups[] = {{"table-3", table_3_scenes}, {"cad", cad_scenes}};
+
+/// The group of this name, or null.
+const SceneGroup* find_scene_group(std::string_view name);
+
+/// Whether the group has a scene of this name.
+bool has_scene(const SceneGroup& group, std::string_view name);
+
+/// What is to be measured.
+struct MeasuredScenes {
+    std::vector<std::string> names;     ///< as load_scene takes them, one scene each; no groups
+    std::vector<std::string> left_out;  ///< a sentence for each scene whose mesh is not there
+};
+
+/// The scenes named, those of a group in its place; `defaults` where none is named. A scene of a
+/// group or of `defaults` is left out where the folder of models lacks its mesh; one that is named
+/// itself never is: whoever loads it is told. Throws InputError where all are left out.
+MeasuredScenes measured_scenes(const std::vector<std::string>& names,
+                               const std::vector<std::string>& defaults,
+                               const std::filesystem::path& models_dir);
+
+}  // namespace scb::scenes
