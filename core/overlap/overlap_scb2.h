@@ -66,10 +66,8 @@ template <class T>
 bool is_beyond_plane(const BasicSlab<T>& slab, const BasicScb2<T>& other, const T& d,
                      const Vector3<T>& normal, const BasicPlacement<T>& placed) {
     // Where the center is within the slab, nothing is to be measured.
-    const T plane = d < 0 ? -slab.f : slab.e, off = d < 0 ? -d : d;
-    if (!(off > plane)) return false;
-    const Vector3<T> towards = d < 0 ? normal : Vector3<T>(-normal);
-    return off - scb2_reach(other, towards, T(1)) > plane + placed.margin;
+    if (d < 0) return d < slab.f && -d - scb2_reach(other, normal, T(1)) > placed.margin - slab.f;
+    return d > slab.e && d - scb2_reach(other, Vector3<T>(-normal), T(1)) > slab.e + placed.margin;
 }
 
 /// Two balls of two slabs each, by their exact extents: the balls; along the normals of A's slabs,
