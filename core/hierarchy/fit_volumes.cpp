@@ -1,5 +1,6 @@
 #include "core/hierarchy/fit_volumes.h"
 
+#include "core/base/large_pages.h"
 #include "core/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -52,7 +53,8 @@ HWY_EXPORT(fit_obb_tree);
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
                            const FitOptions& options, int threads) {
-    std::vector<V> volumes(topology.nodes.size());
+    std::vector<V> volumes;
+    resize_large(volumes, topology.nodes.size());
     const std::span<V> all(volumes);
     if constexpr (std::is_same_v<V, Scb>)
         SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, all);

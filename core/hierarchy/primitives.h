@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
 #include "scb/mesh.h"
 
@@ -25,6 +26,7 @@ class Primitives {
   public:
     Primitives(const Mesh& mesh, int threads)
         : all_(std::make_unique_for_overwrite<Primitive[]>(mesh.triangles.size())) {
+        prefer_large_pages(all_.get(), mesh.triangles.size() * sizeof(Primitive));
         parallel_blocks(threads, mesh.triangles.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) {
                 const Triangle& t = mesh.triangles[i];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/enum_names.h"
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
 #include "core/base/random.h"
 #include "core/hierarchy/primitives.h"
@@ -144,7 +145,7 @@ class Builder {
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
         topology_.order.resize(count);
         for (std::uint32_t t = 0; t < count; ++t) topology_.order[t] = t;
-        topology_.nodes.resize(2 * std::size_t{count} - 1);
+        resize_large(topology_.nodes, 2 * std::size_t{count} - 1);
         topology_.rules.resize(2 * std::size_t{count} - 1, SplitRule::leaf);
         topology_.nodes[0] = {0, count, 0};
     }
