@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
@@ -35,13 +36,13 @@ class Packing {
     }
 
     PackedHierarchy<Codec> run(int leaf_triangles) {
-        std::vector<double> cost(volumes_.size());
+        std::vector<float> cost(volumes_.size());
         parallel_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i) cost[i] = surface_area(volumes_[i]);
+            for (std::size_t i = first; i < end; ++i) cost[i] = static_cast<float>(surface_area(volumes_[i]));
         });
         const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
-        packed_.nodes.resize(wide.nodes.size());
+        resize_large(packed_.nodes, wide.nodes.size());
         place_leaves(wide);
         parallel_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i)
@@ -72,7 +73,7 @@ class Packing {
             throw InputError(name_ +
                              ": too many triangles for this packed layout; give larger leaves, an "
                              "indexed layout, or the reference.");
-        packed_.leaves.resize(words + words_behind);
+        resize_large(packed_.leaves, words + words_behind);
         packed_.leaf_radius = radii / static_cast<double>(leaves);
     }
     std::size_t leaf_size(std::uint32_t i) const {
