@@ -4,25 +4,41 @@
 
 namespace scb {
 
-AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
-                   std::string_view name, int threads) {
-    const auto packed = [&]<class Codec>() -> AnyPacked {
-        return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
-    };
+namespace {
+
+// What `make` returns for the codec of the layout.
+template <class Make>
+AnyPacked of_codec(const PackedLayout& layout, const Make& make) {
     const bool floats = layout.numbers == PackedLayout::Numbers::floats;
     switch (layout.width) {
         case 2:
-            return floats ? packed.operator()<FloatCodec<2>>()
-                          : packed.operator()<QuantizedCodec<2>>();
+            return floats ? make.template operator()<FloatCodec<2>>()
+                          : make.template operator()<QuantizedCodec<2>>();
         case 4:
-            return floats ? packed.operator()<FloatCodec<4>>()
-                          : packed.operator()<QuantizedCodec<4>>();
+            return floats ? make.template operator()<FloatCodec<4>>()
+                          : make.template operator()<QuantizedCodec<4>>();
         case 8:
-            return floats ? packed.operator()<FloatCodec<8>>()
-                          : packed.operator()<QuantizedCodec<8>>();
+            return floats ? make.template operator()<FloatCodec<8>>()
+                          : make.template operator()<QuantizedCodec<8>>();
         default:
             throw InputError("a packed layout has nodes of 2, 4 or 8 children.");
     }
+}
+
+}  // namespace
+
+AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
+                   std::string_view name, int threads) {
+    return of_codec(layout, [&]<class Codec>() -> AnyPacked {
+        return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
+    });
+}
+
+AnyPacked build_packed_any(const PackedLayout& layout, const Mesh& mesh,
+                           const BuildOptions& options, std::string_view name) {
+    return of_codec(layout, [&]<class Codec>() -> AnyPacked {
+        return build_packed<Codec>(mesh, options, layout.leaf_triangles, layout.corners, name);
+    });
 }
 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,

@@ -4,9 +4,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_scb.h"
@@ -38,7 +41,8 @@ class Packing {
     PackedHierarchy<Codec> run(int leaf_triangles) {
         std::vector<float> cost(volumes_.size());
         parallel_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i) cost[i] = static_cast<float>(surface_area(volumes_[i]));
+            for (std::size_t i = first; i < end; ++i)
+                cost[i] = static_cast<float>(surface_area(volumes_[i]));
         });
         const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
@@ -162,9 +166,22 @@ PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh, i
     return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
 }
 
+template <class Codec>
+PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options,
+                                    int leaf_triangles, LeafCorners corners,
+                                    std::string_view name) {
+    MeshTopology shared = checked_topology(mesh, options, name);
+    std::vector<Scb> volumes = fit_volumes<Scb>(*shared.topology, shared.points, options.fit,
+                                                options.threads, leaf_triangles);
+    return pack<Codec>({std::move(shared.topology), std::move(volumes)}, mesh, leaf_triangles,
+                       corners, name, options.threads);
+}
+
 #define SCB_PACK(Codec)                                                                        \
     template PackedHierarchy<Codec> pack(const Hierarchy<Scb>&, const Mesh&, int, LeafCorners, \
-                                         std::string_view, int);
+                                         std::string_view, int);                               \
+    template PackedHierarchy<Codec> build_packed(const Mesh&, const BuildOptions&, int,        \
+                                                 LeafCorners, std::string_view);
 SCB_FOR_EACH_CODEC(SCB_PACK)
 #undef SCB_PACK
 

@@ -39,11 +39,10 @@ class ReferencePeer : public Peer {
     Collision found_;
 };
 
-/// A mesh, and its packed hierarchy; the reference hierarchy that it is made of is dropped.
+/// A mesh, and its packed hierarchy.
 struct PackedBody {
     PackedBody(const PeerMesh& from, const PackedLayout& layout, SplitMethod split)
-        : mesh(core_mesh(from)),
-          hierarchy(pack_any(layout, build_hierarchy<Scb>(mesh, {.split = split}), mesh)) {}
+        : mesh(core_mesh(from)), hierarchy(build_packed_any(layout, mesh, {.split = split})) {}
 
     Mesh mesh;
     AnyPacked hierarchy;

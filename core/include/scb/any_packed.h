@@ -13,6 +13,11 @@ using AnyPacked = AnyCodec<PackedHierarchy>;
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
+/// `build_packed` in a layout. Throws InputError as that does, and where the layout has another
+/// width than 2, 4 or 8.
+AnyPacked build_packed_any(const PackedLayout& layout, const Mesh& mesh,
+                           const BuildOptions& options = {}, std::string_view name = "mesh");
+
 /// `collide_packed` for hierarchies of one layout. Throws InputError where A and B have different
 /// layouts.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,

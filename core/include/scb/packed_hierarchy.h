@@ -103,6 +103,14 @@ PackedHierarchy<Codec> pack(const Hierarchy<Scb>& hierarchy, const Mesh& mesh,
                             LeafCorners corners = LeafCorners::stored,
                             std::string_view name = "mesh", int threads = 1);
 
+/// The same as `pack(build_hierarchy<Scb>(mesh, options, name), mesh, ...)`, sooner: volumes that
+/// no packed hierarchy of these leaves has are not fitted.
+template <class Codec>
+PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options = {},
+                                    int leaf_triangles = most_leaf_triangles,
+                                    LeafCorners corners = LeafCorners::stored,
+                                    std::string_view name = "mesh");
+
 /// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
 /// its own volume and in the one that its parent has of it, as decoded, and that corners are the
 /// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log
