@@ -5,6 +5,7 @@
 
 #include "app/cli/choice.h"
 #include "app/cli/validators.h"
+#include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
@@ -87,6 +88,7 @@ BuildOptions HierarchyOptions::build() const {
         throw InputError(format("--margin %g: give a share of the radius from 0 to 1.", margin));
     options.fit.margin = margin + 0.0;  // -0 is 0
     options.split = split;
+    options.threads = processor_count();
     return options;
 }
 

@@ -37,6 +37,7 @@ struct HierarchyOptions {
     SplitMethod split = SplitMethod::section_3;
     Mutation mutation = Mutation::none;
 
+    /// In as many threads as there are processors.
     BuildOptions build() const;
     /// The volumes asked for, each once; throws InputError for an unknown name.
     std::vector<VolumeKind> kinds() const;

@@ -21,6 +21,8 @@
 namespace scb {
 
 #ifndef SCB_WITHOUT_TBB
+int processor_count() { return tbb::info::default_concurrency(); }
+
 namespace {
 
 // One for each number of threads, kept: it takes workers some fifty microseconds to come to an
@@ -30,7 +32,7 @@ tbb::task_arena& arena_of(int threads) {
     static std::map<int, tbb::task_arena> arenas;
     const std::lock_guard lock(mutex);
     // More than there are CPUs would be refused with a warning on standard error.
-    const int used = std::min(threads, tbb::info::default_concurrency());
+    const int used = std::min(threads, processor_count());
     return arenas.try_emplace(used, used).first->second;
 }
 
@@ -64,6 +66,8 @@ void parallel_invoke(int threads, const std::function<void()>& first,
     in_arena(threads, [&] { tbb::parallel_invoke(first, second); });
 }
 #else
+int processor_count() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
 namespace {
 
 // Threads beside the first, in the whole program.

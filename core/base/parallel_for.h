@@ -5,6 +5,9 @@
 
 namespace scb {
 
+/// How many processors this program may run on: at least 1.
+int processor_count();
+
 // Threads that share some work, this one among them: `threads` at most, which is at least 1, and no
 // more than the machine has. All callers in the program share them. What one of them throws, the
 // first of several, is thrown here once all have ended.

@@ -19,6 +19,7 @@
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
 #include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/unfitted_triangle.h"
 #include "scb/topology.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,16 +46,18 @@ HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t coun
 
 /// Fits the volumes of a subtree, children before their parents. What a fitted subtree leaves for
 /// its parent is on a stack, and the ids of the points that it shares with what lies left of it at
-/// the end of another.
+/// the end of another. What is fitted to be packed to leaves of more than one triangle leaves out
+/// single ones, see fit_volumes.
 template <class V>
 class BottomUpFit {
   public:
     BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                int threads, std::span<V> volumes)
+                int threads, std::uint32_t leaf_triangles, std::span<V> volumes)
         : topology_(topology),
           points_(points),
           options_(options),
           threads_(threads),
+          leaf_triangles_(leaf_triangles),
           volumes_(volumes) {}
 
     void run(std::uint32_t root) {
@@ -65,17 +68,19 @@ class BottomUpFit {
             in_turn(root);
             return;
         }
-        BottomUpFit right(topology_, points_, options_, threads_, volumes_);
+        BottomUpFit right(topology_, points_, options_, threads_, leaf_triangles_, volumes_);
         parallel_invoke(
             threads_, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
         append(right);
         merge_top_two();
         fit_top(node, volumes_[root]);
+        if (leaves_out_) fit_triangles_below(root);
     }
 
     const FitCounts& counts() const { return counts_; }
 
   private:
+    static constexpr bool may_be_unfitted = std::is_same_v<V, Scb>;
     static constexpr bool needs_dop = !std::is_same_v<V, Obb>;
     static constexpr bool needs_moments = std::is_same_v<V, Obb>;
 
@@ -95,6 +100,10 @@ class BottomUpFit {
             const TopologyNode& node = topology_.nodes[index];
             if (node.is_leaf()) {
                 push_leaf(node);
+                if (leaves_out_ && index != 0) {
+                    leave_unfitted(node, volumes_[index]);
+                    continue;
+                }
             } else if (!children_done) {
                 open.push_back({index, true});
                 open.push_back({node.left + 1, false});
@@ -104,7 +113,43 @@ class BottomUpFit {
                 merge_top_two();
             }
             fit_top(node, volumes_[index]);
+            if (leaves_out_ && !node.is_leaf()) fit_triangles_below(index);
         }
+    }
+
+    // The children that are triangles, once their parent is fitted. Where it may become a packed
+    // leaf, they need no volumes unless to be leaves of their own might cost less, see collapse.
+    void fit_triangles_below(std::uint32_t parent) {
+        if constexpr (may_be_unfitted) {
+            const TopologyNode& node = topology_.nodes[parent];
+            if (node.count <= leaf_triangles_ &&
+                !(least_cost(node.left) + least_cost(node.left + 1) < own_cost(parent)))
+                return;
+            for (const std::uint32_t child : {node.left, node.left + 1})
+                if (topology_.nodes[child].is_leaf()) fit_by_itself(child);
+        }
+    }
+    float own_cost(std::uint32_t index) const {
+        return static_cast<float>(surface_area(volumes_[index]));
+    }
+    // Of the few triangles below a node, in any number of leaves.
+    float least_cost(std::uint32_t index) const {
+        const TopologyNode& node = topology_.nodes[index];
+        const float own = own_cost(index);
+        return node.is_leaf() ? own
+                              : std::min(own, least_cost(node.left) + least_cost(node.left + 1));
+    }
+    void fit_by_itself(std::uint32_t leaf) {
+        push_leaf(topology_.nodes[leaf]);
+        fit_top(topology_.nodes[leaf], volumes_[leaf]);
+        shared_.resize(shared_.size() - stack_.back().shared_count);
+        stack_.pop_back();
+    }
+    void leave_unfitted(const TopologyNode& leaf, V& volume) const {
+        const auto& corners = points_.corners[leaf.first];
+        const PointsView all = points_.points.view();
+        if constexpr (may_be_unfitted)
+            volume = unfitted_scb(all[corners[0]], all[corners[1]], all[corners[2]]);
     }
 
     void append(BottomUpFit& right) {
@@ -199,6 +244,8 @@ class BottomUpFit {
     const LeafOrder& points_;
     const FitOptions& options_;
     const int threads_;
+    const std::uint32_t leaf_triangles_;
+    const bool leaves_out_ = may_be_unfitted && leaf_triangles_ > 1;
     std::span<V> volumes_;
     FitCounts counts_;
     std::vector<Subtree> stack_;

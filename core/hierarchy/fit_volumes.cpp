@@ -1,5 +1,6 @@
 #include "core/hierarchy/fit_volumes.h"
 
+#include "core/base/large_pages.h"
 #include "core/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,27 +15,27 @@ namespace HWY_NAMESPACE {
 
 template <class V>
 void fit_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-              int threads, std::span<V> volumes) {
-    BottomUpFit<V> fit(topology, points, options, threads, volumes);
+              int threads, std::uint32_t leaf_triangles, std::span<V> volumes) {
+    BottomUpFit<V> fit(topology, points, options, threads, leaf_triangles, volumes);
     fit.run(0);
     if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
 void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, std::span<Scb> volumes) {
-    fit_tree(topology, points, options, threads, volumes);
+                  int threads, std::uint32_t leaf_triangles, std::span<Scb> volumes) {
+    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
 }
 void fit_scb2_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, std::span<Scb2> volumes) {
-    fit_tree(topology, points, options, threads, volumes);
+                   int threads, std::uint32_t leaf_triangles, std::span<Scb2> volumes) {
+    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
 }
 void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, std::span<Ball> volumes) {
-    fit_tree(topology, points, options, threads, volumes);
+                   int threads, std::uint32_t leaf_triangles, std::span<Ball> volumes) {
+    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
 }
 void fit_obb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, std::span<Obb> volumes) {
-    fit_tree(topology, points, options, threads, volumes);
+                  int threads, std::uint32_t leaf_triangles, std::span<Obb> volumes) {
+    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -51,24 +52,30 @@ HWY_EXPORT(fit_obb_tree);
 
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const FitOptions& options, int threads) {
-    std::vector<V> volumes(topology.nodes.size());
+                           const FitOptions& options, int threads, int leaf_triangles) {
+    std::vector<V> volumes;
+    resize_large(volumes, topology.nodes.size());
     const std::span<V> all(volumes);
+    const auto in_leaf = static_cast<std::uint32_t>(leaf_triangles);
     if constexpr (std::is_same_v<V, Scb>)
-        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, all);
+        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, in_leaf, all);
     else if constexpr (std::is_same_v<V, Scb2>)
-        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, all);
+        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, in_leaf, all);
     else if constexpr (std::is_same_v<V, Ball>)
-        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, all);
+        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, in_leaf, all);
     else if constexpr (std::is_same_v<V, Obb>)
-        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, all);
+        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, in_leaf, all);
     return volumes;
 }
 
-template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
-template std::vector<Scb2> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
-template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
-template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int);
+template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
+                                      int);
+template std::vector<Scb2> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
+                                       int);
+template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
+                                       int);
+template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
+                                      int);
 
 }  // namespace scb
 #endif

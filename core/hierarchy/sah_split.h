@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/hierarchy/primitives.h"
+#include "scb/simd_level.h"
 
 namespace scb {
 
@@ -18,6 +19,9 @@ namespace scb {
 /// construction of SAH-based bounding volume hierarchies", 2007). Of equally cheap ones the first.
 /// A half has at least a tenth of the triangles, so that depth stays logarithmic, or one of fewer
 /// than ten.
-std::uint32_t sah_split(std::span<std::uint32_t> range, const Primitives& primitives);
+using SahSplit = std::uint32_t (*)(std::span<std::uint32_t> range, const Primitives& primitives);
+
+/// The above with the vector instructions of a level: the same orders and sizes for any.
+SahSplit sah_split_at(SimdLevel level);
 
 }  // namespace scb

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/enum_names.h"
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
 #include "core/base/random.h"
 #include "core/hierarchy/primitives.h"
@@ -18,11 +19,13 @@ constexpr std::uint32_t sort_below = 8;
 using Range = std::span<std::uint32_t>;
 
 // The longest first; of equal ones the first.
-std::array<int, 3> axes_by_length(const Vec3& sides) {
-    std::array<int, 3> axes = {0, 1, 2};
-    if (sides[1] > sides[0]) std::swap(axes[0], axes[1]);
-    if (sides[2] > sides[axes[1]]) std::swap(axes[1], axes[2]);
-    if (sides[axes[1]] > sides[axes[0]]) std::swap(axes[0], axes[1]);
+std::array<std::size_t, 3> axes_by_length(const Box& box) {
+    const Vec3 sides = box.upper - box.lower;
+    std::array<std::size_t, 3> axes = {0, 1, 2};
+    const auto side = [&](std::size_t i) { return sides[static_cast<int>(axes[i])]; };
+    if (side(1) > side(0)) std::swap(axes[0], axes[1]);
+    if (side(2) > side(1)) std::swap(axes[1], axes[2]);
+    if (side(1) > side(0)) std::swap(axes[0], axes[1]);
     return axes;
 }
 
@@ -30,9 +33,9 @@ std::array<int, 3> axes_by_length(const Vec3& sides) {
 // stands on the wrong side changes places with its counterpart from the other end, as in quicksort.
 // Which side a centroid is on cannot be predicted, so what stands wrong is listed without branches,
 // a block at a time (Edelkamp and Weiss, "BlockQuicksort", 2016).
-std::uint32_t partition(Range range, const Primitives& primitives, int axis, double plane) {
+std::uint32_t partition(Range range, const Primitives& primitives, std::size_t axis, double plane) {
     const auto below = [&](std::size_t i) {
-        return std::size_t{primitives.centroids[range[i]][axis] < plane};
+        return std::size_t{primitives[range[i]].centroid[axis] < plane};
     };
     std::size_t left = 0;
     for (std::size_t i = 0; i < range.size(); ++i) left += below(i);
@@ -66,12 +69,11 @@ bool balanced(std::uint32_t left, std::size_t count) {
     return 10 * std::uint64_t{std::min<std::uint64_t>(left, count - left)} >= count;
 }
 
-double median_of_7(Range range, const Primitives& primitives, int axis, Random random) {
+double median_of_7(Range range, const Primitives& primitives, std::size_t axis, Random random) {
     std::array<double, 7> samples;
     for (double& sample : samples)
-        sample =
-            primitives
-                .centroids[range[random.below(static_cast<std::uint32_t>(range.size()))]][axis];
+        sample = primitives[range[random.below(static_cast<std::uint32_t>(range.size()))]]
+                     .centroid[axis];
     std::sort(samples.begin(), samples.end());
     return samples[3];
 }
@@ -94,15 +96,15 @@ Split split_by_section_3(Range range, std::uint32_t first, const Primitives& pri
     const auto count = static_cast<std::uint32_t>(range.size());
     if (count == 2) {
         // Half of all inner nodes: the same as below without the loops.
-        Box box = primitives.boxes[range[0]];
-        box.add(primitives.boxes[range[1]]);
-        const int axis = axes_by_length(box.upper - box.lower)[0];
+        Box box = primitives[range[0]].box();
+        box.add(primitives[range[1]].box());
+        const std::size_t axis = axes_by_length(box)[0];
         if (ByCentroid{primitives, axis}(range[1], range[0])) std::swap(range[0], range[1]);
         return {1, SplitRule::sorted};
     }
     Box box;
-    for (const std::uint32_t t : range) box.add(primitives.boxes[t]);
-    const std::array<int, 3> axes = axes_by_length(box.upper - box.lower);
+    for (const std::uint32_t t : range) box.add(primitives[t].box());
+    const std::array<std::size_t, 3> axes = axes_by_length(box);
     if (count < sort_below) {
         insertion_sort(range, {primitives, axes[0]});
         return {count / 2, SplitRule::sorted};
@@ -110,9 +112,9 @@ Split split_by_section_3(Range range, std::uint32_t first, const Primitives& pri
     constexpr SplitRule rules[] = {SplitRule::longest_side, SplitRule::second_side,
                                    SplitRule::third_side};
     for (std::size_t i = 0; i < 3; ++i) {
-        const int axis = axes[i];
+        const auto axis = static_cast<int>(axes[i]);
         const double middle = 0.5 * box.lower[axis] + 0.5 * box.upper[axis];
-        const std::uint32_t left = partition(range, primitives, axis, middle);
+        const std::uint32_t left = partition(range, primitives, axes[i], middle);
         if (balanced(left, count)) return {left, rules[i]};
     }
     // Seeded by the range, so that the result does not depend on the order in which nodes are
@@ -143,7 +145,7 @@ class Builder {
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
         topology_.order.resize(count);
         for (std::uint32_t t = 0; t < count; ++t) topology_.order[t] = t;
-        topology_.nodes.resize(2 * std::size_t{count} - 1);
+        resize_large(topology_.nodes, 2 * std::size_t{count} - 1);
         topology_.rules.resize(2 * std::size_t{count} - 1, SplitRule::leaf);
         topology_.nodes[0] = {0, count, 0};
     }
@@ -194,13 +196,14 @@ class Builder {
 
     Split split(Range range, std::uint32_t first) const {
         if (options_.split == SplitMethod::cost)
-            if (const std::uint32_t left = sah_split(range, primitives_); left != 0)
+            if (const std::uint32_t left = sah_split_(range, primitives_); left != 0)
                 return {left, SplitRule::least_cost};
         return split_by_section_3(range, first, primitives_);
     }
 
     Primitives primitives_;
     TopologyOptions options_;
+    SahSplit sah_split_ = sah_split_at(options_.simd);
     Topology topology_;
 };
 

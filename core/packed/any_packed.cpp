@@ -4,28 +4,42 @@
 
 namespace scb {
 
+namespace {
+
+// What `make` returns for the codec of the layout and of V.
+template <class V, class Make>
+AnyPacked of_codec(const PackedLayout& layout, const Make& make) {
+    const bool floats = layout.numbers == PackedLayout::Numbers::floats;
+    switch (layout.width) {
+        case 2:
+            return floats ? make.template operator()<FloatCodec<2, V>>()
+                          : make.template operator()<QuantizedCodec<2, V>>();
+        case 4:
+            return floats ? make.template operator()<FloatCodec<4, V>>()
+                          : make.template operator()<QuantizedCodec<4, V>>();
+        case 8:
+            return floats ? make.template operator()<FloatCodec<8, V>>()
+                          : make.template operator()<QuantizedCodec<8, V>>();
+        default:
+            throw InputError("a packed layout has nodes of 2, 4 or 8 children.");
+    }
+}
+
+[[noreturn]] void refuse_volumes(std::string_view name) {
+    throw InputError(std::string(name) +
+                     ": packed layouts have slab cut balls alone, with one slab or two.");
+}
+
+}  // namespace
+
 bool can_pack(VolumeKind kind) { return kind == VolumeKind::scb || kind == VolumeKind::scb2; }
 
 template <class V>
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, const Mesh& mesh,
                    std::string_view name, int threads) {
-    const auto packed = [&]<class Codec>() -> AnyPacked {
+    return of_codec<V>(layout, [&]<class Codec>() -> AnyPacked {
         return pack<Codec>(hierarchy, mesh, layout.leaf_triangles, layout.corners, name, threads);
-    };
-    const bool floats = layout.numbers == PackedLayout::Numbers::floats;
-    switch (layout.width) {
-        case 2:
-            return floats ? packed.template operator()<FloatCodec<2, V>>()
-                          : packed.template operator()<QuantizedCodec<2, V>>();
-        case 4:
-            return floats ? packed.template operator()<FloatCodec<4, V>>()
-                          : packed.template operator()<QuantizedCodec<4, V>>();
-        case 8:
-            return floats ? packed.template operator()<FloatCodec<8, V>>()
-                          : packed.template operator()<QuantizedCodec<8, V>>();
-        default:
-            throw InputError("a packed layout has nodes of 2, 4 or 8 children.");
-    }
+    });
 }
 
 template AnyPacked pack_any(const PackedLayout&, const Hierarchy<Scb>&, const Mesh&,
@@ -39,8 +53,16 @@ AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, co
         return pack_any(layout, *two_slabs, mesh, name, threads);
     if (const auto* one_slab = std::get_if<Hierarchy<Scb>>(&hierarchy))
         return pack_any(layout, *one_slab, mesh, name, threads);
-    throw InputError(std::string(name) +
-                     ": packed layouts have slab cut balls alone, with one slab or two.");
+    refuse_volumes(name);
+}
+
+AnyPacked build_packed_any(const PackedLayout& layout, VolumeKind kind, const Mesh& mesh,
+                           const BuildOptions& options, std::string_view name) {
+    if (!can_pack(kind)) refuse_volumes(name);
+    const auto built = [&]<class Codec>() -> AnyPacked {
+        return build_packed<Codec>(mesh, options, layout.leaf_triangles, layout.corners, name);
+    };
+    return kind == VolumeKind::scb2 ? of_codec<Scb2>(layout, built) : of_codec<Scb>(layout, built);
 }
 
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,

@@ -1,9 +1,10 @@
 #include "core/packed/collapse.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
-#include <span>
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
 
 namespace scb {
@@ -14,31 +15,32 @@ constexpr int widest = 8;
 // The least cost of representing a binary subtree by at most i + 1 wide subtrees.
 using Costs = std::array<float, widest>;
 
-// How: by one leaf, by one node with children, by dividing the places among the children of the
-// binary node, or as with one place fewer.
-constexpr std::uint8_t by_leaf = 200, by_node = 201, by_fewer = 202;
+// How: by one leaf, as with one place fewer, or else by dividing the places among the children of
+// the binary node, the left one gets so many and one more. By one subtree that is no leaf: by a
+// node whose children are divided so.
+constexpr std::uint8_t by_leaf = 200, by_fewer = 201;
 using Choices = std::array<std::uint8_t, widest>;
 
 class Collapse {
   public:
-    Collapse(const Topology& topology, const std::vector<double>& cost, int width,
+    Collapse(const Topology& topology, const std::vector<float>& cost, int width,
              int leaf_triangles)
         : nodes_(topology.nodes),
           cost_(cost),
           width_(width),
-          leaf_triangles_(static_cast<std::uint32_t>(leaf_triangles)),
-          costs_(nodes_.size()),
-          choices_(nodes_.size()) {}
+          leaf_triangles_(static_cast<std::uint32_t>(leaf_triangles)) {
+        resize_large(choices_, nodes_.size());
+    }
 
     WideTopology run(int threads) {
-        weigh_all(0, threads);
+        weigh(0, threads);
         WideTopology wide;
         if (choices_[0][0] == by_leaf) return wide;
         wide.nodes.push_back({0, 0, 0});
         for (std::size_t at = 0; at < wide.nodes.size(); ++at) {
             const std::uint32_t node = wide.nodes[at].node;
             wide.nodes[at].first_child = static_cast<std::uint32_t>(wide.children.size());
-            divide(node, width_ - 1, wide);
+            append_divided(node, width_ - 1, choices_[node][0], wide);
             wide.nodes[at].child_count =
                 static_cast<std::uint32_t>(wide.children.size()) - wide.nodes[at].first_child;
         }
@@ -46,72 +48,63 @@ class Collapse {
     }
 
   private:
-    // A node and all below it, children first.
-    void weigh_all(std::size_t root, int threads) {
+    // Chooses for a node and all below it. No deeper than the topology, whose depth is logarithmic.
+    Costs weigh(std::uint32_t i, int threads) {
         constexpr std::uint32_t divided_from = 8192;
-        const TopologyNode& node = nodes_[root];
-        if (threads > 1 && node.count >= divided_from)
+        const TopologyNode& node = nodes_[i];
+        Costs left, right;
+        if (node.is_leaf()) {
+            left.fill(cost_[i]);
+            choices_[i].fill(by_leaf);
+            return left;
+        }
+        if (threads > 1 && node.count >= divided_from) {
             parallel_invoke(
-                threads, [&] { weigh_all(node.left, threads); },
-                [&] { weigh_all(node.left + 1, threads); });
-        else if (!node.is_leaf())
-            for (std::size_t i = node.left + 2 * std::size_t{node.count} - 2; i-- > node.left;)
-                weigh(i);
-        weigh(root);
+                threads, [&] { left = weigh(node.left, threads); },
+                [&] { right = weigh(node.left + 1, threads); });
+        } else {
+            left = weigh(node.left, 1);
+            right = weigh(node.left + 1, 1);
+        }
+        return weigh(i, left, right);
     }
 
-    void weigh(std::size_t i) {
+    Costs weigh(std::uint32_t i, const Costs& left, const Costs& right) {
         const TopologyNode& node = nodes_[i];
-        Costs& costs = costs_[i];
+        Costs costs;
         Choices& choices = choices_[i];
-        if (node.is_leaf()) {
-            costs.fill(static_cast<float>(cost_[i]));
-            choices.fill(by_leaf);
-            return;
-        }
-        const Costs &left = costs_[node.left], &right = costs_[node.left + 1];
-        const auto divided = [&](int places, std::uint8_t& choice) {
-            float least = 0;
-            for (int l = 0; l < places; ++l) {
-                const float sum = left[static_cast<std::size_t>(l)] +
-                                  right[static_cast<std::size_t>(places - 1 - l)];
-                if (l != 0 && !(sum < least)) continue;
-                least = sum;
-                choice = static_cast<std::uint8_t>(l);
+        const auto last = static_cast<std::size_t>(width_ - 1);
+        // More places than triangles gain nothing.
+        const std::size_t left_places = nodes_[node.left].count;
+        for (std::size_t places = 1; places <= last; ++places) {
+            costs[places] = left[0] + right[places - 1];
+            choices[places] = 0;
+            for (std::size_t l = 1; l < std::min(places, left_places); ++l) {
+                const float sum = left[l] + right[places - 1 - l];
+                if (!(sum < costs[places])) continue;
+                costs[places] = sum;
+                choices[places] = static_cast<std::uint8_t>(l);
             }
-            return least;
-        };
-        std::uint8_t ignored = 0;
-        const auto own = static_cast<float>(cost_[i]);
-        costs[0] = own + divided(width_ - 1, ignored);
-        choices[0] = by_node;
+        }
         if (node.count <= leaf_triangles_) {
-            costs[0] = own;
+            costs[0] = cost_[i];
             choices[0] = by_leaf;
+        } else {
+            costs[0] = cost_[i] + costs[last];
+            choices[0] = choices[last];
         }
-        for (int places = 1; places < width_; ++places) {
-            const auto p = static_cast<std::size_t>(places);
-            costs[p] = divided(places, choices[p]);
-            if (costs[p] < costs[p - 1]) continue;
-            costs[p] = costs[p - 1];
-            choices[p] = by_fewer;
+        for (std::size_t places = 1; places <= last; ++places) {
+            if (costs[places] < costs[places - 1]) continue;
+            costs[places] = costs[places - 1];
+            choices[places] = by_fewer;
         }
+        return costs;
     }
 
     // Appends what stands for the children of binary node `i` in so many places and one more.
-    void divide(std::uint32_t i, int places, WideTopology& wide) {
-        // Here the node's own choices do not count: it is divided.
-        const TopologyNode& node = nodes_[i];
-        const Costs &left = costs_[node.left], &right = costs_[node.left + 1];
-        int best = 0;
-        for (int l = 1; l < places; ++l)
-            if (left[static_cast<std::size_t>(l)] +
-                    right[static_cast<std::size_t>(places - 1 - l)] <
-                left[static_cast<std::size_t>(best)] +
-                    right[static_cast<std::size_t>(places - 1 - best)])
-                best = l;
-        append(node.left, best, wide);
-        append(node.left + 1, places - 1 - best, wide);
+    void append_divided(std::uint32_t i, int places, int to_left, WideTopology& wide) {
+        append(nodes_[i].left, to_left, wide);
+        append(nodes_[i].left + 1, places - 1 - to_left, wide);
     }
 
     void append(std::uint32_t i, int places, WideTopology& wide) {
@@ -119,26 +112,24 @@ class Collapse {
         const std::uint8_t choice = choices_[i][static_cast<std::size_t>(places)];
         if (choice == by_leaf) {
             wide.children.push_back({i, WideTopology::no_node});
-        } else if (choice == by_node) {
+        } else if (places == 0) {
             wide.children.push_back({i, static_cast<std::uint32_t>(wide.nodes.size())});
             wide.nodes.push_back({i, 0, 0});
         } else {
-            append(nodes_[i].left, choice, wide);
-            append(nodes_[i].left + 1, places - 1 - choice, wide);
+            append_divided(i, places, choice, wide);
         }
     }
 
     const std::vector<TopologyNode>& nodes_;
-    const std::vector<double>& cost_;
+    const std::vector<float>& cost_;
     int width_;
     std::uint32_t leaf_triangles_;
-    std::vector<Costs> costs_;
     std::vector<Choices> choices_;
 };
 
 }  // namespace
 
-WideTopology collapse(const Topology& topology, const std::vector<double>& cost, int width,
+WideTopology collapse(const Topology& topology, const std::vector<float>& cost, int width,
                       int leaf_triangles, int threads) {
     assert(width >= 2 && width <= widest && leaf_triangles >= 1 && "see collapse");
     assert(cost.size() == topology.nodes.size() && "a cost for each node");

@@ -36,7 +36,7 @@ struct WideTopology {
 ///
 /// `width` is 2 to 8, `leaf_triangles` at least 1; a binary node of at most so many triangles may
 /// become a leaf, one of a single triangle always does.
-WideTopology collapse(const Topology& topology, const std::vector<double>& cost, int width,
+WideTopology collapse(const Topology& topology, const std::vector<float>& cost, int width,
                       int leaf_triangles, int threads = 1);
 
 }  // namespace scb

@@ -4,8 +4,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel_for.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
@@ -48,13 +52,14 @@ class Packing {
     }
 
     PackedHierarchy<Codec> run(int leaf_triangles) {
-        std::vector<double> cost(volumes_.size());
+        std::vector<float> cost(volumes_.size());
         parallel_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i) cost[i] = visit_cost(volumes_[i]);
+            for (std::size_t i = first; i < end; ++i)
+                cost[i] = static_cast<float>(visit_cost(volumes_[i]));
         });
         const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
         packed_.reach = scb::reach(volumes_[0]);
-        packed_.nodes.resize(wide.nodes.size());
+        resize_large(packed_.nodes, wide.nodes.size());
         place_leaves(wide);
         parallel_blocks(threads_, wide.nodes.size(), [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i)
@@ -85,7 +90,7 @@ class Packing {
             throw InputError(name_ +
                              ": too many triangles for this packed layout; give larger leaves, an "
                              "indexed layout, or the reference.");
-        packed_.leaves.resize(words + words_behind);
+        resize_large(packed_.leaves, words + words_behind);
         packed_.leaf_radius = radii / static_cast<double>(leaves);
     }
     std::size_t leaf_size(std::uint32_t i) const {
@@ -176,10 +181,23 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
     return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
 }
 
+template <class Codec>
+PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options,
+                                    int leaf_triangles, LeafCorners corners,
+                                    std::string_view name) {
+    MeshTopology shared = checked_topology(mesh, options, name);
+    auto volumes = fit_volumes<typename Codec::Volume>(*shared.topology, shared.points, options.fit,
+                                                       options.threads, leaf_triangles);
+    return pack<Codec>({std::move(shared.topology), std::move(volumes)}, mesh, leaf_triangles,
+                       corners, name, options.threads);
+}
+
 #define SCB_PACK(...)                                                                              \
     template PackedHierarchy<__VA_ARGS__> pack<__VA_ARGS__>(const Hierarchy<__VA_ARGS__::Volume>&, \
                                                             const Mesh&, int, LeafCorners,         \
-                                                            std::string_view, int);
+                                                            std::string_view, int);                \
+    template PackedHierarchy<__VA_ARGS__> build_packed<__VA_ARGS__>(                               \
+        const Mesh&, const BuildOptions&, int, LeafCorners, std::string_view);
 SCB_FOR_EACH_CODEC(SCB_PACK)
 #undef SCB_PACK
 

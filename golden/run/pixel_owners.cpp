@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/parallel_for.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/load_scene.h"
@@ -21,7 +22,8 @@ Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
         scenes::LoadOptions options;
         options.models_dir = settings.models;
         const scenes::Scene scene = scenes::load_scene(golden.scene, options);
-        const std::vector<MeshTopology> topologies = scenes::build_topologies(scene);
+        const std::vector<MeshTopology> topologies = 
+            scenes::build_topologies(scene, {.threads = processor_count()});
         for (const scenes::Body& body : scene.bodies)
             depths_[body.name] = node_depths(*topologies[body.mesh].topology);
         add_ranges(document);

@@ -27,10 +27,7 @@ void count(benchmark::State& state, const char* name, double of) {
 
 void build(benchmark::State& state) {
     const Mesh& mesh = sphere(static_cast<int>(state.range(0)));
-    for (auto _ : state) {
-        const auto hierarchy = build_hierarchy<Scb>(mesh);
-        benchmark::DoNotOptimize(pack_any(*packed_layout_of("quantized8"), hierarchy, mesh));
-    }
+    for (auto _ : state) benchmark::DoNotOptimize(build_packed(mesh));
     const auto n = static_cast<double>(mesh.triangles.size());
     state.counters["triangles"] = n;
     count(state, "time/(n log2 n)", n * std::log2(n));
@@ -38,8 +35,7 @@ void build(benchmark::State& state) {
 
 void query(benchmark::State& state) {
     const Mesh& mesh = sphere(static_cast<int>(state.range(0)));
-    const AnyPacked packed =
-        pack_any(*packed_layout_of("quantized8"), build_hierarchy<Scb>(mesh), mesh);
+    const auto packed = build_packed(mesh);
     // Other poses in turn, so that no branch is learnt by heart.
     constexpr int poses = 16;
     std::vector<Pose> b_to_a(poses);

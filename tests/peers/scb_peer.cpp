@@ -39,17 +39,12 @@ class ReferencePeer : public Peer {
     Collision found_;
 };
 
-/// A mesh, and its packed hierarchy; the reference hierarchy that it is made of is dropped.
+/// A mesh, and its packed hierarchy.
 struct PackedBody {
     PackedBody(const PeerMesh& from, const PackedPeerOptions& options)
-        : mesh(core_mesh(from)), hierarchy(packed(mesh, options)) {}
-
-    static AnyPacked packed(const Mesh& mesh, const PackedPeerOptions& options) {
-        const BuildOptions build{.split = options.split};
-        if (options.volume == VolumeKind::scb2)
-            return pack_any(options.layout, build_hierarchy<Scb2>(mesh, build), mesh);
-        return pack_any(options.layout, build_hierarchy<Scb>(mesh, build), mesh);
-    }
+        : mesh(core_mesh(from)),
+          hierarchy(
+              build_packed_any(options.layout, options.volume, mesh, {.split = options.split})) {}
 
     Mesh mesh;
     AnyPacked hierarchy;

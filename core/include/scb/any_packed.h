@@ -20,6 +20,12 @@ AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, co
 AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
+/// `build_packed` in a layout, of volumes that can be packed. Throws InputError as that does, where
+/// the layout has another width than 2, 4 or 8, and where no layout has such volumes.
+AnyPacked build_packed_any(const PackedLayout& layout, VolumeKind kind, const Mesh& mesh,
+                           const BuildOptions& options = packed_build,
+                           std::string_view name = "mesh");
+
 /// `collide_packed` for hierarchies of one layout. Throws InputError where A and B have different
 /// layouts.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,

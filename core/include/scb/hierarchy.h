@@ -19,7 +19,7 @@ struct BuildOptions {
     /// How many threads build it; it is the same for any number.
     int threads = 1;
 
-    TopologyOptions topology() const { return {split, threads}; }
+    TopologyOptions topology() const { return {split, threads, fit.simd}; }
 };
 
 /// A bounding volume hierarchy: a topology, which several hierarchies may share, and a volume for

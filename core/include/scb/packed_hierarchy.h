@@ -117,6 +117,19 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
                             LeafCorners corners = LeafCorners::stored,
                             std::string_view name = "mesh", int threads = 1);
 
+/// The codec with which queries are quickest, on scans and on CAD models, see core/README.md.
+using QuickestCodec = QuantizedCodec<8, Scb2>;
+/// How packed hierarchies are built unless told otherwise.
+inline constexpr BuildOptions packed_build = {.split = SplitMethod::cost};
+
+/// The same as `pack<Codec>(build_hierarchy<Codec::Volume>(mesh, options, name), mesh, ...)`,
+/// sooner: volumes that no packed hierarchy of these leaves has are not fitted.
+template <class Codec = QuickestCodec>
+PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options = packed_build,
+                                    int leaf_triangles = most_leaf_triangles,
+                                    LeafCorners corners = LeafCorners::stored,
+                                    std::string_view name = "mesh");
+
 /// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
 /// its own volume and in the one that its parent has of it, as decoded, and that corners are the
 /// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log

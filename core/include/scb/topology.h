@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scb/mesh.h"
+#include "scb/simd_level.h"
 
 namespace scb {
 
@@ -61,6 +62,8 @@ struct TopologyOptions {
     SplitMethod split = SplitMethod::section_3;
     /// How many threads; the result is the same for any number.
     int threads = 1;
+    /// Which vector instructions to use; the result is the same for any.
+    SimdLevel simd = SimdLevel::best;
 };
 
 /// Builds the tree top down. By the rules of Section 3, the primitives' box is divided through its

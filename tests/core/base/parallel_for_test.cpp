@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -9,6 +10,11 @@
 
 namespace scb {
 namespace {
+
+TEST(ParallelFor, CountsTheProcessorsThatItMayRunOn) {
+    EXPECT_GE(processor_count(), 1);
+    EXPECT_LE(processor_count(), std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+}
 
 TEST(ParallelFor, CallsEachOnce) {
     for (const int threads : {1, 2, 7})

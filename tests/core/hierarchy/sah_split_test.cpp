@@ -84,6 +84,22 @@ TEST(SahSplit, IsTheSameForAnyNumberOfThreads) {
         ASSERT_EQ(one.nodes[i].left, three.nodes[i].left) << i;
 }
 
+TEST(SahSplit, IsTheSameWithAnyVectorInstructions) {
+    std::vector<Mesh> meshes = {height_field(40), random_soup(45, 3000, 0.05)};
+    for (int count = 2; count <= 40; ++count) meshes.push_back(random_soup(46, count, 0.3));
+    Mesh twice = random_soup(47, 30, 0.1);  // centroids that are equal
+    for (std::size_t t = 0; t < 30; ++t) twice.triangles.push_back(twice.triangles[t]);
+    meshes.push_back(twice);
+    for (const Mesh& mesh : meshes)
+        for (const SimdLevel level : available_simd_levels()) {
+            const Topology best = by_cost(mesh);
+            const Topology other =
+                build_topology(mesh, {.split = SplitMethod::cost, .simd = level});
+            ASSERT_EQ(best.order, other.order) << simd_level_name(level);
+            ASSERT_EQ(best.rules, other.rules) << simd_level_name(level);
+        }
+}
+
 TEST(SahSplit, QueriesFindTheSamePairs) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const SmallScene scene = small_scene(seed);

@@ -13,36 +13,37 @@
 namespace scb {
 namespace {
 
-std::vector<double> random_costs(const Topology& topology, std::uint64_t seed) {
+std::vector<float> random_costs(const Topology& topology, std::uint64_t seed) {
     Random random(seed);
-    std::vector<double> costs(topology.nodes.size(), 1);
+    std::vector<float> costs(topology.nodes.size(), 1);
     for (std::size_t i = 0; i < costs.size(); ++i)
         if (!topology.nodes[i].is_leaf())
             for (const std::uint32_t k : {topology.nodes[i].left, topology.nodes[i].left + 1})
-                costs[k] = costs[i] * random.uniform(0.2, 0.9);
+                costs[k] = costs[i] * static_cast<float>(random.uniform(0.2, 0.9));
     return costs;
 }
 
-double cost_of(const WideTopology& wide, const std::vector<double>& cost) {
+double cost_of(const WideTopology& wide, const std::vector<float>& cost) {
     double sum = 0;
-    for (const WideTopology::Node& node : wide.nodes) sum += cost[node.node];
+    for (const WideTopology::Node& node : wide.nodes) sum += static_cast<double>(cost[node.node]);
     for (const WideTopology::Child& child : wide.children)
-        if (child.wide == WideTopology::no_node) sum += cost[child.node];
+        if (child.wide == WideTopology::no_node) sum += static_cast<double>(cost[child.node]);
     return sum;
 }
 
 /// The least cost of any wide topology, by trying all of them.
-double least_cost(const Topology& topology, const std::vector<double>& cost, int width,
+double least_cost(const Topology& topology, const std::vector<float>& cost, int width,
                   std::uint32_t leaf) {
     const auto& nodes = topology.nodes;
     // Of a node as at most so many subtrees.
     const std::function<double(std::uint32_t, int)> best = [&](std::uint32_t i, int places) {
         double least = std::numeric_limits<double>::infinity();
-        if (nodes[i].count <= leaf) least = cost[i];
+        if (nodes[i].count <= leaf) least = static_cast<double>(cost[i]);
         const auto divided = [&](int all) {
             for (int l = 1; l < all; ++l)
-                least = std::min(least, best(nodes[i].left, l) + best(nodes[i].left + 1, all - l) +
-                                            (all == width && places == 1 ? cost[i] : 0.0));
+                least = std::min(
+                    least, best(nodes[i].left, l) + best(nodes[i].left + 1, all - l) +
+                               (all == width && places == 1 ? static_cast<double>(cost[i]) : 0.0));
         };
         if (nodes[i].is_leaf()) return least;
         if (places == 1) {
@@ -63,7 +64,7 @@ TEST(Collapse, CostsTheLeast) {
         for (const int width : {2, 3, 4})
             for (const int leaf : {1, 2, 4}) {
                 const Topology topology = build_topology(random_soup(91, count, 0.3));
-                const std::vector<double> cost = random_costs(topology, 92);
+                const std::vector<float> cost = random_costs(topology, 92);
                 const WideTopology wide = collapse(topology, cost, width, leaf);
                 if (wide.nodes.empty()) {
                     EXPECT_LE(count, leaf);
@@ -103,7 +104,7 @@ TEST(Collapse, HasEveryTriangleInOneLeaf) {
 
 TEST(Collapse, IsTheSameForAnyNumberOfThreads) {
     const Topology topology = build_topology(height_field(130));  // divided among threads twice
-    const std::vector<double> cost = random_costs(topology, 94);
+    const std::vector<float> cost = random_costs(topology, 94);
     for (const int width : {2, 8}) {
         const WideTopology one = collapse(topology, cost, width, 4);
         for (const int threads : {2, 5}) {

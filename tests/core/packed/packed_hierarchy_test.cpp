@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/base/random.h"
+#include "scb/error.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/packed/packed_variants.h"
 
@@ -114,6 +116,62 @@ TEST(PackedHierarchy, ValidateFindsWhatIsWrong) {
               std::string::npos);
 }
 
+template <class Codec>
+void expect_same(const PackedHierarchy<Codec>& a, const PackedHierarchy<Codec>& b) {
+    ASSERT_EQ(a.leaves.size(), b.leaves.size());
+    EXPECT_EQ(std::memcmp(a.leaves.data(), b.leaves.data(), a.leaves.size() * sizeof(float)), 0);
+    ASSERT_EQ(a.nodes.size(), b.nodes.size());
+    for (std::size_t i = 0; i < a.nodes.size(); ++i)
+        ASSERT_EQ(std::memcmp(&a.nodes[i], &b.nodes[i], sizeof a.nodes[i]), 0) << i;
+    EXPECT_EQ(a.root.bits, b.root.bits);
+    EXPECT_EQ(a.reach, b.reach);
+    EXPECT_EQ(a.leaf_radius, b.leaf_radius);
+}
+
+// Triangles of a grid in three directions, all alike and acute; of a strip, long and thin.
+Mesh acute_grid(std::uint32_t side, double height) {
+    Mesh mesh;
+    for (std::uint32_t j = 0; j <= side; ++j)
+        for (std::uint32_t i = 0; i <= side; ++i)
+            mesh.vertices.push_back({i + 0.5 * j, height * j, 0.01 * (i * i + j)});
+    for (std::uint32_t j = 0; j < side; ++j)
+        for (std::uint32_t i = 0; i < side; ++i) {
+            const std::uint32_t at = j * (side + 1) + i;
+            mesh.triangles.push_back({at, at + 1, at + side + 1});
+            mesh.triangles.push_back({at + 1, at + side + 2, at + side + 1});
+        }
+    return mesh;
+}
+
+TEST(PackedHierarchy, BuiltAtOnceIsThatOfTheHierarchy) {
+    std::vector<Mesh> meshes = all_kinds();
+    for (const double height : {0.866, 0.5, 1e-3, 1e-9}) meshes.push_back(acute_grid(12, height));
+    meshes.push_back(height_field(80));  // more than a thread takes at a time
+    for (const Mesh& mesh : meshes)
+        for (const SplitMethod split : {SplitMethod::section_3, SplitMethod::cost}) {
+            const BuiltMesh built(mesh, build_topology(mesh, {.split = split}));
+            for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+                const auto& hierarchy = scb_of<typename Codec::Volume>(built);
+                for (int leaf = 1; leaf <= most_leaf_triangles; ++leaf) {
+                    SCOPED_TRACE(std::string(name) + ", leaves of " + std::to_string(leaf));
+                    const auto expected = pack<Codec>(hierarchy, mesh, leaf);
+                    for (const int threads : {1, 3})
+                        expect_same(
+                            build_packed<Codec>(mesh, {.split = split, .threads = threads}, leaf),
+                            expected);
+                }
+            });
+        }
+}
+
+TEST(PackedHierarchy, BuiltAtOnceRefusesWhatCannotBePacked) {
+    Mesh mesh = height_field(3);
+    mesh.vertices[4][0] = 1e9;
+    EXPECT_THROW(build_packed<FloatCodec<8>>(mesh), InputError);
+    mesh.vertices[4][0] = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(build_packed<FloatCodec<8>>(mesh), InputError);
+}
+
 TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = height_field(100);  // more nodes than a thread takes at a time
     const BuiltMesh built(mesh);
@@ -122,10 +180,7 @@ TEST(PackedHierarchy, IsTheSameForAnyNumberOfThreads) {
         const auto one = pack<Codec>(scb_of<typename Codec::Volume>(built), mesh, 1);
         const auto three = pack<Codec>(scb_of<typename Codec::Volume>(built), mesh, 1,
                                        LeafCorners::stored, "mesh", 3);
-        EXPECT_EQ(one.leaves, three.leaves);
-        ASSERT_EQ(one.nodes.size(), three.nodes.size());
-        for (std::size_t i = 0; i < one.nodes.size(); ++i)
-            ASSERT_EQ(std::memcmp(&one.nodes[i], &three.nodes[i], sizeof one.nodes[i]), 0) << i;
+        expect_same(one, three);
     });
 }
 

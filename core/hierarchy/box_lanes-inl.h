@@ -1,0 +1,66 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_BOX_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_BOX_LANES_INL_H_
+#undef SCB_CORE_BOX_LANES_INL_H_
+#else
+#define SCB_CORE_BOX_LANES_INL_H_
+#endif
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/double_lanes-inl.h"
+#include "core/hierarchy/primitives.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// Eight doubles: the corners of a box as a Primitive has them, and two lanes of no use. Minima are
+/// exact, so the box of many does not depend on their order, nor on how wide vectors are.
+struct BoxLanes {
+    static constexpr std::size_t lanes = 8;
+    using Stored = std::array<double, lanes>;
+    std::array<Doubles, lanes / Doubles::n> part;
+
+    /// Of no triangles.
+    static HWY_INLINE BoxLanes empty() {
+        BoxLanes box;
+        for (Doubles& some : box.part) some = Doubles::all(1e300);
+        return box;
+    }
+    static HWY_INLINE BoxLanes of(const Primitive& primitive) {
+        static_assert(sizeof(Primitive) >= sizeof(Stored), "or the last lanes are not its own");
+        return load_from_any(primitive.lower.data());
+    }
+    static HWY_INLINE BoxLanes load(const Stored& from) { return load_from_any(from.data()); }
+    HWY_INLINE void store(Stored& to) const {
+        for (std::size_t i = 0; i < part.size(); ++i)
+            hn::StoreU(part[i].v, Doubles::D(), to.data() + i * Doubles::n);
+    }
+    HWY_INLINE void add(const BoxLanes& other) {
+        for (std::size_t i = 0; i < part.size(); ++i) part[i] = min(part[i], other.part[i]);
+    }
+
+  private:
+    static HWY_INLINE BoxLanes load_from_any(const double* from) {
+        BoxLanes box;
+        for (std::size_t i = 0; i < box.part.size(); ++i)
+            box.part[i] = Doubles::load_from_any(from + i * Doubles::n);
+        return box;
+    }
+};
+
+/// The squared diagonal of a box; infinite of an empty one.
+HWY_INLINE double squared_diagonal(const BoxLanes& box) {
+    BoxLanes::Stored s;
+    box.store(s);
+    const double x = s[0] + s[3], y = s[1] + s[4], z = s[2] + s[5];
+    return x * x + y * y + z * z;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif
