@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -83,6 +84,13 @@ std::vector<render::LevelBody> bodies_of(const scenes::Scene& scene, int frame,
     return bodies;
 }
 
+// The deepest node of which a volume is drawn or counted.
+int deepest_drawn(const std::vector<int>& levels) {
+    if (std::find(levels.begin(), levels.end(), leaf_level) != levels.end())
+        return FittedNodes{}.deepest;
+    return *std::max_element(levels.begin(), levels.end());
+}
+
 int run(const LevelOptions& options, const Console& console) {
     options.check();
     const scenes::Scene scene = options.scene.load();
@@ -99,8 +107,8 @@ int run(const LevelOptions& options, const Console& console) {
     PictureRun pictures(options.picture);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
-        for (AnyHierarchy& fitted : hierarchies.emplace_back(
-                 scenes::fit_meshes(topologies, kind, options.hierarchy.build())))
+        for (AnyHierarchy& fitted : hierarchies.emplace_back(scenes::fit_meshes(
+                 topologies, kind, options.hierarchy.build(), deepest_drawn(levels))))
             mutate(options.hierarchy.mutation, fitted);
     const render::LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
     std::vector<render::MeshHandle> meshes;

@@ -66,7 +66,9 @@ void parallel_invoke(int threads, const std::function<void()>& first,
     in_arena(threads, [&] { tbb::parallel_invoke(first, second); });
 }
 #else
-int processor_count() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+int processor_count() {
+    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
 
 namespace {
 

@@ -24,9 +24,10 @@ std::optional<VolumeKind> volume_kind_of(std::string_view name) { return kind_na
 std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
-                     const LeafOrder& points, FitOptions options, int threads) {
+                     const LeafOrder& points, FitOptions options, int threads,
+                     const FittedNodes& wanted) {
     const auto fitted = [&]<class V>(V) -> AnyHierarchy {
-        std::vector<V> volumes = fit_volumes<V>(*topology, points, options, threads);
+        std::vector<V> volumes = fit_volumes<V>(*topology, points, options, threads, wanted);
         return Hierarchy<V>{std::move(topology), std::move(volumes)};
     };
     switch (kind) {

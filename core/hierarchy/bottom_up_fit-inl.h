@@ -18,6 +18,7 @@
 #include "core/fit/dop26-inl.h"
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
+#include "core/hierarchy/fitted_nodes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/unfitted_triangle.h"
 #include "scb/topology.h"
@@ -46,35 +47,34 @@ HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t coun
 
 /// Fits the volumes of a subtree, children before their parents. What a fitted subtree leaves for
 /// its parent is on a stack, and the ids of the points that it shares with what lies left of it at
-/// the end of another. What is fitted to be packed to leaves of more than one triangle leaves out
-/// single ones, see fit_volumes.
+/// the end of another. Nodes that are not wanted are merged all the same.
 template <class V>
 class BottomUpFit {
   public:
     BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                int threads, std::uint32_t leaf_triangles, std::span<V> volumes)
+                int threads, const FittedNodes& wanted, std::span<V> volumes)
         : topology_(topology),
           points_(points),
           options_(options),
           threads_(threads),
-          leaf_triangles_(leaf_triangles),
+          wanted_(wanted),
           volumes_(volumes) {}
 
-    void run(std::uint32_t root) {
+    void run(std::uint32_t root, int depth = 0) {
         // Above some thousand triangles, the two halves at once.
         constexpr std::uint32_t divided_from = 4096;
         const TopologyNode& node = topology_.nodes[root];
         if (threads_ == 1 || node.count < divided_from) {
-            in_turn(root);
+            in_turn(root, depth);
             return;
         }
-        BottomUpFit right(topology_, points_, options_, threads_, leaf_triangles_, volumes_);
+        BottomUpFit right(topology_, points_, options_, threads_, wanted_, volumes_);
         parallel_invoke(
-            threads_, [&] { run(node.left); }, [&] { right.run(node.left + 1); });
+            threads_, [&] { run(node.left, depth + 1); },
+            [&] { right.run(node.left + 1, depth + 1); });
         append(right);
         merge_top_two();
-        fit_top(node, volumes_[root]);
-        if (leaves_out_) fit_triangles_below(root);
+        fit_if_wanted(root, depth);
     }
 
     const FitCounts& counts() const { return counts_; }
@@ -91,30 +91,42 @@ class BottomUpFit {
         std::uint32_t shared_count;  // its shared points: ids below own_first
     };
 
-    void in_turn(std::uint32_t root) {
+    void in_turn(std::uint32_t root, int root_depth) {
         // A node is met twice: before its children, and after them.
-        std::vector<std::pair<std::uint32_t, bool>> open = {{root, false}};
+        struct Visit {
+            std::uint32_t index;
+            int depth;
+            bool children_done;
+        };
+        std::vector<Visit> open = {{root, root_depth, false}};
         while (!open.empty()) {
-            const auto [index, children_done] = open.back();
+            const auto [index, depth, children_done] = open.back();
             open.pop_back();
             const TopologyNode& node = topology_.nodes[index];
             if (node.is_leaf()) {
                 push_leaf(node);
-                if (leaves_out_ && index != 0) {
-                    leave_unfitted(node, volumes_[index]);
-                    continue;
-                }
             } else if (!children_done) {
-                open.push_back({index, true});
-                open.push_back({node.left + 1, false});
-                open.push_back({node.left, false});
+                open.push_back({index, depth, true});
+                open.push_back({node.left + 1, depth + 1, false});
+                open.push_back({node.left, depth + 1, false});
                 continue;
             } else {
                 merge_top_two();
             }
-            fit_top(node, volumes_[index]);
-            if (leaves_out_ && !node.is_leaf()) fit_triangles_below(index);
+            fit_if_wanted(index, depth);
         }
+    }
+
+    // The node on top of the stack.
+    void fit_if_wanted(std::uint32_t index, int depth) {
+        const TopologyNode& node = topology_.nodes[index];
+        if (depth > wanted_.deepest) return;
+        if (leaves_out_ && node.is_leaf() && depth > 0) {
+            leave_unfitted(node, volumes_[index]);
+            return;
+        }
+        fit_top(node, volumes_[index]);
+        if (leaves_out_ && !node.is_leaf()) fit_triangles_below(index);
     }
 
     // The children that are triangles, once their parent is fitted. Where it may become a packed
@@ -122,7 +134,7 @@ class BottomUpFit {
     void fit_triangles_below(std::uint32_t parent) {
         if constexpr (may_be_unfitted) {
             const TopologyNode& node = topology_.nodes[parent];
-            if (node.count <= leaf_triangles_ &&
+            if (node.count <= static_cast<std::uint32_t>(wanted_.leaf_triangles) &&
                 !(least_cost(node.left) + least_cost(node.left + 1) < own_cost(parent)))
                 return;
             for (const std::uint32_t child : {node.left, node.left + 1})
@@ -244,8 +256,8 @@ class BottomUpFit {
     const LeafOrder& points_;
     const FitOptions& options_;
     const int threads_;
-    const std::uint32_t leaf_triangles_;
-    const bool leaves_out_ = may_be_unfitted && leaf_triangles_ > 1;
+    const FittedNodes wanted_;
+    const bool leaves_out_ = may_be_unfitted && wanted_.leaf_triangles > 1;
     std::span<V> volumes_;
     FitCounts counts_;
     std::vector<Subtree> stack_;

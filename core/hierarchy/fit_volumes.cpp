@@ -15,27 +15,27 @@ namespace HWY_NAMESPACE {
 
 template <class V>
 void fit_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-              int threads, std::uint32_t leaf_triangles, std::span<V> volumes) {
-    BottomUpFit<V> fit(topology, points, options, threads, leaf_triangles, volumes);
+              int threads, const FittedNodes& wanted, std::span<V> volumes) {
+    BottomUpFit<V> fit(topology, points, options, threads, wanted, volumes);
     fit.run(0);
     if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
 void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, std::uint32_t leaf_triangles, std::span<Scb> volumes) {
-    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
+                  int threads, const FittedNodes& wanted, std::span<Scb> volumes) {
+    fit_tree(topology, points, options, threads, wanted, volumes);
 }
 void fit_scb2_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, std::uint32_t leaf_triangles, std::span<Scb2> volumes) {
-    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
+                   int threads, const FittedNodes& wanted, std::span<Scb2> volumes) {
+    fit_tree(topology, points, options, threads, wanted, volumes);
 }
 void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, std::uint32_t leaf_triangles, std::span<Ball> volumes) {
-    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
+                   int threads, const FittedNodes& wanted, std::span<Ball> volumes) {
+    fit_tree(topology, points, options, threads, wanted, volumes);
 }
 void fit_obb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, std::uint32_t leaf_triangles, std::span<Obb> volumes) {
-    fit_tree(topology, points, options, threads, leaf_triangles, volumes);
+                  int threads, const FittedNodes& wanted, std::span<Obb> volumes) {
+    fit_tree(topology, points, options, threads, wanted, volumes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -52,30 +52,29 @@ HWY_EXPORT(fit_obb_tree);
 
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
-                           const FitOptions& options, int threads, int leaf_triangles) {
+                           const FitOptions& options, int threads, const FittedNodes& wanted) {
     std::vector<V> volumes;
     resize_large(volumes, topology.nodes.size());
     const std::span<V> all(volumes);
-    const auto in_leaf = static_cast<std::uint32_t>(leaf_triangles);
     if constexpr (std::is_same_v<V, Scb>)
-        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, in_leaf, all);
+        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, wanted, all);
     else if constexpr (std::is_same_v<V, Scb2>)
-        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, in_leaf, all);
+        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, wanted, all);
     else if constexpr (std::is_same_v<V, Ball>)
-        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, in_leaf, all);
+        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, wanted, all);
     else if constexpr (std::is_same_v<V, Obb>)
-        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, in_leaf, all);
+        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, wanted, all);
     return volumes;
 }
 
 template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                      int);
+                                      const FittedNodes&);
 template std::vector<Scb2> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                       int);
+                                       const FittedNodes&);
 template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                       int);
+                                       const FittedNodes&);
 template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                      int);
+                                      const FittedNodes&);
 
 }  // namespace scb
 #endif

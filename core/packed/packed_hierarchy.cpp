@@ -186,8 +186,9 @@ PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& option
                                     int leaf_triangles, LeafCorners corners,
                                     std::string_view name) {
     MeshTopology shared = checked_topology(mesh, options, name);
-    auto volumes = fit_volumes<typename Codec::Volume>(*shared.topology, shared.points, options.fit,
-                                                       options.threads, leaf_triangles);
+    auto volumes =
+        fit_volumes<typename Codec::Volume>(*shared.topology, shared.points, options.fit,
+                                            options.threads, {.leaf_triangles = leaf_triangles});
     return pack<Codec>({std::move(shared.topology), std::move(volumes)}, mesh, leaf_triangles,
                        corners, name, options.threads);
 }

@@ -22,7 +22,7 @@ Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
         scenes::LoadOptions options;
         options.models_dir = settings.models;
         const scenes::Scene scene = scenes::load_scene(golden.scene, options);
-        const std::vector<MeshTopology> topologies = 
+        const std::vector<MeshTopology> topologies =
             scenes::build_topologies(scene, {.threads = processor_count()});
         for (const scenes::Body& body : scene.bodies)
             depths_[body.name] = node_depths(*topologies[body.mesh].topology);

@@ -24,10 +24,11 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 }
 
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
-                                     const BuildOptions& options) {
+                                     const BuildOptions& options, int deepest) {
     std::vector<AnyHierarchy> result;
     for (const MeshTopology& mesh : topologies)
-        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads));
+        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads,
+                                 {.deepest = deepest}));
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/hierarchy/fitted_nodes.h"
 #include "core/hierarchy/mesh_topology.h"
 #include "scb/any_hierarchy.h"
 #include "scenes/scene/scene.h"
@@ -14,8 +15,9 @@ std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOpt
 /// The deepest level of any of them.
 int deepest(const std::vector<MeshTopology>& topologies);
 
-/// One hierarchy per mesh.
+/// One hierarchy per mesh, without the volumes of nodes that are deeper than that, see FittedNodes.
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
-                                     const BuildOptions& options);
+                                     const BuildOptions& options,
+                                     int deepest = FittedNodes{}.deepest);
 
 }  // namespace scb::scenes

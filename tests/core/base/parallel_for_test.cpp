@@ -13,7 +13,8 @@ namespace {
 
 TEST(ParallelFor, CountsTheProcessorsThatItMayRunOn) {
     EXPECT_GE(processor_count(), 1);
-    EXPECT_LE(processor_count(), std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    EXPECT_LE(processor_count(),
+              std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
 }
 
 TEST(ParallelFor, CallsEachOnce) {

@@ -166,6 +166,24 @@ TYPED_TEST(HierarchyOf, IsTheSameForAnyThreadsAndVectorInstructions) {
     }
 }
 
+TYPED_TEST(HierarchyOf, LeavesOutTheVolumesOfDeeperNodes) {
+    const Mesh mesh = height_field(70);  // more than a thread takes at a time
+    const Topology topology = build_topology(mesh);
+    const LeafOrder points = leaf_order(mesh, topology);
+    const auto all = fit_volumes<TypeParam>(topology, points);
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    const auto bytes = [](const TypeParam& volume) {
+        return std::string(reinterpret_cast<const char*>(&volume), sizeof volume);
+    };
+    for (const int threads : {1, 3})
+        for (const int deepest : {0, 3, 12}) {
+            const auto some =
+                fit_volumes<TypeParam>(topology, points, {}, threads, {.deepest = deepest});
+            for (std::size_t i = 0; i < all.size(); ++i)
+                ASSERT_EQ(bytes(some[i]), bytes(depths[i] <= deepest ? all[i] : TypeParam{})) << i;
+        }
+}
+
 TEST(FitVolumes, ASoupAndAnIndexedMeshHaveTheSameVolumes) {
     const Mesh indexed = height_field(10);
     Mesh soup;
