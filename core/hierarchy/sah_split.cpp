@@ -11,7 +11,9 @@ constexpr int bins = 32;
 constexpr std::size_t tried_all = 16;
 
 double cost(const Box& box, std::size_t count) {
-    return squared_norm(box.upper - box.lower) * static_cast<double>(count);
+    const Vec3 sides = box.upper - box.lower;
+    const double sum = sides[0] + sides[1] + sides[2];
+    return sum * sum * static_cast<double>(count);
 }
 
 struct Division {
