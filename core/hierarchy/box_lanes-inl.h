@@ -51,12 +51,13 @@ struct BoxLanes {
     }
 };
 
-/// The squared diagonal of a box; infinite of an empty one.
-HWY_INLINE double squared_diagonal(const BoxLanes& box) {
+/// The squared sum of a box's sides; infinite of an empty one.
+HWY_INLINE double squared_width_sum(const BoxLanes& box) {
     BoxLanes::Stored s;
     box.store(s);
     const double x = s[0] + s[3], y = s[1] + s[4], z = s[2] + s[5];
-    return x * x + y * y + z * z;
+    const double sum = x + y + z;
+    return sum * sum;
 }
 
 }  // namespace HWY_NAMESPACE

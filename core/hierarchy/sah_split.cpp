@@ -27,7 +27,7 @@ struct Division {
 };
 
 HWY_INLINE double cost(const BoxLanes& box, std::size_t count) {
-    return squared_diagonal(box) * static_cast<double>(count);
+    return squared_width_sum(box) * static_cast<double>(count);
 }
 
 // Half of all inner nodes: the same as split_few without the loops. All axes cost the same, so the
