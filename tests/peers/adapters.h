@@ -1,6 +1,5 @@
 #pragma once
 
-#include "scb/any_hierarchy.h"
 #include "scb/packed_layout.h"
 #include "tests/peers/peer.h"
 
@@ -13,8 +12,8 @@ PeerKind reference_peer();
 /// How a packed hierarchy is made.
 struct PackedPeerOptions {
     PackedLayout layout;
-    SplitMethod split = SplitMethod::section_3;
-    VolumeKind volume = VolumeKind::scb;  ///< or scb2
+    bool by_cost = false;    ///< how nodes are split
+    bool two_slabs = false;  ///< volumes
 };
 PeerKind packed_peer(const PackedPeerOptions& options, int threads);
 PeerKind fcl_peer();

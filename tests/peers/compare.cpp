@@ -149,7 +149,7 @@ int run(int argc, char** argv) {
         ->capture_default_str();
     program
         .add_option("--peers", options.peers,
-                    "which take part: reference, a layout as of scb bench, or one with -cost, fcl, "
+                    "which take part: reference, a layout as of scb bench, or one with -cost, -scb2 or both, fcl, "
                     "bullet, ode, embree, "
                     "cgal")
         ->delimiter(',');

@@ -60,8 +60,8 @@ PeerKind peer_of(const std::string& name, int threads) {
     if (name == reference_name) return reference_peer();
     std::string layout_name = name;
     PackedPeerOptions options;
-    if (take_suffix(layout_name, two_slabs_suffix)) options.volume = VolumeKind::scb2;
-    if (take_suffix(layout_name, cost_suffix)) options.split = SplitMethod::cost;
+    if (take_suffix(layout_name, two_slabs_suffix)) options.two_slabs = true;
+    if (take_suffix(layout_name, cost_suffix)) options.by_cost = true;
     if (const auto layout = packed_layout_of(layout_name)) {
         options.layout = *layout;
         PeerKind kind = packed_peer(options, threads);

@@ -43,8 +43,9 @@ class ReferencePeer : public Peer {
 struct PackedBody {
     PackedBody(const PeerMesh& from, const PackedPeerOptions& options)
         : mesh(core_mesh(from)),
-          hierarchy(
-              build_packed_any(options.layout, options.volume, mesh, {.split = options.split})) {}
+          hierarchy(build_packed_any(
+              options.layout, options.two_slabs ? VolumeKind::scb2 : VolumeKind::scb, mesh,
+              {.split = options.by_cost ? SplitMethod::cost : SplitMethod::section_3})) {}
 
     Mesh mesh;
     AnyPacked hierarchy;
@@ -92,8 +93,8 @@ PeerKind reference_peer() {
 PeerKind packed_peer(const PackedPeerOptions& options, int threads) {
     PeerKind kind;
     kind.name = packed_layout_name(options.layout);
-    kind.title = (options.volume == VolumeKind::scb2 ? "SCB2, " : "SCB, ") + kind.name +
-                 (options.split == SplitMethod::cost ? ", split by cost" : "");
+    kind.title = (options.two_slabs ? "SCB2, " : "SCB, ") + kind.name +
+                 (options.by_cost ? ", split by cost" : "");
     kind.method =
         "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
         "the time" +
