@@ -21,6 +21,7 @@
 #include "core/hierarchy/fitted_nodes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/unfitted_triangle.h"
+#include "core/hierarchy/visit_cost.h"
 #include "scb/topology.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -80,7 +81,7 @@ class BottomUpFit {
     const FitCounts& counts() const { return counts_; }
 
   private:
-    static constexpr bool may_be_unfitted = std::is_same_v<V, Scb>;
+    static constexpr bool may_be_unfitted = std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>;
     static constexpr bool needs_dop = !std::is_same_v<V, Obb>;
     static constexpr bool needs_moments = std::is_same_v<V, Obb>;
 
@@ -142,7 +143,7 @@ class BottomUpFit {
         }
     }
     float own_cost(std::uint32_t index) const {
-        return static_cast<float>(surface_area(volumes_[index]));
+        return static_cast<float>(visit_cost(volumes_[index]));
     }
     // Of the few triangles below a node, in any number of leaves.
     float least_cost(std::uint32_t index) const {
@@ -161,7 +162,7 @@ class BottomUpFit {
         const auto& corners = points_.corners[leaf.first];
         const PointsView all = points_.points.view();
         if constexpr (may_be_unfitted)
-            volume = unfitted_scb(all[corners[0]], all[corners[1]], all[corners[2]]);
+            set_unfitted(volume, all[corners[0]], all[corners[1]], all[corners[2]]);
     }
 
     void append(BottomUpFit& right) {

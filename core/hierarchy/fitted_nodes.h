@@ -11,9 +11,9 @@ struct FittedNodes {
 
     /// Volumes that are only to be packed to leaves of up to so many triangles can leave out most
     /// single ones, half of all nodes: those that share a leaf with their neighbour whatever else
-    /// is chosen, see collapse. These get no volumes that contain them, but unfitted ones of so
-    /// much surface area that collapse chooses the same as if they were fitted. Of types other than
-    /// Scb all are fitted.
+    /// is chosen, see collapse. These get no volumes that contain them, but unfitted ones of such
+    /// a cost that collapse chooses the same as if they were fitted. Of types other than Scb and
+    /// Scb2 all are fitted.
     int leaf_triangles = 1;
 };
 

@@ -4,26 +4,49 @@
 #include <cmath>
 
 #include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb {
 
-/// Stands for the SCB of a triangle that nothing but its surface area is asked of: a disc with at
-/// most the area of any SCB that contains the triangle, and mostly nearly as much.
-///
-/// An SCB contains the disc about its center across its normal, of its whole radius, since its slab
-/// contains the center; the disc's two sides have less area than its surface. Its radius is at
-/// least that of the smallest ball of the triangle: half the longest side, or the radius of the
-/// circumcircle where all angles are acute.
-inline Scb unfitted_scb(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 u = b - a, v = c - a;
-    const double uu = squared_norm(u), vv = squared_norm(v), ww = squared_norm(c - b);
-    const double longest = std::max({uu, vv, ww}), product = squared_norm(cross(u, v));
-    double squared_radius = longest / 4;
-    // Of a slender triangle the product may be little but rounding errors.
-    if (uu + vv + ww > 2 * longest && product > 1e-3 * longest * longest)
-        squared_radius = uu * vv / product * ww / 4;
-    constexpr double rounding = 1 - 1e-9;
-    return {a, std::sqrt(squared_radius) * rounding, Vec3::UnitX(), 0, 0};
+// What stands for the volume of a triangle of which nothing but its visit_cost is asked: at most
+// that of any such volume that contains the triangle, and mostly nearly as much.
+
+/// The triangle's area, and a radius that every ball about it has: that of the smallest, which is
+/// half the longest side, or that of the circumcircle where all angles are acute; for slender
+/// triangles, and for rounding, less.
+struct TriangleSize {
+    double area, radius;
+
+    TriangleSize(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 u = b - a, v = c - a;
+        const double uu = squared_norm(u), vv = squared_norm(v), ww = squared_norm(c - b);
+        const double longest = std::max({uu, vv, ww}), product = squared_norm(cross(u, v));
+        double squared_radius = longest / 4;
+        // Of a slender triangle the product may be little but rounding errors.
+        const bool slender = !(product > 1e-3 * longest * longest);
+        if (uu + vv + ww > 2 * longest && !slender) squared_radius = uu * vv / product * ww / 4;
+        constexpr double rounding = 1 - 1e-9;
+        radius = std::sqrt(squared_radius) * rounding;
+        area = slender ? 0 : std::sqrt(product) / 2 * rounding;
+    }
+};
+
+/// A disc. An SCB contains the disc about its center across its normal, of its whole radius, since
+/// its slab contains the center; the disc's two sides have less area than its surface.
+inline void set_unfitted(Scb& scb, const Vec3& a, const Vec3& b, const Vec3& c) {
+    scb = {a, TriangleSize(a, b, c).radius, Vec3::UnitX(), 0, 0};
+}
+
+/// A strip. The widths of the slabs, w and v, and the length 2 r along them bound the triangle's
+/// shadows along the axes: a triangle fills at most half of a rectangle, so its squared area is at
+/// most (w^2 v^2 + 4 r^2 (w^2 + v^2)) / 4, which is less than r^2 (w + v)^2. And 2 r + area / r
+/// grows with r from the smallest ball on.
+inline void set_unfitted(Scb2& scb, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const TriangleSize size(a, b, c);
+    scb = {};
+    scb.c = a;
+    scb.r = size.radius;
+    if (size.radius > 0) scb.slabs[0].e = size.area / size.radius;
 }
 
 }  // namespace scb

@@ -10,6 +10,7 @@
 #include "core/base/parallel_for.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
+#include "core/hierarchy/visit_cost.h"
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
@@ -22,16 +23,6 @@ namespace {
 constexpr double largest = 1e8, smallest = 1e-8;
 // Kernels load four lanes of a leaf that may have one, and fetch some lines ahead.
 constexpr std::size_t words_behind = PackedLeaf::fetched_words;
-
-/// How likely a query is to visit a node, up to a factor, see collapse.
-double visit_cost(const Scb& scb) { return surface_area(scb); }
-/// Of two slabs the squared sum of the widths along the three axes, which on CAD models leaves less
-/// to test than the area does (0.9 to 1.0 of the volume tests), and takes no arc.
-double visit_cost(const Scb2& scb) {
-    double sum = 2 * scb.r;
-    for (const Slab& slab : scb.slabs) sum += slab.e - slab.f;
-    return sum * sum;
-}
 
 double up(float value) { return static_cast<double>(value); }
 
