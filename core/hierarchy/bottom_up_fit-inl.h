@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <iterator>
 #include <span>
 #include <type_traits>
@@ -59,7 +60,10 @@ class BottomUpFit {
           options_(options),
           threads_(threads),
           wanted_(wanted),
-          volumes_(volumes) {}
+          volumes_(volumes) {
+        assert((wanted.leaf_triangles == 1 || wanted.deepest == FittedNodes{}.deepest) &&
+               "one or the other");
+    }
 
     void run(std::uint32_t root, int depth = 0) {
         // Above some thousand triangles, the two halves at once.

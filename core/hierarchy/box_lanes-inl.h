@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "core/base/double_lanes-inl.h"
+#include "core/base/lane_parts-inl.h"
 #include "core/hierarchy/primitives.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,9 +26,8 @@ struct BoxLanes {
 
     /// Of no triangles.
     static HWY_INLINE BoxLanes empty() {
-        BoxLanes box;
-        for (Doubles& some : box.part) some = Doubles::all(1e300);
-        return box;
+        return {lane_parts<lanes / Doubles::n>([](std::size_t)
+                                                   HWY_ATTR { return Doubles::all(1e300); })};
     }
     static HWY_INLINE BoxLanes of(const Primitive& primitive) {
         static_assert(sizeof(Primitive) >= sizeof(Stored), "or the last lanes are not its own");
@@ -44,10 +44,9 @@ struct BoxLanes {
 
   private:
     static HWY_INLINE BoxLanes load_from_any(const double* from) {
-        BoxLanes box;
-        for (std::size_t i = 0; i < box.part.size(); ++i)
-            box.part[i] = Doubles::load_from_any(from + i * Doubles::n);
-        return box;
+        return {lane_parts<lanes / Doubles::n>([from](std::size_t i) HWY_ATTR {
+            return Doubles::load_from_any(from + i * Doubles::n);
+        })};
     }
 };
 

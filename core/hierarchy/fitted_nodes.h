@@ -4,7 +4,8 @@
 
 namespace scb {
 
-/// Of which nodes of a topology volumes are wanted: all, unless told otherwise.
+/// Of which nodes of a topology volumes are wanted: all, unless told otherwise, in one way or the
+/// other.
 struct FittedNodes {
     /// Those no deeper than that; the root has depth 0. Deeper ones keep the volume of a `V{}`.
     int deepest = std::numeric_limits<int>::max();

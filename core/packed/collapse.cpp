@@ -71,7 +71,7 @@ class Collapse {
 
     Costs weigh(std::uint32_t i, const Costs& left, const Costs& right) {
         const TopologyNode& node = nodes_[i];
-        Costs costs;
+        Costs costs{};
         Choices& choices = choices_[i];
         const auto last = static_cast<std::size_t>(width_ - 1);
         // More places than triangles gain nothing.

@@ -10,11 +10,11 @@
 namespace scb {
 namespace {
 
-/// The smallest power of two of which `most` multiples reach `value`.
-double unit_for(double value, double most) {
+/// The smallest power of two that is above `value`, or a normal float.
+double unit_above(double value) {
     if (!(value > 0)) return 0x1p-126;
     int exponent = 0;
-    std::frexp(value / most, &exponent);  // value / most is below 2^exponent
+    std::frexp(value, &exponent);  // it is below 2^exponent
     return std::ldexp(1.0, std::max(exponent, -126));
 }
 
@@ -38,7 +38,7 @@ double length_unit_for(std::span<const V> volumes, const Vec3& origin) {
     for (const V& volume : volumes)
         largest = std::max({largest, (volume.c - origin).cwiseAbs().maxCoeff() / 32767,
                             (volume.r + blur_of(volume.c, origin)) / 65000});
-    return unit_for(largest, 1);
+    return unit_above(largest);
 }
 
 /// The unit of some slabs.
@@ -47,7 +47,7 @@ double slab_unit_for(const Slabs& slabs, std::size_t count) {
     double thickest = 0;
     for (std::size_t i = 0; i < count; ++i)
         thickest = std::max({thickest, std::abs(slabs[i]->m) / 32767, slabs[i]->h / 65000});
-    return unit_for(thickest, 1);
+    return unit_above(thickest);
 }
 
 float times(int count, float unit) { return static_cast<float>(count) * unit; }

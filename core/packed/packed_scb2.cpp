@@ -6,10 +6,25 @@
 #include "core/packed/packed_axes-inl.h"
 #include "core/packed/turned_slabs.h"
 
+// What is inlined there needs the same target.
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+namespace {
+
+PackedAxes<float> axes_of(const PackedScb2& scb) {
+    return packed_axes(scb.q[0], scb.q[1], scb.q[2], 1.0f);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
 namespace scb {
 
 std::array<Vec3, 2> normals(const PackedScb2& scb) {
-    const auto axes = HWY_NAMESPACE::packed_axes(scb.q[0], scb.q[1], scb.q[2], 1.0f);
+    const auto axes = HWY_NAMESPACE::axes_of(scb);
     const auto normal = [&](const float* n) {
         return Vec3(static_cast<double>(n[0]), static_cast<double>(n[1]),
                     static_cast<double>(n[2]));

@@ -8,6 +8,7 @@
 
 #include <bit>
 
+#include "core/base/lane_parts-inl.h"
 #include "core/packed/packed_query.h"
 #include "core/packed/prefetch.h"
 #include "core/packed/two_slab_kernel-inl.h"
@@ -176,15 +177,16 @@ class PackedTraversal {
         }
         left &= low_bits(b.count);
         if (left == 0) return;
-        Part of_a[W / n];
-        for (int part = 0; part < W / n; ++part) of_a[part] = load_children(a.volumes, part * n);
+        const auto of_a = lane_parts<W / n>([&a](std::size_t part) HWY_ATTR {
+            return load_children(a.volumes, static_cast<int>(part) * n);
+        });
         for (; left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
             const Part one = Part::column(rows, k);
             found_.n_v += a.count;
             std::uint32_t bits = 0;
-            for (int part = 0; part < W / n; ++part)
-                bits |= overlap(of_a[part], one, wide).bits() << part * n;
+            for (std::size_t part = 0; part < of_a.size(); ++part)
+                bits |= overlap(of_a[part], one, wide).bits() << part * std::size_t{n};
             put_a(a, bits & low_bits(a.count), {b.child[k]});
         }
     }

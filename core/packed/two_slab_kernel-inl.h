@@ -19,21 +19,23 @@ struct LaneVolumes<PackedScb2, n_> {
     Lanes3<n> c, axis[3];  ///< first normal, second normal, long axis
     Lanes<n> r, m[2], h[2];
 
-    static HWY_INLINE LaneVolumes all(const PackedScb2& s) {
-        return {Lanes3<n>::all(s.c),
-                Lanes3<n>::all(s.q),
-                Lanes<n>::all(s.r),
-                {Lanes<n>::all(s.m[0]), Lanes<n>::all(s.m[1])},
-                {Lanes<n>::all(s.h[0]), Lanes<n>::all(s.h[1])}};
-    }
     /// With the axes of the quaternion whose vector part is q.
-    HWY_INLINE LaneVolumes(Lanes3<n> center, Lanes3<n> q, Lanes<n> radius,
-                           const Lanes<n> (&middles)[2], const Lanes<n> (&halves)[2])
-        : c(center), r(radius), m{middles[0], middles[1]}, h{halves[0], halves[1]} {
-        const auto axes = packed_axes(q.x, q.y, q.z, Lanes<n>::all(1));
-        for (int i = 0; i < 3; ++i) axis[i] = {axes.axis[i][0], axes.axis[i][1], axes.axis[i][2]};
+    static HWY_INLINE LaneVolumes of(Lanes3<n> c, Lanes3<n> q, Lanes<n> r, Lanes<n> m0, Lanes<n> m1,
+                                     Lanes<n> h0, Lanes<n> h1) {
+        const auto a = packed_axes(q.x, q.y, q.z, Lanes<n>::all(1));
+        return {c,
+                {{a.axis[0][0], a.axis[0][1], a.axis[0][2]},
+                 {a.axis[1][0], a.axis[1][1], a.axis[1][2]},
+                 {a.axis[2][0], a.axis[2][1], a.axis[2][2]}},
+                r,
+                {m0, m1},
+                {h0, h1}};
     }
-    LaneVolumes() = default;
+    static HWY_INLINE LaneVolumes all(const PackedScb2& s) {
+        return of(Lanes3<n>::all(s.c), Lanes3<n>::all(s.q), Lanes<n>::all(s.r),
+                  Lanes<n>::all(s.m[0]), Lanes<n>::all(s.m[1]), Lanes<n>::all(s.h[0]),
+                  Lanes<n>::all(s.h[1]));
+    }
 
     template <int W>
     HWY_INLINE void put(float (*to)[W], int first) const {
@@ -47,15 +49,12 @@ struct LaneVolumes<PackedScb2, n_> {
     }
     template <int W>
     static HWY_INLINE LaneVolumes column(const float (*from)[W], int k) {
-        LaneVolumes one;
-        one.c = point_of<n>(from, k);
-        for (int i = 0; i < 3; ++i) one.axis[i] = point_of<n>(from + 3 + 3 * i, k);
-        one.r = Lanes<n>::all(from[12][k]);
-        for (int i = 0; i < 2; ++i) {
-            one.m[i] = Lanes<n>::all(from[13 + i][k]);
-            one.h[i] = Lanes<n>::all(from[15 + i][k]);
-        }
-        return one;
+        const auto row = [from, k](int r) HWY_ATTR { return Lanes<n>::all(from[r][k]); };
+        return {point_of<n>(from, k),
+                {point_of<n>(from + 3, k), point_of<n>(from + 6, k), point_of<n>(from + 9, k)},
+                row(12),
+                {row(13), row(14)},
+                {row(15), row(16)}};
     }
 };
 template <int n>
@@ -64,27 +63,30 @@ using LaneScb2s = LaneVolumes<PackedScb2, n>;
 template <int width>
 HWY_INLINE ChildLanes<FloatCodec<width, Scb2>> load_children(const FloatCodec<width, Scb2>& from,
                                                              int first) {
-    using L = Lanes<ChildLanes<FloatCodec<width, Scb2>>::n>;
-    return {{L::load(from.c[0] + first), L::load(from.c[1] + first), L::load(from.c[2] + first)},
-            {L::load(from.q[0] + first), L::load(from.q[1] + first), L::load(from.q[2] + first)},
-            L::load(from.r + first),
-            {L::load(from.m[0] + first), L::load(from.m[1] + first)},
-            {L::load(from.h[0] + first), L::load(from.h[1] + first)}};
+    using Children = ChildLanes<FloatCodec<width, Scb2>>;
+    using L = Lanes<Children::n>;
+    return Children::of(
+        {L::load(from.c[0] + first), L::load(from.c[1] + first), L::load(from.c[2] + first)},
+        {L::load(from.q[0] + first), L::load(from.q[1] + first), L::load(from.q[2] + first)},
+        L::load(from.r + first), L::load(from.m[0] + first), L::load(from.m[1] + first),
+        L::load(from.h[0] + first), L::load(from.h[1] + first));
 }
 template <int width>
 HWY_INLINE ChildLanes<QuantizedCodec<width, Scb2>> load_children(
     const QuantizedCodec<width, Scb2>& from, int first) {
-    using L = Lanes<ChildLanes<QuantizedCodec<width, Scb2>>::n>;
+    using Children = ChildLanes<QuantizedCodec<width, Scb2>>;
+    using L = Lanes<Children::n>;
     // All of them powers of two: products are exact.
     const L length = L::all(from.length_unit), unit = L::all(direction_unit),
             first_slab = L::all(from.slab_unit[0]), second_slab = L::all(from.slab_unit[1]);
-    return {{L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
-             L::load(from.c[2] + first) * length},
-            {L::load(from.q[0] + first) * unit, L::load(from.q[1] + first) * unit,
-             L::load(from.q[2] + first) * unit},
-            L::load(from.r + first) * length,
-            {L::load(from.m[0] + first) * first_slab, L::load(from.m[1] + first) * second_slab},
-            {L::load(from.h[0] + first) * first_slab, L::load(from.h[1] + first) * second_slab}};
+    return Children::of({L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
+                         L::load(from.c[2] + first) * length},
+                        {L::load(from.q[0] + first) * unit, L::load(from.q[1] + first) * unit,
+                         L::load(from.q[2] + first) * unit},
+                        L::load(from.r + first) * length, L::load(from.m[0] + first) * first_slab,
+                        L::load(from.m[1] + first) * second_slab,
+                        L::load(from.h[0] + first) * first_slab,
+                        L::load(from.h[1] + first) * second_slab);
 }
 
 /// The volumes of B in A's frame.
@@ -97,9 +99,11 @@ HWY_INLINE LaneScb2s<n> placed(const LaneScb2s<n>& b, const FloatPlacement& plac
     return moved;
 }
 
-/// Decoded axes are off from right angles by some 21 units, B's in A's frame by 33, cosines by 57.
-/// What a plane's normal has besides the axes that are measured is so off by up to 260 units, and
-/// distances along it by 60 as above; the product of the long axes by 240 in all.
+/// See volume_kernel-inl.h. Decoded axes are off from right angles by some 21 units, B's in A's
+/// frame by 33, cosines by 57; all of these added up, what a plane's normal has besides the axes
+/// that are measured is off by up to 260 units, and distances along it by 60; the product of the
+/// long axes by 240 in all. Squares of lengths may underflow: they are then far below the square of
+/// what doubles may be off by in a mesh that check_packable lets pass, which is in every margin.
 template <>
 inline constexpr float distance_bound<PackedScb2> = 384;
 
@@ -112,9 +116,9 @@ struct LaneDirection {
 
 /// Which of n volumes reach a slab of half the thickness `h`, where their centers are at the
 /// distance d from its middle. How far a volume reaches along the normal is at most its radius; the
-/// reach of its first slab and that of a cylinder about it, where that is asked for: it tells of
-/// flat volumes, whose first slab is the narrow one; and the reach of the box that the slabs and
-/// the radius make.
+/// reach of the box that the slabs and the radius make; and that of its first slab with a cylinder
+/// about it. The last tells of flat volumes face to face: along first normals it spares a tenth of
+/// the tests, along second ones, where it is not asked for, a hundredth.
 template <bool with_cylinder, int n>
 HWY_INLINE LaneMask<n> reach_slab(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& volume,
                                   const LaneDirection<n>& normal) {
@@ -132,7 +136,8 @@ HWY_INLINE LaneMask<n> reach_slab(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& vo
 
 /// Which of n pairs of volumes overlap or are within `margin`: the balls, each slab against the
 /// other volume, and the product of the long axes, along which slabs alone tell how far a volume
-/// reaches; all stages at once, see overlap_scb2.
+/// reaches; all stages of overlap_scb2 at once but the line of centers, with bounds in place of
+/// exact extents.
 template <int n>
 HWY_INLINE LaneMask<n> overlap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> margin) {
     const Lanes3<n> c = b.c - a.c;

@@ -91,6 +91,8 @@ SCB_FUZZ(input) {
         expect_pairs<Ball>(bodies, way);
     else if (way.volume == 1)
         expect_pairs<Obb>(bodies, way);
+    else if (way.volume == 2)
+        expect_pairs<Scb2>(bodies, way);
     else
         expect_pairs<Scb>(bodies, way);
 }

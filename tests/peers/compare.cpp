@@ -148,10 +148,10 @@ int run(int argc, char** argv) {
     program.add_option("--frames", options.frames, "all, or FIRST:LAST[:STEP]")
         ->capture_default_str();
     program
-        .add_option("--peers", options.peers,
-                    "which take part: reference, a layout as of scb bench, or one with -cost, -scb2 or both, fcl, "
-                    "bullet, ode, embree, "
-                    "cgal")
+        .add_option(
+            "--peers", options.peers,
+            "which take part: reference, a layout as of scb bench, or one with -cost, -scb2 or "
+            "both, fcl, bullet, ode, embree, cgal")
         ->delimiter(',');
     program.add_option("--rounds", options.rounds, "how many times each query is timed")
         ->check(CLI::Range(1, 1000))

@@ -27,7 +27,7 @@ AnyPacked build_packed_any(const PackedLayout& layout, VolumeKind kind, const Me
                            std::string_view name = "mesh");
 
 /// `collide_packed` for hierarchies of one layout. Throws InputError where A and B have different
-/// layouts.
+/// layouts or volumes.
 PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
                                const Mesh& mesh_b, const Pose& b_to_a,
                                const PackedOptions& options = {},

@@ -16,6 +16,8 @@ struct PackedCollider {
     const PackedHierarchy<Codec>& hierarchy;
     const Mesh& mesh;
 };
+template <class Codec>
+PackedCollider(const PackedHierarchy<Codec>&, const Mesh&) -> PackedCollider<Codec>;
 
 struct PackedOptions {
     SimdLevel level = SimdLevel::best;

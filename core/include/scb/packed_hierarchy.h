@@ -68,10 +68,11 @@ struct PackedLeaf {
     /// The bits of all indices.
     const float* triangle_bits() const { return words + header; }
     const float* corners() const { return words + header + count(); }
-    /// The words of a leaf of so many triangles from its center on, and those of its slabs.
+    /// The words of a leaf of so many triangles, from its center on.
     static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
         return header + (corners == LeafCorners::stored ? 10 : 1) * count;
     }
+    /// Those of the slabs of its volume, before the center.
     template <class Volume>
     static constexpr std::size_t words_before = sizeof(Volume) / sizeof(float) - ball;
     /// Writes the volume, all but the corners.

@@ -16,8 +16,8 @@ enum class LeafCorners {
 /// triangles a leaf, and with or without their corners.
 struct PackedLayout {
     enum class Numbers {
-        floats,    ///< 36 bytes for a volume, see FloatCodec
-        quantized  ///< 18 bytes, see QuantizedCodec
+        floats,    ///< 36 bytes for a volume, 44 with two slabs, see FloatCodec
+        quantized  ///< 18 bytes, or 22, see QuantizedCodec
     };
     Numbers numbers = Numbers::floats;
     int width = 8;           ///< 2, 4 or 8

@@ -147,6 +147,44 @@ TEST(CollidePacked, FindsWhatBruteForceFindsWhereMeshesTouch) {
     }
 }
 
+// At the ends of what floats hold with room for their products, see check_packable.
+TEST(CollidePacked, FindsWhatBruteForceFindsInTheSmallestAndTheLargestMeshes) {
+    Random random(75);
+    for (const double size : {1.1e-8, 0.9e8}) {
+        SCOPED_TRACE(size);
+        std::size_t pairs = 0;
+        for (int i = 0; i < 3; ++i) {
+            Mesh a = height_field(12), b = height_field(12);
+            for (Mesh* mesh : {&a, &b})
+                for (Vec3& v : mesh->vertices) v *= size;
+            const Pose pose{random_rotation(random), size * Vec3(0.1, 0, 0.05)};
+            expect_packed(BuiltMesh(a), BuiltMesh(b), pose);
+            pairs += brute_force(a, b, pose).size();
+        }
+        EXPECT_GT(pairs, 5u);
+    }
+}
+
+TEST(CollidePacked, RefusesVolumesThatNoLayoutHas) {
+    const BuiltMesh built(height_field(3));
+    const PackedLayout layout;
+    for (const AnyHierarchy& hierarchy : built.hierarchies) {
+        const bool packs = std::holds_alternative<Hierarchy<Scb>>(hierarchy) ||
+                           std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
+        if (packs) continue;
+        EXPECT_THROW(pack_any(layout, hierarchy, built.mesh), InputError);
+    }
+    EXPECT_THROW(build_packed_any(layout, VolumeKind::obb, built.mesh), InputError);
+    const AnyPacked one = pack_any(layout, scb_of<Scb>(built), built.mesh),
+                    two = pack_any(layout, scb_of<Scb2>(built), built.mesh);
+    EXPECT_THROW(collide_packed(one, built.mesh, two, built.mesh, {}), InputError);
+    for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::scb2}) {
+        const AnyPacked built_at_once = build_packed_any(layout, kind, built.mesh);
+        EXPECT_EQ(built_at_once.index(), (kind == VolumeKind::scb ? one : two).index());
+        EXPECT_EQ(validate(built_at_once, built.mesh), "");
+    }
+}
+
 TEST(CollidePacked, OfALayoutChosenAtRunTime) {
     const BuiltMesh a(height_field(12));
     const Pose pose{Mat3::Identity(), {0.05, 0.03, 0.01}};

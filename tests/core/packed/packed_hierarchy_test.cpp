@@ -6,6 +6,9 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/mesh_topology.h"
+#include "core/hierarchy/visit_cost.h"
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/packed/packed_variants.h"
@@ -162,6 +165,27 @@ TEST(PackedHierarchy, BuiltAtOnceIsThatOfTheHierarchy) {
                 }
             });
         }
+}
+
+template <class V>
+void expect_that_triangles_are_left_out() {
+    const Mesh mesh = height_field(40);
+    const MeshTopology shared = mesh_topology(mesh, {});
+    const auto all = fit_volumes<V>(*shared.topology, shared.points, {}, 1),
+               some = fit_volumes<V>(*shared.topology, shared.points, {}, 1, {.leaf_triangles = 4});
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (std::memcmp(&all[i], &some[i], sizeof all[i]) != 0) {
+            EXPECT_TRUE(shared.topology->nodes[i].is_leaf()) << i;
+            EXPECT_LE(visit_cost(some[i]), visit_cost(all[i])) << i;
+            ++left_out;
+        }
+    EXPECT_GT(4 * left_out, mesh.triangles.size());
+}
+
+TEST(PackedHierarchy, BuiltAtOnceLeavesOutTriangles) {
+    expect_that_triangles_are_left_out<Scb>();
+    expect_that_triangles_are_left_out<Scb2>();
 }
 
 TEST(PackedHierarchy, BuiltAtOnceRefusesWhatCannotBePacked) {

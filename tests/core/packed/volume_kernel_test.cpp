@@ -42,7 +42,8 @@ HWY_AFTER_NAMESPACE();
 #include <cmath>
 
 #include "core/base/random.h"
-#include "tests/core/overlap/volume_pairs.h"
+#include "scb/placement.h"
+#include "tests/core/packed/random_scbs.h"
 
 namespace scb {
 namespace {
@@ -203,6 +204,39 @@ void expect_distances_within_bound(float too_few) {
         }
     }
     EXPECT_GT(missed_within_few, 0);
+}
+
+// Volumes that share a point are never separated: B is moved so that a point of each, most often on
+// the surface, are one.
+template <class V>
+void expect_shared_points_found() {
+#ifdef SCB_SANITIZED
+    constexpr int pairs_tried = 20000;
+#else
+    constexpr int pairs_tried = 200000;
+#endif
+    Random random(92);
+    for (int i = 0; i < pairs_tried; ++i) {
+        const V a = some_volume<V>(random, std::ldexp(1.0, -static_cast<int>(random.below(12))));
+        const V b = some_volume<V>(random, std::ldexp(1.0, -static_cast<int>(random.below(12))));
+        Pose pose;
+        // Frames that are nearly the same leave slabs nearly as parallel as they are.
+        if (i % 4 != 0) pose.rotation = random_rotation(random);
+        pose.translation = point_of(a, random) - rotate(pose.rotation, point_of(b, random));
+        const auto packed_a = packed(a, Vec3::Zero()), packed_b = packed(b, Vec3::Zero());
+        const auto reach = [](const auto& v) {
+            return static_cast<float>(1.001 * std::sqrt(squared_norm(center(v)))) + v.r;
+        };
+        const NodePair<std::decay_t<decltype(packed_a)>> pair{
+            packed_a, packed_b, {}, {}, reach(packed_a), reach(packed_b)};
+        const Placement placed = placement(pose, 4 * scb::reach(a), 4 * scb::reach(b));
+        for (const SimdLevel level : available_simd_levels())
+            ASSERT_TRUE(overlap_within(level, pair, placed, -1)) << i << simd_level_name(level);
+    }
+}
+TEST(VolumeKernel, FindsVolumesThatShareAPoint) {
+    expect_shared_points_found<Scb>();
+    expect_shared_points_found<Scb2>();
 }
 
 TEST(VolumeKernel, DistancesAreWithinTheirBound) { expect_distances_within_bound<PackedScb>(0.5f); }
