@@ -20,14 +20,14 @@ struct LaneVolumes<PackedScb2, n_> {
     Lanes<n> r, m[2], h[2];
 
     /// With the axes of the quaternion whose vector part is q.
-    static HWY_INLINE LaneVolumes of(Lanes3<n> c, Lanes3<n> q, Lanes<n> r, Lanes<n> m0, Lanes<n> m1,
-                                     Lanes<n> h0, Lanes<n> h1) {
+    static HWY_INLINE LaneVolumes of(Lanes3<n> center, Lanes3<n> q, Lanes<n> radius, Lanes<n> m0,
+                                     Lanes<n> m1, Lanes<n> h0, Lanes<n> h1) {
         const auto a = packed_axes(q.x, q.y, q.z, Lanes<n>::all(1));
-        return {c,
+        return {center,
                 {{a.axis[0][0], a.axis[0][1], a.axis[0][2]},
                  {a.axis[1][0], a.axis[1][1], a.axis[1][2]},
                  {a.axis[2][0], a.axis[2][1], a.axis[2][2]}},
-                r,
+                radius,
                 {m0, m1},
                 {h0, h1}};
     }
