@@ -49,7 +49,7 @@ struct LaneVolumes<PackedScb2, n_> {
     }
     template <int W>
     static HWY_INLINE LaneVolumes column(const float (*from)[W], int k) {
-        const auto row = [from, k](int r) HWY_ATTR { return Lanes<n>::all(from[r][k]); };
+        const auto row = [from, k](int i) HWY_ATTR { return Lanes<n>::all(from[i][k]); };
         return {point_of<n>(from, k),
                 {point_of<n>(from + 3, k), point_of<n>(from + 6, k), point_of<n>(from + 9, k)},
                 row(12),
