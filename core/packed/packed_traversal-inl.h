@@ -86,8 +86,8 @@ class PackedTraversal {
     static constexpr std::size_t batch = 32, ahead = 4;
     /// What the skin adds to the lengths is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
-        return distance_bound<Volume> * float_unit * (o.length + skin_) + placed_.double_error +
-               skin_;
+        const float rounded = distance_bound<Volume> * float_unit * (o.length + skin_);
+        return rounded + placed_.double_error + skin_;
     }
 
     HWY_INLINE bool is_kept(PackedRef i, PackedRef j) const {
