@@ -172,8 +172,7 @@ std::string symbols_text(const ExplainedPair& pair) {
         return "  a, b: the axes of the boxes; ρ: how far a box reaches along the axis.\n";
     if (pair.kind == VolumeKind::scb2)
         return "  ″: of the second slab; ρ: how far a volume reaches in that direction; w: the "
-               "product "
-               "of the long axes.\n";
+               "product of the long axes.\n";
     switch (pair.options.test) {
         case OverlapTest::symmetric:
             return "  m, h: middle of a slab and half its thickness; r·sα: what the cylinder about "

@@ -33,8 +33,8 @@ std::uint32_t of_extents(Stage stage) {
     }
 }
 
-/// Where each of the extents is at one of the points in which two planes meet the sphere: five square
-/// roots each.
+/// Where each of the extents is at one of the points in which two planes meet the sphere: five
+/// square roots each.
 std::uint32_t of_two_slabs(Stage stage) {
     switch (stage) {
         case Stage::ball_ball:
