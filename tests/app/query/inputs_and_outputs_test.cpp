@@ -125,10 +125,8 @@ TEST_F(InputsAndOutputs, NeverMeet) {
         const auto before = contents();
         for (std::size_t n = 0; n < names.size(); ++n)
             for (std::size_t i = 0; i < row.inputs.size(); ++i) {
-#ifdef SCB_SANITIZED
                 // Each input and each output, not each pair of them.
                 if (n % row.inputs.size() != i && i % names.size() != n) continue;
-#endif
                 const std::string &name = names[n], &input = row.inputs[i];
                 fs::create_directory(folder.path / "out");
                 fs::create_hard_link(folder.path / input, folder.path / name);

@@ -12,7 +12,7 @@ namespace scb {
 namespace {
 
 #ifdef SCB_SANITIZED
-constexpr std::uint64_t pairs_per_scb2_family = 1000;
+constexpr std::uint64_t pairs_per_scb2_family = 300;
 #else
 constexpr std::uint64_t pairs_per_scb2_family = 20000;
 #endif

@@ -58,7 +58,7 @@ TEST_P(BruteForce, FindsThePairsOfEveryHierarchyTestAndDescentRule) {
     const BuiltScene built(GetParam());
     const int last = built.scene.frames - 1;
 #ifdef SCB_SANITIZED
-    const std::vector<int> frames = {last / 2, last * 5 / 8};
+    const std::vector<int> frames = {last * 5 / 8};
 #else
     const std::vector<int> frames =
         std::string(GetParam()) == "knots-l1"
@@ -67,7 +67,10 @@ TEST_P(BruteForce, FindsThePairsOfEveryHierarchyTestAndDescentRule) {
 #endif
     std::size_t pairs = 0;
     for (const int frame : frames)
-        for (const bool pushed : {false, true}) {
+        for (const bool pushed : {true, false}) {
+#ifdef SCB_SANITIZED
+            if (!pushed) continue;
+#endif
             // Some of the scenes keep their bodies apart, so each is also tried with B pushed.
             Pose pose = relative_pose_at(built.scene, frame);
             if (pushed) {
