@@ -20,8 +20,9 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// How many of `count` lanes are computed at a time.
+template <class T = float>
 constexpr int part_lanes(int count) {
-    return count < int{HWY_LANES(float)} ? count : int{HWY_LANES(float)};
+    return count < int{HWY_LANES(T)} ? count : int{HWY_LANES(T)};
 }
 
 /// The lowest bits, 32 at most.
@@ -29,20 +30,20 @@ constexpr std::uint32_t low_bits(std::uint32_t count) {
     return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
 }
 
-/// n floats in one vector. Every operation is one rounding in each lane, so that results are the
-/// same bits on every target.
-template <int n>
+/// n floats in one vector, or doubles. Every operation is one rounding in each lane, so that
+/// results are the same bits on every target.
+template <int n, class T = float>
 struct Lanes {
-    using D = hn::FixedTag<float, n>;
+    using D = hn::FixedTag<T, n>;
     hn::Vec<D> v;
 
-    static HWY_INLINE Lanes all(float x) { return {hn::Set(D(), x)}; }
+    static HWY_INLINE Lanes all(T x) { return {hn::Set(D(), x)}; }
     /// From any address.
-    static HWY_INLINE Lanes load(const float* from) { return {hn::LoadU(D(), from)}; }
+    static HWY_INLINE Lanes load(const T* from) { return {hn::LoadU(D(), from)}; }
     /// Whole numbers from any address.
     static HWY_INLINE Lanes load(const std::int16_t* from) { return load_integers(from); }
     static HWY_INLINE Lanes load(const std::uint16_t* from) { return load_integers(from); }
-    HWY_INLINE void store(float* to) const { hn::StoreU(v, D(), to); }
+    HWY_INLINE void store(T* to) const { hn::StoreU(v, D(), to); }
 
     friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return {hn::Add(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return {hn::Sub(a.v, b.v)}; }
@@ -63,9 +64,9 @@ struct Lanes {
 };
 
 /// A truth value for each of n lanes.
-template <int n>
+template <int n, class T = float>
 struct LaneMask {
-    using D = typename Lanes<n>::D;
+    using D = typename Lanes<n, T>::D;
     hn::Mask<D> v;
 
     friend HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.v, b.v)}; }
@@ -82,12 +83,12 @@ struct LaneMask {
     }
 };
 
-template <int n>
-HWY_INLINE LaneMask<n> operator<=(Lanes<n> a, Lanes<n> b) {
+template <int n, class T>
+HWY_INLINE LaneMask<n, T> operator<=(Lanes<n, T> a, Lanes<n, T> b) {
     return {hn::Le(a.v, b.v)};
 }
-template <int n>
-HWY_INLINE LaneMask<n> operator<(Lanes<n> a, Lanes<n> b) {
+template <int n, class T>
+HWY_INLINE LaneMask<n, T> operator<(Lanes<n, T> a, Lanes<n, T> b) {
     return {hn::Lt(a.v, b.v)};
 }
 
@@ -161,12 +162,13 @@ HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, s
 }
 
 /// Three coordinates of n things.
-template <int n>
+template <int n, class T = float>
 struct Lanes3 {
-    Lanes<n> x, y, z;
+    using Number = Lanes<n, T>;
+    Number x, y, z;
 
-    static HWY_INLINE Lanes3 all(const float* from) {
-        return {Lanes<n>::all(from[0]), Lanes<n>::all(from[1]), Lanes<n>::all(from[2])};
+    static HWY_INLINE Lanes3 all(const T* from) {
+        return {Number::all(from[0]), Number::all(from[1]), Number::all(from[2])};
     }
     friend HWY_INLINE Lanes3 operator+(Lanes3 a, Lanes3 b) {
         return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -175,12 +177,12 @@ struct Lanes3 {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
     friend HWY_INLINE Lanes3 operator-(Lanes3 a) { return {-a.x, -a.y, -a.z}; }
-    friend HWY_INLINE Lanes<n> dot(Lanes3 a, Lanes3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend HWY_INLINE Number dot(Lanes3 a, Lanes3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
     friend HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b) {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     }
     /// The largest magnitude of a coordinate.
-    friend HWY_INLINE Lanes<n> largest(Lanes3 a) { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
+    friend HWY_INLINE Number largest(Lanes3 a) { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
 };
 
 }  // namespace HWY_NAMESPACE

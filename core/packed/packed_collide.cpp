@@ -48,11 +48,12 @@ struct PairLimit {
 };
 
 void decide_exactly(const AnyQuery& query, PackedFindings& found) {
+    found.n_exact += found.undecided.size();
+    decide_in_doubles(query.a, query.b, query.b_to_a, query.level, found);
     for (const IndexPair& pair : found.undecided)
         if (triangles_overlap(corners(query.a, pair.a),
                               transform_corners(query.b_to_a, corners(query.b, pair.b))))
             found.pairs.push_back(pair);
-    found.n_exact += found.undecided.size();
     found.undecided.clear();
 }
 

@@ -116,8 +116,8 @@ struct PackedLists {
 /// What a traversal finds, in no order.
 struct PackedFindings {
     std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
-    std::vector<IndexPair> undecided;  ///< triangles that only an exact test can decide on
-    std::uint64_t n_exact = 0;         ///< of these, how many it has decided on
+    std::vector<IndexPair> undecided;  ///< triangles that floats cannot decide on
+    std::uint64_t n_exact = 0;         ///< of these, how many have been decided on
     PackedLists kept;                  ///< of a query that makes a front: it has no pairs then
     std::uint64_t n_v = 0, n_p = 0;
 
@@ -175,6 +175,10 @@ void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lis
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found);
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
+
+/// Decides on those undecided pairs on which doubles are certain.
+void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
+                       PackedFindings& found);
 
 struct PackedFront::Parts {
     FrontSchedule schedule;

@@ -5,6 +5,7 @@
 #define HWY_TARGET_INCLUDE "core/packed/packed_triangles.cpp"
 #include <hwy/foreach_target.h>
 // After the line above.
+#include "core/packed/double_pairs-inl.h"
 #include "core/packed/leaf_pairs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,6 +29,7 @@ namespace scb {
 
 HWY_EXPORT(test_leaves);
 HWY_EXPORT(decide_open);
+HWY_EXPORT(decide_in_doubles);
 
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found) {
@@ -36,6 +38,11 @@ void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenP
 
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found) {
     SCB_AT_LEVEL(decide_open, level)(query, open, found);
+}
+
+void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
+                       PackedFindings& found) {
+    SCB_AT_LEVEL(decide_in_doubles, level)(a, b, b_to_a, found);
 }
 
 }  // namespace scb

@@ -12,52 +12,55 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-// Pairs of triangles P and Q in floats, decided where the signs of all determinants that matter are
-// certain. Coordinates are differences from P's first corner, each off by at most `error` from
-// those that the exact test would see; D is the largest magnitude of them. With 2^24 error > 24 D,
-// roundings of products are small against what `error` does, and 1/8 more than that covers them.
-// Below `underflow`, products may have lost digits to the least exponent.
+// Pairs of triangles P and Q in floats or doubles, decided where the signs of all determinants that
+// matter are certain. Coordinates are differences from P's first corner, each off by at most
+// `error` from those that the exact test would see; D is the largest magnitude of them. With 2^24
+// error > 24 D, or 2^53 for doubles, roundings of products are small against what `error` does, and
+// 1/8 more than that covers them. Below `underflow`, products may have lost digits to the least
+// exponent.
 
 /// n pairs: the corners of both relative to P's first.
-template <int n>
+template <int n, class T = float>
 struct TrianglePairs {
-    Lanes3<n> p1, p2, q0, q1, q2;
-    Lanes<n> error;
+    Lanes3<n, T> p1, p2, q0, q1, q2;
+    Lanes<n, T> error;
 };
 
-inline constexpr float kernel_underflow = 0x1p-100f;
+template <class T>
+inline constexpr T kernel_underflow = std::is_same_v<T, float> ? T(0x1p-100) : T(0x1p-700);
 
 /// D.
-template <int n>
-HWY_INLINE Lanes<n> magnitude(const TrianglePairs<n>& t) {
+template <int n, class T>
+HWY_INLINE Lanes<n, T> magnitude(const TrianglePairs<n, T>& t) {
     return max(max(max(largest(t.p1), largest(t.p2)), max(largest(t.q0), largest(t.q1))),
                largest(t.q2));
 }
 
 /// A bound of the error of determinants, `factor` D^2 error.
-template <int n>
-HWY_INLINE Lanes<n> determinant_bound(const TrianglePairs<n>& t, float factor) {
-    const Lanes<n> d = magnitude(t);
-    return d * d * t.error * Lanes<n>::all(factor) + Lanes<n>::all(kernel_underflow);
+template <int n, class T>
+HWY_INLINE Lanes<n, T> determinant_bound(const TrianglePairs<n, T>& t, float factor) {
+    const Lanes<n, T> d = magnitude(t);
+    return d * d * t.error * Lanes<n, T>::all(T{factor}) + Lanes<n, T>::all(kernel_underflow<T>);
 }
 
 /// Which of n triples of numbers are certainly all above the bound, or all below minus the bound.
-template <int n>
-HWY_INLINE LaneMask<n> on_one_side(Lanes<n> x, Lanes<n> y, Lanes<n> z, Lanes<n> bound) {
+template <int n, class T>
+HWY_INLINE LaneMask<n, T> on_one_side(Lanes<n, T> x, Lanes<n, T> y, Lanes<n, T> z,
+                                      Lanes<n, T> bound) {
     return (bound < min(min(x, y), z)) | (max(max(x, y), z) < -bound);
 }
 
 /// Heights of points above the plane of a triangle, times twice its area.
-template <int n>
+template <int n, class T = float>
 struct Heights {
-    Lanes<n> h[3];
+    Lanes<n, T> h[3];
 };
 
 /// Of the corners of Q above the plane of P: the normal's components are off by at most 4 D error,
 /// a third of the sum by 2 D^2 error + D 4 D error, all by 18 D^2 error: with 1/8 more, below 21.
-template <int n>
-HWY_INLINE Heights<n> heights_of_q(const TrianglePairs<n>& t) {
-    const Lanes3<n> normal = cross(t.p1, t.p2);
+template <int n, class T>
+HWY_INLINE Heights<n, T> heights_of_q(const TrianglePairs<n, T>& t) {
+    const Lanes3<n, T> normal = cross(t.p1, t.p2);
     return {{dot(normal, t.q0), dot(normal, t.q1), dot(normal, t.q2)}};
 }
 inline constexpr float q_height_bound = 21;
@@ -65,9 +68,9 @@ inline constexpr float q_height_bound = 21;
 /// Of the corners of P above the plane of Q, whose edges are up to 2 D and off by 2 error: the
 /// normal's components are up to 8 D^2, off by 8 D error; corners relative to q0 up to 2 D, off by
 /// 2 error: 3 (8 D^2 2 error + 2 D 8 D error) = 96 D^2 error, with 1/8 more 108.
-template <int n>
-HWY_INLINE Heights<n> heights_of_p(const TrianglePairs<n>& t) {
-    const Lanes3<n> normal = cross(t.q1 - t.q0, t.q2 - t.q0);
+template <int n, class T>
+HWY_INLINE Heights<n, T> heights_of_p(const TrianglePairs<n, T>& t) {
+    const Lanes3<n, T> normal = cross(t.q1 - t.q0, t.q2 - t.q0);
     return {{dot(normal, -t.q0), dot(normal, t.p1 - t.q0), dot(normal, t.p2 - t.q0)}};
 }
 inline constexpr float p_height_bound = 108;
@@ -109,31 +112,31 @@ HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
 
 /// Lanes in which the triangles certainly have a point in common, and those in which it is not
 /// certain either way.
-template <int n>
+template <int n, class T = float>
 struct Certainty {
-    LaneMask<n> intersect, open;
+    LaneMask<n, T> intersect, open;
 };
 
 /// On which side of each other lines of edges pass, times lengths: of P's edge i, from corner i to
 /// the next, and Q's edge j.
-template <int n>
+template <int n, class T = float>
 struct EdgeSides {
-    Lanes<n> of[3][3];
+    Lanes<n, T> of[3][3];
 };
 
 /// The Plucker products of edges: an edge (up to 2 D, off by 2 error) times the moment of one (up
 /// to 4 D^2, off by 8 D error), twice: 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2 error, with
 /// 1/8 more 162.
-template <int n>
-HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t) {
-    const Lanes3<n> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
-    const Lanes3<n> edge_q[3] = {t.q1 - t.q0, t.q2 - t.q1, t.q0 - t.q2};
+template <int n, class T>
+HWY_INLINE EdgeSides<n, T> edge_sides(const TrianglePairs<n, T>& t) {
+    const Lanes3<n, T> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
+    const Lanes3<n, T> edge_q[3] = {t.q1 - t.q0, t.q2 - t.q1, t.q0 - t.q2};
     // The first corner of P is the origin: two of its edges have no moment.
-    const Lanes3<n> moment_p = cross(t.p1, edge_p[1]);
-    const Lanes3<n> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
-                                   cross(t.q2, edge_q[2])};
+    const Lanes3<n, T> moment_p = cross(t.p1, edge_p[1]);
+    const Lanes3<n, T> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
+                                      cross(t.q2, edge_q[2])};
     const auto product = [&](int i, int j) HWY_ATTR {
-        const Lanes<n> of_p = dot(edge_p[i], moment_q[j]);
+        const Lanes<n, T> of_p = dot(edge_p[i], moment_q[j]);
         return i == 1 ? of_p + dot(edge_q[j], moment_p) : of_p;
     };
     return {{{product(0, 0), product(0, 1), product(0, 2)},
@@ -144,22 +147,23 @@ inline constexpr float edge_bound = 162;
 
 /// Two triangles in planes that cross intersect where an edge of one passes through the other: its
 /// ends are on two sides of the plane, and the other's three edges pass it on the same side.
-template <int n>
-HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
-    const Lanes<n> bound = determinant_bound(t, edge_bound);
-    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
-    const EdgeSides<n> sides = edge_sides(t);
+template <int n, class T>
+HWY_INLINE Certainty<n, T> intersection(const TrianglePairs<n, T>& t) {
+    const Lanes<n, T> bound = determinant_bound(t, edge_bound);
+    const Heights<n, T> q = heights_of_q(t), p = heights_of_p(t);
+    const EdgeSides<n, T> sides = edge_sides(t);
     const auto& side = sides.of;
 
-    const LaneMask<n> none = t.error < t.error;
-    Certainty<n> result{none, none};
-    const auto pass = [&](Lanes<n> from, Lanes<n> to, Lanes<n> x, Lanes<n> y, Lanes<n> z) HWY_ATTR {
-        const LaneMask<n> sure = (bound < abs(from)) & (bound < abs(to));
-        const Lanes<n> zero = Lanes<n>::all(0);
-        const LaneMask<n> crosses = sure & ((from < zero) ^ (to < zero));
-        const LaneMask<n> stays = sure ^ crosses;
-        const LaneMask<n> through = crosses & on_one_side(x, y, z, bound);
-        const LaneMask<n> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
+    const LaneMask<n, T> none = t.error < t.error;
+    Certainty<n, T> result{none, none};
+    const auto pass = [&](Lanes<n, T> from, Lanes<n, T> to, Lanes<n, T> x, Lanes<n, T> y,
+                          Lanes<n, T> z) HWY_ATTR {
+        const LaneMask<n, T> sure = (bound < abs(from)) & (bound < abs(to));
+        const Lanes<n, T> zero = Lanes<n, T>::all(0);
+        const LaneMask<n, T> crosses = sure & ((from < zero) ^ (to < zero));
+        const LaneMask<n, T> stays = sure ^ crosses;
+        const LaneMask<n, T> through = crosses & on_one_side(x, y, z, bound);
+        const LaneMask<n, T> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
         result.intersect = result.intersect | through;
         result.open = result.open | ((stays | through | beside) ^ (t.error <= t.error));
     };

@@ -217,7 +217,7 @@ TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
                          size = largest_of(pairs[i].seen),
                          unit = size * size * static_cast<double>(pairs[i].error);
             const std::size_t b = bound_of(k);
-            if (off > bounds[b] * unit + HWY_NAMESPACE::kernel_underflow) ++beyond;
+            if (off > bounds[b] * unit + HWY_NAMESPACE::kernel_underflow<float>) ++beyond;
             if (size > 0x1p-20) worst[b] = std::max(worst[b], off / unit);
         }
     EXPECT_EQ(beyond, 0);
@@ -336,6 +336,41 @@ TEST(TriangleKernel, IsNeverCertainOfWhatIsNotSo) {
     EXPECT_GT(certain[0], 1000 / effort);
     EXPECT_GT(certain[1], 1000 / effort);
     EXPECT_GT(certain[2], 50 / effort);
+}
+
+// Triangles that touch, or nearly so, by the kernel in doubles: what it is certain of is so, and
+// all that it decides on is gone from the undecided.
+TEST(TriangleKernel, InDoublesIsNeverCertainOfWhatIsNotSo) {
+    Random random(5);
+    Mesh a, b;
+    std::vector<IndexPair> all, expected;
+    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(200'000 / effort); ++t) {
+        const TrueCorners truth = touching(random);
+        const Vec3 at =
+            std::ldexp(1.0, static_cast<int>(random.below(40)) - 20) * grid_point(random);
+        // Not by whole numbers any more: all sums round.
+        const double size = 0.1 + random.uniform();
+        for (std::size_t i = 0; i < 3; ++i) {
+            a.vertices.push_back(size * corner_p(truth, i) + at);
+            b.vertices.push_back(size * corner_q(truth, i) + at);
+        }
+        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        all.push_back({t, t});
+        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
+    }
+    for (const SimdLevel level : available_simd_levels()) {
+        PackedFindings found;
+        found.undecided = all;
+        decide_in_doubles(a, b, Pose{}, level, found);
+        EXPECT_GT(found.pairs.size(), expected.size() / 4) << simd_level_name(level);
+        EXPECT_LT(found.undecided.size(), all.size() / 2) << simd_level_name(level);
+        EXPECT_GT(found.undecided.size(), 0u) << "some touch";
+        for (const IndexPair& pair : found.undecided)
+            if (triangles_overlap(corners(a, pair.a), corners(b, pair.b)))
+                found.pairs.push_back(pair);
+        std::sort(found.pairs.begin(), found.pairs.end());
+        EXPECT_EQ(found.pairs, expected) << simd_level_name(level);
+    }
 }
 
 template <class Codec>

@@ -1,0 +1,64 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_DOUBLE_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_DOUBLE_PAIRS_INL_H_
+#undef SCB_CORE_DOUBLE_PAIRS_INL_H_
+#else
+#define SCB_CORE_DOUBLE_PAIRS_INL_H_
+#endif
+
+#include "core/packed/packed_query.h"
+#include "core/packed/triangle_kernel-inl.h"
+#include "scb/triangle_overlap.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// Decides on the pairs that floats left undecided, by the same determinants in doubles: on nearly
+/// all of them. Those that intersect are moved to the pairs that are found; those that only an
+/// exact test can decide on are left, in their order.
+inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
+                              PackedFindings& found) {
+    constexpr int n = part_lanes<double>(8);
+    using Number = Lanes<n, double>;
+    std::vector<IndexPair>& undecided = found.undecided;
+    std::size_t left = 0;
+    for (std::size_t first = 0; first < undecided.size(); first += n) {
+        const std::size_t count = std::min<std::size_t>(n, undecided.size() - first);
+        alignas(64) double rows[15][n] = {};
+        for (std::size_t k = 0; k < count; ++k) {
+            const IndexPair& pair = undecided[first + k];
+            const TriangleCorners p = corners(a, pair.a),
+                                  q = transform_corners(b_to_a, corners(b, pair.b));
+            const Vec3* const points[] = {&p[1], &p[2], &q[0], &q[1], &q[2]};
+            for (std::size_t i = 0; i < 5; ++i)
+                for (int axis = 0; axis < 3; ++axis)
+                    rows[3 * i + static_cast<std::size_t>(axis)][k] =
+                        (*points[i])[axis] - p[0][axis];
+        }
+        const auto point = [&rows](std::size_t i) HWY_ATTR {
+            return Lanes3<n, double>{Number::load(rows[3 * i]), Number::load(rows[3 * i + 1]),
+                                     Number::load(rows[3 * i + 2])};
+        };
+        TrianglePairs<n, double> pairs = {point(0), point(1), point(2),
+                                          point(3), point(4), Number::all(0)};
+        // A difference is off by 2^-53 D at most, and what the determinants ask for is more.
+        pairs.error = magnitude(pairs) * Number::all(0x1p-48);
+        const Certainty<n, double> certain = intersection(pairs);
+        const std::uint32_t yes = certain.intersect.bits(), open = certain.open.bits() & ~yes;
+        for (std::size_t k = 0; k < count; ++k) {
+            const IndexPair pair = undecided[first + k];
+            if ((yes >> k & 1) != 0)
+                found.pairs.push_back(pair);
+            else if ((open >> k & 1) != 0)
+                undecided[left++] = pair;
+        }
+    }
+    undecided.resize(left);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif
