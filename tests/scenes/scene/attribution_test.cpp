@@ -24,7 +24,7 @@ namespace {
 
 #ifdef SCB_SANITIZED
 constexpr int explained_pairs = 20;
-constexpr std::size_t most_triangles = 2000;
+constexpr std::size_t most_triangles = 300;
 #else
 constexpr int explained_pairs = 200;
 constexpr std::size_t most_triangles = SIZE_MAX;
