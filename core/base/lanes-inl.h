@@ -12,6 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
+
+#include "scb/vec.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace scb {
@@ -41,9 +44,16 @@ struct Lanes {
     /// From any address.
     static HWY_INLINE Lanes load(const T* from) { return {hn::LoadU(D(), from)}; }
     /// Whole numbers from any address.
-    static HWY_INLINE Lanes load(const std::int16_t* from) { return load_integers(from); }
-    static HWY_INLINE Lanes load(const std::uint16_t* from) { return load_integers(from); }
+    static HWY_INLINE Lanes load(const std::int16_t* from) requires std::is_same_v<T, float> {
+        return load_integers(from);
+    }
+    static HWY_INLINE Lanes load(const std::uint16_t* from) requires std::is_same_v<T, float> {
+        return load_integers(from);
+    }
     HWY_INLINE void store(T* to) const { hn::StoreU(v, D(), to); }
+
+    HWY_INLINE T smallest() const { return hn::GetLane(hn::MinOfLanes(D(), v)); }
+    HWY_INLINE T largest() const { return hn::GetLane(hn::MaxOfLanes(D(), v)); }
 
     friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return {hn::Add(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return {hn::Sub(a.v, b.v)}; }
@@ -72,6 +82,7 @@ struct LaneMask {
     friend HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.v, b.v)}; }
     friend HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.v, b.v)}; }
     friend HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.v, b.v)}; }
+    friend HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.v)}; }
 
     /// Lane i as bit i.
     HWY_INLINE std::uint32_t bits() const {
@@ -90,6 +101,14 @@ HWY_INLINE LaneMask<n, T> operator<=(Lanes<n, T> a, Lanes<n, T> b) {
 template <int n, class T>
 HWY_INLINE LaneMask<n, T> operator<(Lanes<n, T> a, Lanes<n, T> b) {
     return {hn::Lt(a.v, b.v)};
+}
+template <int n, class T>
+HWY_INLINE LaneMask<n, T> operator==(Lanes<n, T> a, Lanes<n, T> b) {
+    return {hn::Eq(a.v, b.v)};
+}
+template <int n, class T>
+HWY_INLINE Lanes<n, T> select(LaneMask<n, T> mask, Lanes<n, T> yes, Lanes<n, T> no) {
+    return {hn::IfThenElse(mask.v, yes.v, no.v)};
 }
 
 #if HWY_TARGET > HWY_AVX3
@@ -170,6 +189,9 @@ struct Lanes3 {
     static HWY_INLINE Lanes3 all(const T* from) {
         return {Number::all(from[0]), Number::all(from[1]), Number::all(from[2])};
     }
+    static HWY_INLINE Lanes3 all(const Vec3& p) requires std::is_same_v<T, double> {
+        return all(p.data());
+    }
     friend HWY_INLINE Lanes3 operator+(Lanes3 a, Lanes3 b) {
         return {a.x + b.x, a.y + b.y, a.z + b.z};
     }
@@ -177,6 +199,7 @@ struct Lanes3 {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
     friend HWY_INLINE Lanes3 operator-(Lanes3 a) { return {-a.x, -a.y, -a.z}; }
+    // In the order of operations of vec.h.
     friend HWY_INLINE Number dot(Lanes3 a, Lanes3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
     friend HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b) {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -17,19 +17,19 @@ struct Axis {
 OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     const double distance = std::abs(axis.distance), reach = axis.reach_a + axis.reach_b;
     const double length = std::sqrt(squared_norm(axis.direction));
-    const bool vanishes = !(length > 1e-9);
+    const bool separates = distance > axis.limit, vanishes = !(length > (separates ? 0 : 1e-9));
     const double scale = vanishes ? 1 : length;
     OverlapStep step;
     step.stage = stage;
     step.formula = "|c1′·" + axis.name + "| > ρ0 + ρ1";
     step.left = distance / scale;
     step.right = reach / scale;
-    step.separates = distance > axis.limit;
+    step.separates = separates;
     const double slack = (distance - reach - margin) / scale;
     step.slack = (step.separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
     if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
     // The test compares what is left of both sides, which is next to nothing.
-    if (vanishes && !step.separates) step.skipped = "the edges are parallel, which is not an axis";
+    if (vanishes) step.skipped = "the edges are parallel, which is not an axis";
     step.reach_a = axis.reach_a / scale;
     step.reach_b = axis.reach_b / scale;
     step.name_a = "ρ0";

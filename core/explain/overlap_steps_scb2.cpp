@@ -111,7 +111,7 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
     reach_b = scb2_reach(b, product.in_b_reversed, product.length);
     const bool separates = product.distance > reach_a + reach_b + margin;
     const std::string formula = "|c1′·w| > ρ0(w) + ρ1(−w)";
-    const bool vanishes = !(product.length > 1e-9);
+    const bool vanishes = !(product.length > (separates ? 0 : 1e-9));
     const Vec3 w = product.in_a[0] * at.a[0] + product.in_a[1] * at.a[1];
     // The test leaves the margin along the product as it is, which is more along a unit vector.
     result.steps.push_back(shared_step(Stage::long_axes, formula, w, vanishes ? 1 : product.length,
@@ -120,7 +120,7 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
     if (vanishes) {
         result.steps.back().direction = Vec3::UnitZ();
         // What is left of both sides is next to nothing.
-        if (!separates) result.steps.back().skipped = "the long axes are parallel";
+        result.steps.back().skipped = "the long axes are parallel";
     }
     return result;
 }

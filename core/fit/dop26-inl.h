@@ -37,9 +37,9 @@ struct DopLanes {
     /// Of two sets; of values that are equal, the smaller id.
     friend HWY_INLINE DopLanes merge(const DopLanes& a, const DopLanes& b) {
         const auto b_upper =
-            hn::Or(a.upper < b.upper, hn::And(a.upper == b.upper, b.upper_id < a.upper_id));
+            (a.upper < b.upper) | ((a.upper == b.upper) & (b.upper_id < a.upper_id));
         const auto b_lower =
-            hn::Or(b.lower < a.lower, hn::And(a.lower == b.lower, b.lower_id < a.lower_id));
+            (b.lower < a.lower) | ((a.lower == b.lower) & (b.lower_id < a.lower_id));
         return {select(b_upper, b.upper, a.upper), select(b_lower, b.lower, a.lower),
                 select(b_upper, b.upper_id, a.upper_id), select(b_lower, b.lower_id, a.lower_id)};
     }
@@ -47,7 +47,7 @@ struct DopLanes {
 
 /// Makes `a` the DOP of both.
 HWY_INLINE void merge_into(Dop26& a, const Dop26& b) {
-    for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n)
+    for (std::size_t i = 0; i < Dop26::padded; i += double_lanes)
         merge(DopLanes::load(a, i), DopLanes::load(b, i)).store(a, i);
 }
 

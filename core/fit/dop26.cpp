@@ -11,7 +11,7 @@ namespace HWY_NAMESPACE {
 
 Dop26 dop_of_list(const PointsView& points, std::uint32_t first_id) {
     Dop26 dop;
-    for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n) {
+    for (std::size_t i = 0; i < Dop26::padded; i += double_lanes) {
         DopLanes lanes = DopLanes::of_point(Doubles3::all(points[0]), first_id, i);
         for (std::size_t k = 1; k < points.size; ++k)
             lanes = merge(lanes, DopLanes::of_point(Doubles3::all(points[k]),

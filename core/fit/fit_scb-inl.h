@@ -26,7 +26,7 @@ struct CandidateSlab {
 HWY_INLINE CandidateSlab narrowest_dop_slab(const Dop26& dop) {
     alignas(64) Dop26::Numbers widths;
     Doubles narrowest = Doubles::all(std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n) {
+    for (std::size_t i = 0; i < Dop26::padded; i += double_lanes) {
         const Doubles width = (Doubles::load(&dop.upper[i]) - Doubles::load(&dop.lower[i])) *
                               Doubles::load(&dop26_directions.inverse_length[i]);
         width.store(&widths[i]);

@@ -24,20 +24,19 @@ HWY_INLINE Doubles3 load_points(const FewPoints& points, std::size_t i) {
     return {Doubles::load(&points.x[i]), Doubles::load(&points.y[i]), Doubles::load(&points.z[i])};
 }
 HWY_INLINE Doubles3 load_points(const PointsView& points, std::size_t i) {
-    return {Doubles::load_from_any(points.x + i), Doubles::load_from_any(points.y + i),
-            Doubles::load_from_any(points.z + i)};
+    return {Doubles::load(points.x + i), Doubles::load(points.y + i), Doubles::load(points.z + i)};
 }
 
 /// Calls `pass` with vectors that hold all of the points, some perhaps twice; with the points one
 /// by one, each in all lanes, where they do not fill a vector.
 template <class Pass>
 HWY_INLINE void in_vectors(const PointsView& points, Pass pass) {
-    if (points.size < Doubles::n) {
+    if (points.size < double_lanes) {
         for (std::size_t i = 0; i < points.size; ++i) pass(Doubles3::all(points[i]));
         return;
     }
-    const std::size_t last = points.size - Doubles::n;
-    for (std::size_t i = 0; i < last; i += Doubles::n) pass(load_points(points, i));
+    const std::size_t last = points.size - double_lanes;
+    for (std::size_t i = 0; i < last; i += double_lanes) pass(load_points(points, i));
     pass(load_points(points, last));
 }
 
@@ -85,7 +84,7 @@ inline HWY_ATTR std::size_t extend(Interval& interval, const PointsView& points,
 HWY_INLINE Interval interval_of(const FewPoints& points, const Vec3& c, const Vec3& n) {
     const Doubles3 center = Doubles3::all(c), normal = Doubles3::all(n);
     Doubles lower = dot(normal, load_points(points, 0) - center), upper = lower;
-    for (std::size_t i = Doubles::n; i < points.count; i += Doubles::n) {
+    for (std::size_t i = double_lanes; i < points.count; i += double_lanes) {
         const Doubles h = dot(normal, load_points(points, i) - center);
         lower = min(lower, h);
         upper = max(upper, h);
@@ -103,7 +102,7 @@ HWY_INLINE Largest first_largest(const FewPoints& points, Number number) {
     alignas(64) double numbers[FewPoints::padded];
     Doubles best = number(load_points(points, 0));
     best.store(numbers);
-    for (std::size_t i = Doubles::n; i < points.count; i += Doubles::n) {
+    for (std::size_t i = double_lanes; i < points.count; i += double_lanes) {
         const Doubles some = number(load_points(points, i));
         some.store(numbers + i);
         best = max(best, some);

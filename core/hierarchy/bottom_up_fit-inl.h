@@ -32,8 +32,8 @@ namespace HWY_NAMESPACE {
 /// The pairs of a DOP among points, by their ids; all of them are there.
 HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t count,
                            ExtremalPairs& pairs) {
-    const hn::FixedTag<std::int32_t, Doubles::n> integers;
-    for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n) {
+    const hn::FixedTag<std::int32_t, double_lanes> integers;
+    for (std::size_t i = 0; i < Dop26::padded; i += double_lanes) {
         const Doubles upper_id = Doubles::load(&dop.upper_id[i]),
                       lower_id = Doubles::load(&dop.lower_id[i]);
         Doubles upper = Doubles::all(0), lower = upper;
@@ -182,7 +182,7 @@ class BottomUpFit {
         leaf.own_first = points_.own_first[node.first];
         leaf.shared_count = 0;
         if constexpr (needs_dop)
-            for (std::size_t i = 0; i < Dop26::padded; i += Doubles::n) {
+            for (std::size_t i = 0; i < Dop26::padded; i += double_lanes) {
                 const auto corner = [&](std::size_t k) HWY_ATTR {
                     return DopLanes::of_point(Doubles3::all(all[corners[k]]), corners[k], i);
                 };

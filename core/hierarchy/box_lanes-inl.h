@@ -22,31 +22,29 @@ namespace HWY_NAMESPACE {
 struct BoxLanes {
     static constexpr std::size_t lanes = 8;
     using Stored = std::array<double, lanes>;
-    std::array<Doubles, lanes / Doubles::n> part;
+    std::array<Doubles, lanes / double_lanes> part;
 
     /// Of no triangles.
     static HWY_INLINE BoxLanes empty() {
-        return {lane_parts<lanes / Doubles::n>([](std::size_t)
-                                                   HWY_ATTR { return Doubles::all(1e300); })};
+        return {lane_parts<lanes / double_lanes>([](std::size_t)
+                                                     HWY_ATTR { return Doubles::all(1e300); })};
     }
     static HWY_INLINE BoxLanes of(const Primitive& primitive) {
         static_assert(sizeof(Primitive) >= sizeof(Stored), "or the last lanes are not its own");
-        return load_from_any(primitive.lower.data());
+        return load(primitive.lower.data());
     }
-    static HWY_INLINE BoxLanes load(const Stored& from) { return load_from_any(from.data()); }
+    static HWY_INLINE BoxLanes load(const Stored& from) { return load(from.data()); }
     HWY_INLINE void store(Stored& to) const {
-        for (std::size_t i = 0; i < part.size(); ++i)
-            hn::StoreU(part[i].v, Doubles::D(), to.data() + i * Doubles::n);
+        for (std::size_t i = 0; i < part.size(); ++i) part[i].store(to.data() + i * double_lanes);
     }
     HWY_INLINE void add(const BoxLanes& other) {
         for (std::size_t i = 0; i < part.size(); ++i) part[i] = min(part[i], other.part[i]);
     }
 
   private:
-    static HWY_INLINE BoxLanes load_from_any(const double* from) {
-        return {lane_parts<lanes / Doubles::n>([from](std::size_t i) HWY_ATTR {
-            return Doubles::load_from_any(from + i * Doubles::n);
-        })};
+    static HWY_INLINE BoxLanes load(const double* from) {
+        return {lane_parts<lanes / double_lanes>(
+            [from](std::size_t i) HWY_ATTR { return Doubles::load(from + i * double_lanes); })};
     }
 };
 

@@ -59,10 +59,10 @@ struct Keys {
     HWY_INLINE std::size_t place(std::size_t i, std::size_t count) const {
         const Doubles x = Doubles::all(key[i]), t = Doubles::all(triangle[i]);
         std::size_t before = 0;
-        for (std::size_t k = 0; k < count; k += Doubles::n) {
+        for (std::size_t k = 0; k < count; k += double_lanes) {
             const Doubles y = Doubles::load(&key[k]);
-            const auto less = hn::Or(y < x, hn::And(y == x, Doubles::load(&triangle[k]) < t));
-            before += hn::CountTrue(Doubles::D(), less);
+            const auto less = (y < x) | ((y == x) & (Doubles::load(&triangle[k]) < t));
+            before += hn::CountTrue(Doubles::D(), less.v);
         }
         return before;
     }

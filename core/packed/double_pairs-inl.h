@@ -25,7 +25,7 @@ inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
     std::size_t left = 0;
     for (std::size_t first = 0; first < undecided.size(); first += n) {
         const std::size_t count = std::min<std::size_t>(n, undecided.size() - first);
-        alignas(64) double rows[15][n] = {};
+        double rows[15][n] = {};
         for (std::size_t k = 0; k < count; ++k) {
             const IndexPair& pair = undecided[first + k];
             const TriangleCorners p = corners(a, pair.a),

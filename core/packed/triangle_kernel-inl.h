@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 // `error` from those that the exact test would see; D is the largest magnitude of them. With 2^24
 // error > 24 D, or 2^53 for doubles, roundings of products are small against what `error` does, and
 // 1/8 more than that covers them. Below `underflow`, products may have lost digits to the least
-// exponent.
+// exponent. Products do not overflow: leaves that are tested are near each other, so that D is a
+// few times the size of a mesh that check_packable lets pass.
 
 /// n pairs: the corners of both relative to P's first.
 template <int n, class T = float>
@@ -79,12 +80,9 @@ inline constexpr float p_height_bound = 108;
 template <int n>
 HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t, Lanes<n> q_bound, Lanes<n> p_bound) {
     const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
-    LaneMask<n> apart =
-        on_one_side(q.h[0], q.h[1], q.h[2], q_bound) | on_one_side(p.h[0], p.h[1], p.h[2], p_bound);
-    const LaneMask<n> none = q.h[0] < q.h[0];
     // Not a number anywhere, after an overflow: not certain of anything.
-    LaneMask<n> meet = apart ^ (none | (t.error <= t.error));
-    return meet;
+    return !(on_one_side(q.h[0], q.h[1], q.h[2], q_bound) |
+             on_one_side(p.h[0], p.h[1], p.h[2], p_bound));
 }
 template <int n>
 HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
@@ -165,7 +163,7 @@ HWY_INLINE Certainty<n, T> intersection(const TrianglePairs<n, T>& t) {
         const LaneMask<n, T> through = crosses & on_one_side(x, y, z, bound);
         const LaneMask<n, T> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
         result.intersect = result.intersect | through;
-        result.open = result.open | ((stays | through | beside) ^ (t.error <= t.error));
+        result.open = result.open | !(stays | through | beside);
     };
     for (int i = 0; i < 3; ++i) pass(p.h[i], p.h[(i + 1) % 3], side[i][0], side[i][1], side[i][2]);
     for (int j = 0; j < 3; ++j) pass(q.h[j], q.h[(j + 1) % 3], side[0][j], side[1][j], side[2][j]);

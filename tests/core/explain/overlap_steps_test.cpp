@@ -203,6 +203,25 @@ TEST(Steps, OfTwoSlabsNameTheSecondOne) {
     EXPECT_EQ(checked_steps(a, b, Pose{}, {}).steps[5].skipped, "the centers coincide");
 }
 
+// The product of the long axes of nearly parallel needles is tiny, and yet a direction.
+TEST(Steps, OfNearlyParallelNeedlesThatTheProductSeparatesHaveItsDirection) {
+    const Scb2 needle{
+        Vec3::Zero(), 1, {Slab{Vec3::UnitZ(), 0.01, -0.01}, Slab{Vec3::UnitY(), 0.01, -0.01}}};
+    const Vec3 across = Vec3(0, 1, 1) / std::sqrt(2);
+    Pose pose{Mat3::Identity(), 0.5 * across};
+    // A rotation about it, but for the angle's square.
+    const Vec3 turned = 1e-10 * cross(across, Vec3::UnitX());
+    pose.rotation.col(0) += turned;
+    pose.rotation.row(0) -= turned.transpose();
+    const OverlapStep step = checked_steps(needle, needle, pose, {}).steps[6];
+    ASSERT_EQ(step.stage, Stage::long_axes);
+    ASSERT_TRUE(step.separates);
+    EXPECT_EQ(step.skipped, "");
+    EXPECT_NEAR(dot(step.direction, across), 1, 1e-5);
+    EXPECT_NEAR(step.left, 0.5, 1e-5);
+    EXPECT_GT(step.left, step.right);
+}
+
 const OverlapStep& step_at(const OverlapSteps& steps, int line, std::size_t which = 0) {
     for (const OverlapStep& step : steps.steps)
         if (step.line == line && which-- == 0) return step;
