@@ -98,6 +98,8 @@ void add_explain(const Command& program, const Console& console, Action& action)
         "numbers, [R|t] row by row, B in A's\nframe; may be left out]}, where VOLUME is one of\n"
         "  {\"center\": [x,y,z], \"radius\": r, \"normal\": [x,y,z], \"e\": e, \"f\": f}\n"
         "  {\"center\": [x,y,z], \"radius\": r}\n"
+        "  {\"center\": [x,y,z], \"radius\": r, \"slabs\": [{\"normal\": [x,y,z], \"e\": e, \"f\": "
+        "f}, {...}]}\n"
         "  {\"center\": [x,y,z], \"axes\": [[x,y,z],[x,y,z],[x,y,z]], \"half\": [x,y,z]}\n\n"
         "Examples:\n"
         "  scb explain spheres-l1 --frames 250 --pair 7164,1873 --test corrected\n"

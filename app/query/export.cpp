@@ -58,7 +58,7 @@ int run(const ExportOptions& options, const Console& console) {
         scenes::fit_meshes(topologies, kinds[0], options.hierarchy.build());
 
     std::vector<scenes::ExportPart> parts;
-    std::size_t nodes = 0;
+    std::size_t nodes = 0, left_out = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const scenes::Body& body = scene.bodies[b];
         const AnyHierarchy& hierarchy = hierarchies[body.mesh];
@@ -69,8 +69,10 @@ int run(const ExportOptions& options, const Console& console) {
         for (const std::uint32_t node : level_cover(topology_of(hierarchy), level)) {
             std::visit(
                 [&](const auto& h) {
-                    append(part.mesh,
-                           scenes::volume_mesh(placed(h.volumes[node], pose), options.segments));
+                    const Mesh volume =
+                        scenes::volume_mesh(placed(h.volumes[node], pose), options.segments);
+                    left_out += volume.triangles.empty();
+                    append(part.mesh, volume);
                 },
                 hierarchy);
             ++nodes;
@@ -78,11 +80,15 @@ int run(const ExportOptions& options, const Console& console) {
         if (!part.mesh.triangles.empty()) parts.push_back(std::move(part));
     }
     if (parts.empty())
-        throw InputError("--levels " + options.levels +
-                         ": all volumes of this level are points; nothing to write.");
+        throw InputError(
+            "--levels " + options.levels +
+            ": all volumes of this level are points or segments, which have no surface; "
+            "nothing to write.");
     render::write_file_whole(options.output, scenes::encode_mesh(parts, options.output));
-    console.note(options.output + ": " + std::to_string(nodes) +
-                 (nodes == 1 ? " volume" : " volumes"));
+    console.note(
+        options.output + ": " + std::to_string(nodes) + (nodes == 1 ? " volume" : " volumes") +
+        (left_out == 0 ? ""
+                       : ", of which " + std::to_string(left_out) + " without a surface left out"));
     return exit_done;
 }
 

@@ -3,10 +3,10 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Exporter.hpp>
 #include <cmath>
 #include <limits>
-
 #include <new>
 
 #include "core/base/text_format.h"
@@ -31,13 +31,21 @@ const char* format_of(const std::filesystem::path& path) {
 }
 
 void check_range(const ExportPart& part, const std::string& name) {
-    constexpr double most = std::numeric_limits<float>::max();
+    constexpr double most = std::numeric_limits<float>::max(),
+                     least = std::numeric_limits<float>::min();
+    double largest = 0;
     for (const Vec3& v : part.mesh.vertices)
-        for (const double coordinate : v)
+        for (const double coordinate : v) {
+            largest = std::max(largest, std::abs(coordinate));
             if (!(std::abs(coordinate) <= most))
                 throw InputError(name + ": " + part.name + " has the coordinate " +
                                  exact_number(coordinate) +
                                  ", but mesh files hold at most 3.4e38; scale the mesh down.");
+        }
+    if (largest > 0 && largest < least)
+        throw InputError(name + ": " + part.name + " has no coordinate above " +
+                         exact_number(largest) +
+                         ", but mesh files hold none below 1.2e-38; scale the mesh up.");
 }
 
 aiVector3D vector_of(const Vec3& v) {

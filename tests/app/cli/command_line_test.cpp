@@ -348,6 +348,28 @@ TEST(CommandLine, ExportedLevelsCanBeReadBack) {
         }
 }
 
+TEST(CommandLine, ExportSaysWhichVolumesHaveNoSurface) {
+    const TemporaryFolder folder;
+    const std::string segment = "v 0 0 0\nv 10 0 0\nv 5 0 0\nf 1 2 3\n";
+    folder.write("segment.obj", segment);
+    folder.write("two.obj", segment + "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 4 5 6\n");
+    const std::string file = folder / "out.ply";
+    for (const char* volume : {"scb2", "obb"}) {
+        const auto exported = [&](const char* mesh) {
+            return run_scb("export " + (folder / mesh) + " --volume " + volume +
+                           " --levels leaves -o " + file);
+        };
+        const ProgramRun none = exported("segment.obj");
+        EXPECT_EQ(none.status, 2);
+        EXPECT_NE(none.err.find("points or segments"), std::string::npos) << none.err;
+        const ProgramRun one = exported("two.obj");
+        EXPECT_EQ(one.status, 0);
+        EXPECT_NE(one.err.find("2 volumes, of which 1 without a surface left out"),
+                  std::string::npos)
+            << one.err;
+    }
+}
+
 TEST(CommandLine, TwoMeshesAndAPose) {
     const TemporaryFolder folder;
     const std::string file = folder / "body.ply";

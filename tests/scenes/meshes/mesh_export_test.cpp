@@ -62,6 +62,11 @@ TEST(MeshExport, RefusesCoordinatesThatFloatCannotHold) {
                   std::string(name) +
                       ": A has the coordinate -1e+40, but mesh files hold at most 3.4e38; scale "
                       "the mesh down.");
+        ExportPart tiny = part("A", 0);
+        for (Vec3& v : tiny.mesh.vertices) v *= 1e-60;
+        EXPECT_NE(refusal([&] { encode_mesh({tiny}, name); })
+                      .find("mesh files hold none below 1.2e-38; scale the mesh up."),
+                  std::string::npos);
     }
 }
 
