@@ -33,12 +33,12 @@ HWY_INLINE Vec3 narrowest_across(const Vec3& n, const FewPoints& points) {
     const Vec3 axis = std::abs(n[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY();
     const Vec3 u = unit_across(n, axis), v = cross(n, u);
     const Vec3 origin = points[0];
-    FlatHull hull;
+    std::array<FlatPoint, FewPoints::capacity> seen;
     for (std::size_t i = 0; i < points.count; ++i) {
         const Vec3 q = points[i] - origin;
-        hull.add(dot(u, q), dot(v, q));
+        seen[i] = {dot(u, q), dot(v, q)};
     }
-    const std::array<double, 2> direction = hull.narrowest_direction();
+    const FlatPoint direction = narrowest_direction({seen.data(), points.count});
     return unit_across(n, Vec3(direction[0] * u + direction[1] * v));
 }
 

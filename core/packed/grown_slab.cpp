@@ -13,9 +13,11 @@ constexpr double slack = 0x1p-40;
 }  // namespace
 
 float float_above(double value) {
+    constexpr auto none = std::numeric_limits<float>::infinity();
+    if (value > std::numeric_limits<float>::max()) return none;
     const auto nearest = static_cast<float>(value);
     if (static_cast<double>(nearest) >= value) return nearest;
-    return std::nextafter(nearest, std::numeric_limits<float>::infinity());
+    return std::nextafter(nearest, none);
 }
 
 double blur_of(const Vec3& c, const Vec3& origin) {

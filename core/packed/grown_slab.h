@@ -4,7 +4,7 @@
 
 namespace scb {
 
-/// The smallest float that is no less than `value`, which must be below the largest float.
+/// The smallest float that is no less than `value`, which may be infinity.
 float float_above(double value);
 
 /// How far a point is moved at most by rounding where it is seen from the origin, and a center by

@@ -86,7 +86,7 @@ class PackedTraversal {
     static constexpr std::size_t batch = 32, ahead = 4;
     /// What the skin adds to the lengths is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
-        const float rounded = distance_bound<Volume> * float_unit * (o.length + skin_);
+        const float rounded = Part::distance_bound * float_unit * (o.length + skin_);
         return rounded + placed_.double_error + skin_;
     }
 

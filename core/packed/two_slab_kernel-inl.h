@@ -16,6 +16,12 @@ namespace HWY_NAMESPACE {
 template <int n_>
 struct LaneVolumes<PackedScb2, n_> {
     static constexpr int n = n_, rows = 17;
+    /// Decoded axes are off from right angles by some 21 units, B's in A's frame by 33, cosines by
+    /// 57; all of these added up, what a plane's normal has besides the axes that are measured is
+    /// off by up to 260 units, and distances along it by 60; the product of the long axes by 240 in
+    /// all. Squares of lengths may underflow: they are then far below the square of what doubles
+    /// may be off by in a mesh of some size, which is in every margin.
+    static constexpr float distance_bound = 384;
     Lanes3<n> c, axis[3];  ///< first normal, second normal, long axis
     Lanes<n> r, m[2], h[2];
 
@@ -99,30 +105,16 @@ HWY_INLINE LaneScb2s<n> placed(const LaneScb2s<n>& b, const FloatPlacement& plac
     return moved;
 }
 
-/// See volume_kernel-inl.h. Decoded axes are off from right angles by some 21 units, B's in A's
-/// frame by 33, cosines by 57; all of these added up, what a plane's normal has besides the axes
-/// that are measured is off by up to 260 units, and distances along it by 60; the product of the
-/// long axes by 240 in all. Squares of lengths may underflow: they are then far below the square of
-/// what doubles may be off by in a mesh that check_packable lets pass, which is in every margin.
-template <>
-inline constexpr float distance_bound<PackedScb2> = 384;
-
-/// A direction that belongs to one of n pairs of volumes, seen from the other volume: its
-/// components along the axes of that.
-template <int n>
-struct LaneDirection {
-    Lanes<n> along[3];
-};
-
 /// Which of n volumes reach a slab of half the thickness `h`, where their centers are at the
-/// distance d from its middle. How far a volume reaches along the normal is at most its radius; the
-/// reach of the box that the slabs and the radius make; and that of its first slab with a cylinder
-/// about it. The last tells of flat volumes face to face: along first normals it spares a tenth of
-/// the tests, along second ones, where it is not asked for, a hundredth.
+/// distance d from its middle, and `normal` is its normal along the axes of each volume. How far a
+/// volume reaches along the normal is at most its radius; the reach of the box that the slabs and
+/// the radius make; and that of its first slab with a cylinder about it. The last tells of flat
+/// volumes face to face: along first normals it spares a tenth of the tests, along second ones,
+/// where it is not asked for, a hundredth.
 template <bool with_cylinder, int n>
 HWY_INLINE LaneMask<n> reach_slab(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& volume,
-                                  const LaneDirection<n>& normal) {
-    const Lanes<n> c0 = normal.along[0], c1 = normal.along[1], c2 = normal.along[2];
+                                  const Lanes3<n>& normal) {
+    const auto& [c0, c1, c2] = normal;
     const Lanes<n> by_first = d + c0 * volume.m[0], of_first = h + abs(c0) * volume.h[0];
     LaneMask<n> reached =
         (abs(d) - h <= volume.r) &
@@ -145,13 +137,12 @@ HWY_INLINE LaneMask<n> overlap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lan
 
     // Row i is A's axis in B's frame, column j is B's in A's. The long axes alone do not meet.
     const auto row = [&](int i) HWY_ATTR {
-        return LaneDirection<n>{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]),
-                                dot(a.axis[i], b.axis[2])};
+        return Lanes3<n>{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]),
+                         dot(a.axis[i], b.axis[2])};
     };
-    const LaneDirection<n> of_a[2] = {row(0), row(1)};
+    const Lanes3<n> of_a[2] = {row(0), row(1)};
     const Lanes<n> line0 = dot(a.axis[2], b.axis[0]), line1 = dot(a.axis[2], b.axis[1]);
-    const LaneDirection<n> of_b[2] = {{of_a[0].along[0], of_a[1].along[0], line0},
-                                      {of_a[0].along[1], of_a[1].along[1], line1}};
+    const Lanes3<n> of_b[2] = {{of_a[0].x, of_a[1].x, line0}, {of_a[0].y, of_a[1].y, line1}};
     // From the middles of slabs to the other's center.
     const Lanes<n> to_b0 = dot(a.axis[0], c) - a.m[0], to_b1 = dot(a.axis[1], c) - a.m[1],
                    to_a0 = -dot(b.axis[0], c) - b.m[0], to_a1 = -dot(b.axis[1], c) - b.m[1];
@@ -160,7 +151,7 @@ HWY_INLINE LaneMask<n> overlap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lan
                               reach_slab<true>(to_a0, b.h[0] + margin, a, of_b[0]) &
                               reach_slab<false>(to_a1, b.h[1] + margin, a, of_b[1]);
 
-    const Lanes<n> x = of_a[0].along[2], y = of_a[1].along[2];
+    const Lanes<n> x = of_a[0].z, y = of_a[1].z;
     const Lanes<n> apart = x * to_b1 - y * to_b0 + line1 * b.m[0] - line0 * b.m[1];
     const Lanes<n> reach =
         abs(y) * a.h[0] + abs(x) * a.h[1] + abs(line1) * b.h[0] + abs(line0) * b.h[1];

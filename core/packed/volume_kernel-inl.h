@@ -28,13 +28,17 @@ HWY_INLINE Lanes3<n> point_of(const float (*from)[W], int k) {
 }
 
 /// n volumes in one frame, see PackedScb and PackedScb2. Their numbers can be put into the rows of
-/// a table, and those of one of its columns be taken for all.
+/// a table, and those of one of its columns be taken for all. What overlap computes of their
+/// distances may be off by `distance_bound` units of the length of an Offset.
 template <class Packed, int n_>
 struct LaneVolumes;
 
 template <int n_>
 struct LaneVolumes<PackedScb, n_> {
     static constexpr int n = n_, rows = 9;
+    /// A center of B is off by some 18 units, its normal by 12, distances along both normals and
+    /// their cosine by 60 in all, and radii times the sine by 20.
+    static constexpr float distance_bound = 96;
     Lanes3<n> c, normal;
     Lanes<n> r, m, h;
 
@@ -99,12 +103,6 @@ HWY_INLINE LaneScbs<n> placed(const LaneScbs<n>& b, const FloatPlacement& placem
                               const Lanes3<n>& translation) {
     return {rotate(placement, b.c) + translation, rotate(placement, b.normal), b.r, b.m, b.h};
 }
-
-/// What overlap computes of the distances of volumes in one frame may be off by so many units of
-/// the length of an Offset: a center of B by some 18, its normal by 12, distances along both
-/// normals and their cosine by 60 in all, and radii times the sine by 20.
-template <class Packed>
-inline constexpr float distance_bound = 96;
 
 /// Which of n pairs of volumes overlap or are within `margin`: the symmetric form of Figure 8, all
 /// stages at once, see overlap_symmetric. |sin| is taken from the cross product of the normals: 1 -

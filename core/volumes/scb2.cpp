@@ -5,6 +5,7 @@
 
 #include "core/base/trigonometry.h"
 #include "core/volumes/half_chord.h"
+#include "core/volumes/scb2_faces.h"
 #include "core/volumes/scb2_reach.h"
 
 namespace scb {

@@ -33,18 +33,7 @@ Vector3<T> long_axis(const BasicScb2<T>& scb) {
     return cross(scb.slabs[0].n, scb.slabs[1].n);
 }
 
-/// What the surface of an Scb2 is made of.
-struct Scb2Faces {
-    double sphere = 0;  ///< area of what the slabs leave of the sphere
-    /// Areas of what the ball and the other slab leave of the planes: per slab, upper and lower.
-    std::array<std::array<double, 2>, 2> planes{};
-};
-
-/// The areas, in closed form: the sphere's is an integral of arcs over their height (Archimedes),
-/// see scb2.cpp.
-Scb2Faces faces(const Scb2& scb);
-
-/// Surface area: the sum of `faces`.
+/// Surface area, in closed form.
 double surface_area(const Scb2& scb);
 
 /// Volume, by the divergence theorem: a third of each face times its distance from the center.

@@ -1,3 +1,4 @@
+#include "core/volumes/scb2_faces.h"
 #include "scb/scb2.h"
 
 #include <gtest/gtest.h>
