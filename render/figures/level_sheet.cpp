@@ -80,6 +80,11 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         }
     }
 
+    const int note_x = sheet_margin + (legend_of(sheet.style.colors) ? 19 * unit : 0);
+    draw_side_panel(overlay,
+                    {note_x, key_y + 7 * unit / 4, layout.width - sheet_margin - note_x, 2 * unit},
+                    theme, unit, {PanelNote{sheet.note}});
+
     const int first_y = level_heading_height(unit);
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {
