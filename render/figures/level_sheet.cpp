@@ -80,9 +80,12 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         }
     }
 
-    const int note_x = sheet_margin + (legend_of(sheet.style.colors) ? 19 * unit : 0);
+    const bool beside = legend_of(sheet.style.colors).has_value();
+    const int note_x = sheet_margin + (beside ? 19 * unit : 0),
+              note_y = key_y + (beside ? 0 : 7 * unit / 4);
     draw_side_panel(overlay,
-                    {note_x, key_y + 7 * unit / 4, layout.width - sheet_margin - note_x, 2 * unit},
+                    {note_x, note_y, layout.width - sheet_margin - note_x,
+                     level_heading_height(unit) - unit / 2 - note_y},
                     theme, unit, {PanelNote{sheet.note}});
 
     const int first_y = level_heading_height(unit);
