@@ -5,6 +5,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/text_format.h"
+#include "render/figures/explain_verdict.h"
 #include "render/figures/volume_titles.h"
 #include "scenes/text/utf8.h"
 
@@ -109,7 +110,9 @@ std::string steps_text(const OverlapSteps& steps) {
     std::string text;
     for (const OverlapQuantity& q : steps.quantities)
         text += (text.empty() ? "  " : ", ") + std::string(q.name) + " = " + number(q.value);
-    text += "\n\n  line  " + padded("stage", 15);
+    const bool has_lines = std::any_of(steps.steps.begin(), steps.steps.end(),
+                                       [](const OverlapStep& step) { return step.line > 0; });
+    text += std::string("\n\n  ") + (has_lines ? "line  " : "") + padded("stage", 15);
     std::size_t width = 10;
     for (const OverlapStep& step : steps.steps)
         width = std::max(width, step.formula.size() + 2 -
@@ -121,13 +124,12 @@ std::string steps_text(const OverlapSteps& steps) {
     for (std::size_t i = 0; i < steps.steps.size(); ++i) {
         const OverlapStep& step = steps.steps[i];
         const std::string how = fate(steps, i);
-        text += "  " + padded(step.line > 0 ? format("%4d", step.line) : "   -", 6) +
-                padded(std::string(stage_name(step.stage)), 15) + padded(step.formula, width) +
+        text += "  ";
+        if (has_lines) text += padded(step.line > 0 ? format("%4d", step.line) : "   -", 6);
+        text += padded(std::string(stage_name(step.stage)), 15) + padded(step.formula, width) +
                 format("%13.6g %13.6g %+13.6g", step.left, step.right, step.slack) +
                 (how.empty() ? "" : "  " + how) + "\n";
     }
-    const bool has_lines = std::any_of(steps.steps.begin(), steps.steps.end(),
-                                       [](const OverlapStep& step) { return step.line > 0; });
     const bool has_edges = std::any_of(
         steps.steps.begin(), steps.steps.end(),
         [](const OverlapStep& step) { return step.formula.find("×") != std::string::npos; });
@@ -165,23 +167,12 @@ std::string answer_text(Answer answer, bool colored) {
     return "correct";
 }
 
-/// What formulas have beyond the paper's symbols.
+/// What formulas have beyond the paper's symbols, each part on a line.
 std::string symbols_text(const ExplainedPair& pair) {
-    if (pair.kind == VolumeKind::ball) return "";
-    if (pair.kind == VolumeKind::obb)
-        return "  a, b: the axes of the boxes; ρ: how far a box reaches along the axis.\n";
-    if (pair.kind == VolumeKind::scb2)
-        return "  ″: of the second slab; ρ: how far a volume reaches in that direction; w: the "
-               "product of the long axes.\n";
-    switch (pair.options.test) {
-        case OverlapTest::symmetric:
-            return "  m, h: middle of a slab and half its thickness; r·sα: what the cylinder about "
-                   "a ball adds; sα is rounded up.\n";
-        case OverlapTest::extents:
-            return "  ρ: how far a slab cut ball reaches in that direction.\n";
-        default:
-            return "  r·sα: what the cylinder about a ball adds; sα is rounded up.\n";
-    }
+    std::string text;
+    for (const std::string_view line : render::symbol_lines(pair.kind, pair.options))
+        text += "  " + std::string(line) + "\n";
+    return text;
 }
 
 }  // namespace

@@ -159,6 +159,10 @@ int run(const LevelOptions& options, const Console& console) {
         sheet.camera =
             camera_for(wish, support, static_cast<double>(layout.view_width) / layout.view_height);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (kinds.size() > 1)
+                sheet.note +=
+                    (k == 0 ? "" : "; ") + std::string(render::volume_title(kinds[k])) + ": ";
+            sheet.note += render::lengths_words(*bodies[k].front().hierarchy);
             std::vector<render::LevelSheetCell>& row = sheet.rows.emplace_back();
             for (const int level : levels)
                 row.push_back(

@@ -88,12 +88,14 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
     return style;
 }
 
-/// Which nodes are shown, where not all are.
-std::string filter_text(const RejectionsOptions& options) {
-    std::string text;
-    if (!options.body.empty()) text += ", only body " + options.body;
-    if (!options.depths.empty()) text += ", only levels " + options.depths;
-    if (!options.stages.empty()) text += ", only " + options.stages;
+/// The subtitle, and which nodes are shown, where not all are.
+std::string filtered(std::string text, const RejectionsOptions& options) {
+    const auto add = [&text](const std::string& what, const std::string& value) {
+        if (!value.empty()) text += (text.empty() ? "only " : ", only ") + what + value;
+    };
+    add("body ", options.body);
+    add("levels ", options.depths);
+    add("", options.stages);
     return text;
 }
 
@@ -113,7 +115,7 @@ struct Shot {
         const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
         render::SceneFigure figure;
         figure.title = view.title("rejections");
-        figure.subtitle = view.subtitle(frame.frame) + filter_text(options);
+        figure.subtitle = filtered(view.subtitle(frame.frame), options);
         figure.pane = render::rejections_pane(bodies, ended, style);
         const std::vector<render::AnyVolume> region =
             render::contact_region(bodies, source.header(), whole);

@@ -62,10 +62,16 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
     const QueryOptions defaults;
     const std::vector<OverlapTest> tests = options.tests();
     const bool has_scb = std::find(kinds.begin(), kinds.end(), VolumeKind::scb) != kinds.end();
-    if (!has_scb && (options.test != defaults.test || options.threshold != defaults.threshold))
-        console.note("scb: --test and --threshold have no effect: they are for slab cut balls.");
-    else if (options.threshold != defaults.threshold &&
-             std::none_of(tests.begin(), tests.end(), has_threshold))
+    const bool asks_test = options.test != defaults.test,
+               asks_threshold = options.threshold != defaults.threshold;
+    if (!has_scb && (asks_test || asks_threshold))
+        console.note("scb: " +
+                     std::string(asks_test && asks_threshold
+                                     ? "--test and --threshold have no effect: they are"
+                                 : asks_test ? "--test has no effect: it is"
+                                             : "--threshold has no effect: it is") +
+                     " for slab cut balls with one slab (scb).");
+    else if (asks_threshold && std::none_of(tests.begin(), tests.end(), has_threshold))
         console.note("scb: --threshold has no effect on --test " + options.test + ".");
     if (has_scb && std::find(tests.begin(), tests.end(), OverlapTest::printed) != tests.end())
         console.note(
@@ -74,10 +80,11 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
 
 void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests) {
     command
-        .add_option("--test", options.test,
-                    std::string(several_tests ? "Overlap tests for slab cut balls: some of "
-                                              : "Overlap test for slab cut balls: ") +
-                        test_names() + " (printed misses collisions)")
+        .add_option(
+            "--test", options.test,
+            std::string(several_tests ? "Overlap tests for slab cut balls with one slab: some of "
+                                      : "Overlap test for slab cut balls with one slab: ") +
+                test_names() + " (printed misses collisions)")
         .type_name(several_tests ? "LIST" : "TEST")
         .show_default();
     command

@@ -34,8 +34,9 @@ std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptio
         throw InputError(option + ": it says the " + taken.substr(2) + "s; leave out " + taken +
                          ".");
     if (of_tests && hierarchy.kind() != VolumeKind::scb)
-        throw InputError(option + ": these are tests for slab cut balls, and --volume is " +
-                         hierarchy.volumes + "; leave it out, or compare two volumes.");
+        throw InputError(
+            option + ": these are tests for slab cut balls with one slab (scb), and --volume is " +
+            hierarchy.volumes + "; leave it out, or compare two volumes.");
     std::array<Side, 2> sides;
     for (std::size_t i = 0; i < 2; ++i) {
         sides[i] = {hierarchy, query};

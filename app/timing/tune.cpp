@@ -42,16 +42,16 @@ std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& sce
 }
 
 TuneOptions tune_options(const TuneCommandOptions& options) {
-    if (options.hierarchy.kind() != VolumeKind::scb)
-        throw InputError("--volume " + options.hierarchy.volumes +
-                         ": only slab cut balls have overlap tests and a threshold to tune; leave "
-                         "this out, or time other volumes with `scb bench`.");
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
     const CollideOptions collide = options.query.collide();
     const BuildOptions build = options.hierarchy.build();
     TuneOptions result;
-    result.base = {collide.overlap, collide.descent, build.fit.growth};
+    result.kind = options.hierarchy.kind();
+    result.base.descent = collide.descent;
+    // What means nothing to these volumes is as by default, as in the best of each together.
+    if (result.kind == VolumeKind::scb) result.base.overlap = collide.overlap;
+    if (has_growth(result.kind)) result.base.growth = build.fit.growth;
     result.build = build;
     result.repeats = options.no_time ? 0 : options.repeats;
     return result;
@@ -111,10 +111,10 @@ int run(const TuneCommandOptions& options, const Console& console) {
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
-    // The threshold counts whatever the base's test is.
+    // Of slab cut balls the threshold counts whatever the base's test is.
     QueryOptions doubtful = options.query;
-    doubtful.threshold = QueryOptions{}.threshold;
-    note_doubts(options.scene, doubtful, {VolumeKind::scb}, console);
+    if (asked.kind == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
+    note_doubts(options.scene, doubtful, {asked.kind}, console);
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
@@ -159,7 +159,6 @@ void add_tune(const Command& program, const Console& console, Action& action) {
     command.get_option("SCENE").description(
         "A built-in scene (see `scb scenes`), a scene file, or two mesh files");
     add_hierarchy_options(command, options->hierarchy, false);
-    command.get_option("--volume").description("scb: only slab cut balls can be tuned");
     add_query_options(command, options->query, false);
     command.get_option("--frames")
         .description(
@@ -174,8 +173,9 @@ void add_tune(const Command& program, const Console& console, Action& action) {
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
         "--test, --threshold, --descent and --growth give the base. The command changes one of "
-        "them at a time, then combines\n"
-        "the best values. operations: arithmetic operations of the volume tests (Table 1 of the "
+        "them at a time, of those that have an\n"
+        "effect on the volume, then combines the best values. operations: arithmetic operations of "
+        "the volume tests (Table 1 of the "
         "paper); ms: mean processor\n"
         "time of a query. The base is best in time unless another setting saves 2 % or more. The "
         "printed test misses pairs and\n"

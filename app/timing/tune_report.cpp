@@ -7,6 +7,7 @@
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
+#include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {
@@ -14,15 +15,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "symmetric, descent radius, growth ritter".
-std::string setting_text(const TuneSetting& setting) {
-    return overlap_title(setting.overlap) + ", descent " +
-           std::string(descent_rule_name(setting.descent)) + ", growth " +
-           std::string(ball_growth_name(setting.growth));
+/// "symmetric, descent radius, growth ritter": what of it means anything to the volume.
+std::string setting_text(const TuneSetting& setting, VolumeKind kind) {
+    return (kind == VolumeKind::scb ? overlap_title(setting.overlap) + ", " : "") + "descent " +
+           std::string(descent_rule_name(setting.descent)) +
+           (has_growth(kind) ? ", growth " + std::string(ball_growth_name(setting.growth)) : "");
 }
 
 /// What of the setting is not the base's.
-std::string change_text(const TuneTrial& trial) {
+std::string change_text(const TuneTrial& trial, VolumeKind kind) {
     switch (trial.tuned) {
         case Tuned::test:
         case Tuned::threshold:
@@ -32,7 +33,7 @@ std::string change_text(const TuneTrial& trial) {
         case Tuned::growth:
             return "growth " + std::string(ball_growth_name(trial.setting.growth));
         default:
-            return setting_text(trial.setting);
+            return setting_text(trial.setting, kind);
     }
 }
 
@@ -54,9 +55,9 @@ const char* group_title(Tuned tuned) {
     return "the best of each together";
 }
 
-std::string table_row(const TuneRow& row, const TuneRow& base, bool timed) {
+std::string table_row(const TuneRow& row, const TuneRow& base, VolumeKind kind, bool timed) {
     std::string line =
-        format("  %-46s %10.1f %9.1f %12.1f %6.2f", change_text(row.trial).c_str(), row.n_v,
+        format("  %-46s %10.1f %9.1f %12.1f %6.2f", change_text(row.trial, kind).c_str(), row.n_v,
                row.n_p, row.operations, ratio(row.operations, base.operations, 1));
     if (timed) line += format(" %9.4f %6.2f", row.ms, ratio(row.ms, base.ms, 1));
     return line + (row.misses_pairs ? "  misses pairs\n" : "\n");
@@ -65,14 +66,20 @@ std::string table_row(const TuneRow& row, const TuneRow& base, bool timed) {
 std::string best_line(const char* what, const SceneTuning& tuning, std::size_t best,
                       double TuneRow::*cost) {
     const TuneRow &row = tuning.rows[best], &base = tuning.rows[0];
-    std::string line = std::string(what) + ": " + setting_text(row.trial.setting);
+    std::string line = std::string(what) + ": " + setting_text(row.trial.setting, tuning.kind);
     if (best == 0) return line + ", the base\n";
     return line + format(", %.2f of the base's\n", ratio(row.*cost, base.*cost, 1));
 }
 
+/// The volume, unless it is the usual one.
+std::string of_volume(const SceneTuning& tuning, const char* separator) {
+    if (tuning.kind == VolumeKind::scb) return "";
+    return std::string(render::volume_title(tuning.kind)) + separator;
+}
+
 std::string bar_name(const SceneTuning& tuning, const TuneRow& row) {
     if (row.trial.tuned == Tuned::nothing) return "base";
-    if (row.trial.tuned != Tuned::several) return change_text(row.trial);
+    if (row.trial.tuned != Tuned::several) return change_text(row.trial, tuning.kind);
     const TuneSetting& setting = row.trial.setting;
     const TuneSetting& base = tuning.rows[0].trial.setting;
     // What it changes is more than a bar has room for.
@@ -91,7 +98,8 @@ std::string tune_table(const SceneTuning& tuning) {
     std::string text =
         tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
         format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
-        render::frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
+        of_volume(tuning, ", ") + render::frames_text(tuning.frames) + build_text(tuning.build) +
+        "; means per frame\n\n" +
         "  setting                                               N_v       N_p   operations / base";
     text += tuning.timed ? "        ms / base\n" : "\n";
     const TuneRow& base = tuning.rows[0];
@@ -100,7 +108,7 @@ std::string tune_table(const SceneTuning& tuning) {
         if (&row == &base || row.trial.tuned != group)
             text += std::string(group_title(row.trial.tuned)) + "\n";
         group = row.trial.tuned;
-        text += table_row(row, base, tuning.timed);
+        text += table_row(row, base, tuning.kind, tuning.timed);
     }
     text += "\n" +
             best_line("Fewest operations", tuning, tuning.fewest_operations, &TuneRow::operations);
@@ -112,11 +120,13 @@ Json tune_json(const SceneTuning& tuning) {
     Json settings = Json::array();
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& setting = row.trial.setting;
-        Json entry = {{"tuned", tuned_names[row.trial.tuned]},
-                      {"test", overlap_test_name(setting.overlap.test)}};
-        if (has_threshold(setting.overlap.test)) entry["threshold"] = setting.overlap.threshold;
+        Json entry = {{"tuned", tuned_names[row.trial.tuned]}};
+        if (tuning.kind == VolumeKind::scb) {
+            entry["test"] = overlap_test_name(setting.overlap.test);
+            if (has_threshold(setting.overlap.test)) entry["threshold"] = setting.overlap.threshold;
+        }
         entry["descent"] = descent_rule_name(setting.descent);
-        entry["growth"] = ball_growth_name(setting.growth);
+        if (has_growth(tuning.kind)) entry["growth"] = ball_growth_name(setting.growth);
         entry["n_v"] = row.n_v;
         entry["n_p"] = row.n_p;
         entry["operations"] = row.operations;
@@ -127,8 +137,13 @@ Json tune_json(const SceneTuning& tuning) {
     }
     Json best = {{"operations", tuning.fewest_operations}};
     if (tuning.timed) best["time"] = tuning.least_time;
-    return {{"scene", tuning.scene},   {"bodies", tuning.bodies}, {"triangles", tuning.triangles},
-            {"frames", tuning.frames}, {"settings", settings},    {"best", best}};
+    return {{"scene", tuning.scene},
+            {"bodies", tuning.bodies},
+            {"triangles", tuning.triangles},
+            {"frames", tuning.frames},
+            {"volume", volume_kind_name(tuning.kind)},
+            {"settings", settings},
+            {"best", best}};
 }
 
 std::string tune_csv(const SceneTuning& tuning) {
@@ -136,12 +151,13 @@ std::string tune_csv(const SceneTuning& tuning) {
         "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,misses_pairs,ms\n";
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& setting = row.trial.setting;
-        const bool threshold = has_threshold(setting.overlap.test);
+        const bool test = tuning.kind == VolumeKind::scb,
+                   threshold = test && has_threshold(setting.overlap.test);
         text += std::string(tuned_names[row.trial.tuned]) + "," +
-                std::string(overlap_test_name(setting.overlap.test)) + "," +
+                std::string(test ? overlap_test_name(setting.overlap.test) : "") + "," +
                 (threshold ? Json(setting.overlap.threshold).dump() : std::string()) + "," +
                 std::string(descent_rule_name(setting.descent)) + "," +
-                std::string(ball_growth_name(setting.growth)) +
+                std::string(has_growth(tuning.kind) ? ball_growth_name(setting.growth) : "") +
                 format(",%.6f,%.6f,%.6f,%.6f,%d,", row.n_v, row.n_p, row.operations, row.pairs,
                        row.misses_pairs ? 1 : 0) +
                 (tuning.timed ? format("%.6f\n", row.ms) : std::string("\n"));
@@ -152,9 +168,9 @@ std::string tune_csv(const SceneTuning& tuning) {
 render::TuneFigure tune_figure(const SceneTuning& tuning) {
     const TuneRow& base = tuning.rows[0];
     render::TuneFigure figure;
-    figure.title = tuning.scene + " · settings";
-    figure.subtitle =
-        render::frames_text(tuning.frames) + ", base: " + setting_text(base.trial.setting);
+    figure.title = tuning.scene + " · " + of_volume(tuning, " · ") + "settings";
+    figure.subtitle = render::frames_text(tuning.frames) +
+                      ", base: " + setting_text(base.trial.setting, tuning.kind);
     std::vector<std::pair<double, render::TuneCosts>> points;
     for (std::size_t i = 0; i < tuning.rows.size(); ++i) {
         const TuneRow& row = tuning.rows[i];
@@ -162,7 +178,7 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
             ratio(row.n_v, base.n_v, 1), ratio(row.operations, base.operations, 1), {}};
         if (tuning.timed) costs.time = ratio(row.ms, base.ms, 1);
         const TuneSetting& setting = row.trial.setting;
-        if (setting.overlap.test == OverlapTest::corrected &&
+        if (tuning.kind == VolumeKind::scb && setting.overlap.test == OverlapTest::corrected &&
             setting.descent == base.trial.setting.descent &&
             setting.growth == base.trial.setting.growth)
             points.emplace_back(setting.overlap.threshold, costs);

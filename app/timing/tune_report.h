@@ -15,8 +15,8 @@ std::string tune_table(const SceneTuning& tuning);
 /// The same as JSON; times only where they were measured.
 nlohmann::ordered_json tune_json(const SceneTuning& tuning);
 
-/// Lines "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,ms" with a header; the
-/// threshold is empty where the test has none, ms where nothing was timed.
+/// Lines "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,ms" with a header; what
+/// means nothing to the volume or the test is empty, ms where nothing was timed.
 std::string tune_csv(const SceneTuning& tuning);
 
 render::TuneFigure tune_figure(const SceneTuning& tuning);

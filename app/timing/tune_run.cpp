@@ -11,17 +11,18 @@
 namespace scb::app {
 namespace {
 
-/// The scene with a hierarchy per mesh and growth rule.
+/// The scene with a hierarchy per mesh and growth rule that matters.
 class Subject {
   public:
     Subject(const scenes::Scene& scene, std::size_t a, std::size_t b,
-            const std::vector<int>& frames, BuildOptions build)
+            const std::vector<int>& frames, VolumeKind kind, BuildOptions build)
         : scene_(scene), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
         const std::vector<MeshTopology> topologies =
             scenes::build_topologies(scene, build.topology());
         for (const BallGrowth growth : growths) {
             build.fit.growth = growth;
-            hierarchies_.push_back(scenes::fit_meshes(topologies, VolumeKind::scb, build));
+            hierarchies_.push_back(scenes::fit_meshes(topologies, kind, build));
+            if (!has_growth(kind)) break;
         }
         for (const int frame : frames)
             poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
@@ -73,8 +74,8 @@ std::vector<std::size_t> spread_order(std::size_t count) {
 
 class Run {
   public:
-    Run(const Subject& subject, const TuneProgress& progress)
-        : subject_(subject), progress_(progress), most_pairs_(subject.frames()) {}
+    Run(const Subject& subject, VolumeKind kind, const TuneProgress& progress)
+        : subject_(subject), kind_(kind), progress_(progress), most_pairs_(subject.frames()) {}
 
     std::vector<TuneRow> rows;
 
@@ -98,8 +99,7 @@ class Run {
                 const Collision found = subject_.query(trial.setting, i);
                 n_v.push_back(found.n_v);
                 n_p.push_back(found.n_p);
-                operations.push_back(
-                    operation_count(VolumeKind::scb, trial.setting.overlap, found.stages));
+                operations.push_back(operation_count(kind_, trial.setting.overlap, found.stages));
                 pairs.push_back(found.pairs.size());
                 if (!progress_.step()) return false;
             }
@@ -139,6 +139,7 @@ class Run {
 
   private:
     const Subject& subject_;
+    VolumeKind kind_;
     const TuneProgress& progress_;
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame
     std::vector<std::uint64_t> most_pairs_;          // per frame
@@ -149,10 +150,11 @@ class Run {
 std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
-    const Subject subject(scene, a, b, frames, options.build);
-    Run run(subject, progress);
+    const Subject subject(scene, a, b, frames, options.kind, options.build);
+    Run run(subject, options.kind, progress);
     const bool timed = options.repeats > 0;
-    if (!run.count(tune_trials(options.base)) || !run.time(timed ? 1 : 0)) return std::nullopt;
+    if (!run.count(tune_trials(options.base, options.kind)) || !run.time(timed ? 1 : 0))
+        return std::nullopt;
 
     std::vector<TuneTrial> together;
     const auto add_best = [&](double TuneRow::*cost, double least_gain) {
@@ -170,6 +172,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
     for (const std::size_t body : {a, b})
         result.triangles.push_back(scene.meshes[scene.bodies[body].mesh].mesh.triangles.size());
     result.frames = frames;
+    result.kind = options.kind;
     result.build = options.build;
     result.build.fit.growth = FitOptions{}.growth;  // each setting has its own
     result.timed = timed;

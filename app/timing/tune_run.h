@@ -27,6 +27,7 @@ struct SceneTuning {
     std::vector<std::string> bodies;     ///< names of A and B
     std::vector<std::size_t> triangles;  ///< of A and B
     std::vector<int> frames;
+    VolumeKind kind{};
     BuildOptions build;  ///< but for the growth
     std::vector<TuneRow> rows;
     bool timed = false;
@@ -34,7 +35,8 @@ struct SceneTuning {
 };
 
 struct TuneOptions {
-    TuneSetting base;
+    TuneSetting base;  ///< overlap and growth as by default where they mean nothing to the kind
+    VolumeKind kind{};
     BuildOptions build;  ///< but for the growth, which is tuned
     int repeats = 0;     ///< of each timed query; 0: nothing is timed
 };

@@ -75,10 +75,10 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                                       {"split", std::string(split_method_name(header.split))},
                                       {"volume", std::string(volume_kind_name(header.volume))}};
     // Only what has an effect on these volumes.
-    if (header.volume == VolumeKind::scb || header.volume == VolumeKind::ball)
+    if (has_growth(header.volume))
         fields.push_back({"growth", std::string(ball_growth_name(header.growth))});
+    if (has_margin(header.volume)) fields.push_back({"margin", number(header.margin)});
     if (header.volume == VolumeKind::scb) {
-        fields.push_back({"margin", number(header.margin)});
         fields.push_back({"test", std::string(overlap_test_name(options.overlap.test))});
         if (has_threshold(options.overlap.test))
             fields.push_back({"threshold", number(options.overlap.threshold)});

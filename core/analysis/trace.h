@@ -71,8 +71,9 @@ struct TraceField {
     friend bool operator==(const TraceField&, const TraceField&) = default;
 };
 
-/// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, and for
-/// slab cut balls test and threshold; descent, pairs at most, level. Neither version nor source.
+/// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, test and
+/// threshold where they mean anything to the volume; descent, pairs at most, level. Neither version
+/// nor source.
 std::vector<TraceField> fields_of(const TraceHeader& header);
 
 }  // namespace scb

@@ -40,23 +40,30 @@ bool operator==(const TuneSetting& x, const TuneSetting& y) {
            x.descent == y.descent && x.growth == y.growth;
 }
 
-std::vector<TuneTrial> tune_trials(const TuneSetting& base) {
+std::vector<TuneTrial> tune_trials(const TuneSetting& base, VolumeKind kind) {
     std::vector<TuneTrial> trials = {{base, Tuned::nothing}};
     TuneSetting setting = base;
-    for (const OverlapTest test : all_overlap_tests()) {
-        setting.overlap.test = test;
-        if (test != base.overlap.test) add_once(trials, setting, Tuned::test);
-    }
-    setting.overlap.test = OverlapTest::corrected;
-    for (int step = 2; step < 20; ++step) {
-        setting.overlap.threshold = step / 20.0;
-        add_once(trials, setting, Tuned::threshold);
+    if (kind == VolumeKind::scb) {
+        for (const OverlapTest test : all_overlap_tests()) {
+            setting.overlap.test = test;
+            if (test != base.overlap.test) add_once(trials, setting, Tuned::test);
+        }
+        setting.overlap.test = OverlapTest::corrected;
+        for (int step = 2; step < 20; ++step) {
+            setting.overlap.threshold = step / 20.0;
+            add_once(trials, setting, Tuned::threshold);
+        }
     }
     setting = base;
+    const auto by_size = [](DescentRule rule) { return rule != DescentRule::alternating; };
+    const bool is_ball = kind == VolumeKind::ball || kind == VolumeKind::ritter;
     for (const DescentRule rule : all_descent_rules()) {
+        // The larger of two balls is so by any measure.
+        if (is_ball && by_size(rule) && by_size(base.descent)) continue;
         setting.descent = rule;
         add_once(trials, setting, Tuned::descent);
     }
+    if (!has_growth(kind)) return trials;
     setting = base;
     for (const BallGrowth growth : {BallGrowth::ritter, BallGrowth::radius}) {
         setting.growth = growth;

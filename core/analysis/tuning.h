@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/base/enum_names.h"
+#include "scb/any_hierarchy.h"
 #include "scb/descent_rule.h"
-#include "scb/fit.h"
 #include "scb/overlap_options.h"
 
 namespace scb {
 
-/// One way to make queries of slab cut balls.
+/// One way to make queries.
 struct TuneSetting {
     OverlapOptions overlap;
     DescentRule descent = DescentRule::radius;
@@ -41,8 +41,8 @@ struct TuneTrial {
 
 /// The base, then all settings that differ from it in one thing: the other overlap tests, the
 /// threshold of `corrected` from 0.1 to 0.95 in steps of 0.05, the other descent rules, the other
-/// growth rule. Each once.
-std::vector<TuneTrial> tune_trials(const TuneSetting& base);
+/// growth rule. Each once, and of these what has an effect on such volumes.
+std::vector<TuneTrial> tune_trials(const TuneSetting& base, VolumeKind kind = VolumeKind::scb);
 
 /// The trial with the least cost of those with a sound test; of equal ones the first; the first of
 /// all where none is sound. `costs` are

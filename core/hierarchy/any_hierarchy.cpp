@@ -23,6 +23,9 @@ std::optional<VolumeKind> volume_kind_of(std::string_view name) { return kind_na
 
 std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 
+bool has_growth(VolumeKind kind) { return has_margin(kind) || kind == VolumeKind::ball; }
+bool has_margin(VolumeKind kind) { return kind == VolumeKind::scb || kind == VolumeKind::scb2; }
+
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
                      const LeafOrder& points, FitOptions options, int threads,
                      const FittedNodes& wanted) {

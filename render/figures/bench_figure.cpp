@@ -126,7 +126,10 @@ BenchLayout layout_of(const FigureLayout& frame, int width, int height, const Be
     const int inside = width - 2 * margin, gutter = 2 * unit;
     const int top = frame.heading.y + frame.heading.height + unit / 2;
     int bottom = height - margin;
-    const int least = (frame.portrait ? 18 : 9) * unit;
+    // Bars have names and numbers of their own: they come before the table, or none would be drawn.
+    const int bars = static_cast<int>(legend.rows.size()) * (small_size(unit) + 1) + 13 * unit / 4,
+              plots = frame.portrait ? 2 : 1,
+              least = plots * (legend.blocks ? std::max(9 * unit, bars) : 9 * unit);
     const auto room = [&](int text) {
         const int table = text > 0 ? bench_legend_height(legend, text) + unit : 0;
         return bottom - top - table - (footnote_height > 0 ? footnote_height + unit / 4 : 0);

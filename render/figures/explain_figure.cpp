@@ -145,6 +145,20 @@ void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLa
                  plot.plane.words + (zoomed ? "; a detail" : ""), theme, layout.unit);
 }
 
+void draw_footnote(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
+    std::string text;
+    for (const std::string_view line : symbol_lines(figure.kind, figure.options))
+        text += (text.empty() ? "" : " ") + std::string(line);
+    const TextStyle faint{small_size(layout.unit), FontWeight::regular, figure.theme->faint_text};
+    const PixelRect& box = layout.footnote;
+    int y = box.y;
+    for (const std::string& line : wrapped_text(overlay, text, faint, box.width)) {
+        if (y + faint.size > box.y + box.height) return;
+        overlay.text(box.x, y, line, faint);
+        y += faint.size * 5 / 4;
+    }
+}
+
 }  // namespace
 
 Camera explain_camera(const ExplainFigure& figure, double aspect) {
@@ -198,6 +212,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
          figure.found->answer == Answer::false_negative ? theme.warning : theme.accent},
         theme, layout.unit);
     draw_verdict(overlay, layout.verdict, figure, layout.unit);
+    draw_footnote(overlay, figure, layout);
     picture.panes.push_back(pane_of(figure, camera, view, layout.unit));
     return picture;
 }

@@ -9,6 +9,19 @@
 
 namespace scb::render {
 
+namespace {
+
+/// At most so many, as letters are half as wide as high at most on the average.
+int footnote_lines(const ExplainFigure& figure, int unit, int width) {
+    std::size_t letters = 0;
+    for (const std::string_view line : symbol_lines(figure.kind, figure.options))
+        letters += line.size() + 1;
+    const int wide = static_cast<int>(letters) * small_size(unit) / 2;
+    return (wide + width - 1) / std::max(1, width);
+}
+
+}  // namespace
+
 PixelRect ExplainLayout::view_box() const {
     const int caption = caption_height(), below = 2 * unit;
     return {view.x, view.y + caption, view.width, std::max(1, view.height - caption - below)};
@@ -20,7 +33,12 @@ ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure)
     const int unit = layout.unit = whole.unit, margin = whole.heading.x, gap = unit;
     layout.heading = whole.heading;
     const int top = whole.heading.y + whole.heading.height;
-    const PixelRect all = {margin, top, width - 2 * margin, height - margin - top};
+    PixelRect all = {margin, top, width - 2 * margin, height - margin - top};
+    const int footnote = (small_size(unit) * 5 / 4) * footnote_lines(figure, unit, all.width);
+    if (footnote > 0 && footnote <= all.height / 12) {
+        layout.footnote = {margin, height - margin - footnote, all.width, footnote};
+        all.height -= footnote + unit / 2;
+    }
     const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
               verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
     const int below = std::min(std::max(chart, verdict), all.height * 9 / 20);

@@ -10,6 +10,7 @@ struct ExplainLayout {
     PixelRect heading;
     PixelRect view, section;  ///< with their captions above them; no section of boxes
     PixelRect steps, verdict;
+    PixelRect footnote;  ///< what symbols mean; empty where there are none, or no room
 
     static constexpr int caption_lines = 2;
     int caption_height() const { return caption_lines * unit * 5 / 4 + unit / 4; }

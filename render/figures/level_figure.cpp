@@ -65,13 +65,21 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     const AnyHierarchy& hierarchy = *figure.bodies[0].hierarchy;
     const bool boxes = std::holds_alternative<Hierarchy<Obb>>(hierarchy),
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
-    items.emplace_back(PanelNote{boxes       ? "d: diagonal, τ: shortest side"
-                                 : two_slabs ? "d = 2r, τ: the thinner slab; units of the mesh"
-                                             : "d = 2r, τ = e − f; lengths in units of the mesh"});
+    items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
+                                 (boxes       ? ""
+                                  : two_slabs ? "; units of the mesh"
+                                              : "; lengths in units of the mesh")});
     return items;
 }
 
 }  // namespace
+
+std::string_view lengths_words(const AnyHierarchy& hierarchy) {
+    if (std::holds_alternative<Hierarchy<Obb>>(hierarchy)) return "d: diagonal, τ: shortest side";
+    if (std::holds_alternative<Hierarchy<Scb2>>(hierarchy)) return "d = 2r, τ: the thinner slab";
+    if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return "τ = d = 2r";
+    return "d = 2r, τ = e − f";
+}
 
 std::string thickness_text(const VolumeStatistics& s) {
     return is_flat(s) ? "0" : number_text(s.mean_thickness());

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/hierarchy/level_statistics.h"
@@ -47,6 +48,9 @@ struct LevelNumbers {
     VolumeStatistics all;
 };
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
+
+/// What d and τ are of such volumes: "d = 2r, τ = e − f".
+std::string_view lengths_words(const AnyHierarchy& hierarchy);
 
 /// Mean thickness and summed volume for a reader: 0 where they are but rounding noise.
 std::string thickness_text(const VolumeStatistics& statistics);

@@ -80,6 +80,14 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         }
     }
 
+    const bool beside = legend_of(sheet.style.colors).has_value();
+    const int note_x = sheet_margin + (beside ? 19 * unit : 0),
+              note_y = key_y + (beside ? 0 : 7 * unit / 4);
+    draw_side_panel(overlay,
+                    {note_x, note_y, layout.width - sheet_margin - note_x,
+                     level_heading_height(unit) - unit / 2 - note_y},
+                    theme, unit, {PanelNote{sheet.note}});
+
     const int first_y = level_heading_height(unit);
     for (std::size_t r = 0; r < sheet.rows.size(); ++r)
         for (std::size_t c = 0; c < levels; ++c) {

@@ -21,6 +21,7 @@ struct LevelSheetCell {
 struct LevelSheet {
     std::string title;
     std::string subtitle;
+    std::string note;  ///< what the numbers are; beside the scale, or below the keys
     std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
     LevelStyle style;
     Camera camera;  ///< for the aspect of LevelSheetLayout

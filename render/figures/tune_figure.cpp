@@ -113,7 +113,9 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
 
     const PixelRect inside{margin, top, width - 2 * margin, bottom - top};
     PixelRect lines = inside, bars = inside;
-    if (frame.portrait) {
+    if (figure.thresholds.empty()) {
+        lines.height = 0;
+    } else if (frame.portrait) {
         lines.height = (inside.height - gap) / (bar_plots + 1);
         bars.y += lines.height + gap;
         bars.height -= lines.height + gap;
@@ -122,7 +124,7 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
         bars.x += lines.width + 2 * gap;
         bars.width -= lines.width + 2 * gap;
     }
-    draw_line_plot(overlay, lines, line_plot_of(figure), style);
+    if (lines.height > 0) draw_line_plot(overlay, lines, line_plot_of(figure), style);
     const std::vector<PixelRect> places = stacked(bars, bar_plots, gap);
     for (int i = 0; i < bar_plots; ++i)
         draw_bar_plot(overlay, places[static_cast<std::size_t>(i)],

@@ -24,7 +24,8 @@ struct TuneBar {
 };
 
 /// What settings cost in a scene, the base being 1: lines over the threshold a of the test
-/// `corrected`, and a bar for every other setting: operations, and time where that was measured.
+/// `corrected`, where there are any, and a bar for every other setting: operations, and time where
+/// that was measured.
 struct TuneFigure {
     std::string title, subtitle;
     std::vector<double> thresholds;         ///< ascending

@@ -8,11 +8,19 @@
 namespace scb::render {
 namespace {
 
+/// "1,024", "+432", "−17", "±0".
+bool is_number(std::string_view text) {
+    for (const std::string_view sign : {"+", "−", "±"})
+        if (text.starts_with(sign)) text.remove_prefix(sign.size());
+    return !text.empty() && text[0] >= '0' && text[0] <= '9';
+}
+
 struct PanelPainter {
     Overlay& overlay;
     const PixelRect& box;
     const Theme& theme;
     int unit;
+    const std::vector<PanelItem>& items;
     int y;
 
     int line_height() const { return unit * 5 / 4; }
@@ -26,11 +34,11 @@ struct PanelPainter {
         return std::holds_alternative<PanelNote>(item) ? small_size(unit) : line_height();
     }
     /// The height that the heading takes with the smallest thing that stands under it.
-    int least_below(const std::vector<PanelItem>& items, std::size_t heading) const {
+    int least_below(std::size_t heading) const {
         const int own = line_height() + unit / 4;
         std::size_t i = heading + 1;
         if (i == items.size()) return own;
-        if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(items, i);
+        if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(i);
         int smallest = least(items[i]);
         for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
             smallest = std::min(smallest, least(items[i]));
@@ -48,23 +56,53 @@ struct PanelPainter {
         y += unit / 4;
     }
 
+    /// Where the label and each value of rows with so many values end, from the left of the box.
+    std::vector<int> column_ends(std::size_t columns) const {
+        // Labels take what one of at most three columns leaves.
+        const int label = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
+        std::vector<int> ends = {label}, needed(columns + 1);
+        for (std::size_t c = 1; c <= columns; ++c)
+            ends.push_back(label +
+                           (box.width - label) * static_cast<int>(c) / static_cast<int>(columns));
+        for (const PanelItem& item : items) {
+            const auto* row = std::get_if<PanelRow>(&item);
+            if (row == nullptr || row->values.size() != columns) continue;
+            const auto need = [&](std::size_t c, const std::string& text, FontWeight weight) {
+                needed[c] = std::max(
+                    needed[c], overlay.measure(text, style(weight, theme.text)).width + unit / 4);
+            };
+            need(0, row->label, FontWeight::regular);
+            for (std::size_t c = 0; c < columns; ++c)
+                if (is_number(row->values[c]))
+                    need(c + 1, row->values[c],
+                         row->strong ? FontWeight::bold : FontWeight::regular);
+        }
+        int sum = needed[0];
+        bool fit = true;
+        for (std::size_t c = 1; c <= columns; ++c) {
+            sum += needed[c];
+            fit &= needed[c] <= ends[c] - ends[c - 1];
+        }
+        // Where numbers do not fit into columns of equal width, each has what it needs.
+        if (fit || sum > box.width) return ends;
+        const int spare = (box.width - sum) / static_cast<int>(columns + 1);
+        int end = 0;
+        for (std::size_t c = 0; c < columns; ++c) ends[c] = end += needed[c] + spare;
+        return ends;
+    }
+
     void draw(const PanelRow& row) {
         if (!fits(line_height())) return;
         const FontWeight weight = row.strong ? FontWeight::bold : FontWeight::regular;
         const TextStyle label = style(FontWeight::regular, theme.faint_text);
         const TextStyle value = style(weight, theme.text, Align::right);
-        const auto columns = static_cast<int>(row.values.size());
-        // Labels take what one of at most three columns leaves.
-        const int label_width = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
-        overlay.text(box.x, y, fitted_text(overlay, row.label, label, label_width), label);
-        for (int c = 0; c < columns; ++c) {
-            const auto i = static_cast<std::size_t>(c);
-            const int right = box.x + label_width + (box.width - label_width) * (c + 1) / columns;
-            const int room = (box.width - label_width) / columns - unit / 4;
+        const std::vector<int> ends = column_ends(row.values.size());
+        overlay.text(box.x, y, fitted_text(overlay, row.label, label, ends[0]), label);
+        for (std::size_t i = 0; i < row.values.size(); ++i) {
+            const int right = box.x + ends[i + 1], room = ends[i + 1] - ends[i] - unit / 4;
             const bool swatch = i < row.swatches.size() && row.swatches[i].has_value();
             // Names may be cut, numbers never: they are set smaller.
-            const bool number =
-                !row.values[i].empty() && row.values[i][0] >= '0' && row.values[i][0] <= '9';
+            const bool number = is_number(row.values[i]);
             TextStyle style_of_value = value;
             const int limit = swatch ? room - unit * 5 / 4 : room;
             while (number && style_of_value.size > 8 &&
@@ -94,7 +132,7 @@ struct PanelPainter {
     void draw(const PanelLegendRow& row) {
         if (!fits(line_height())) return;
         overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, row.color);
-        const TextStyle text = style(FontWeight::regular, theme.text);
+        TextStyle text = style(FontWeight::regular, theme.text);
         const TextStyle value = style(FontWeight::regular, theme.text, Align::right);
         const TextStyle faint = style(FontWeight::regular, theme.faint_text, Align::right);
         const int right = box.x + box.width, share = unit * 7 / 2, indent = unit * 5 / 4;
@@ -102,7 +140,10 @@ struct PanelPainter {
         overlay.text(right - share, y, row.count, value);
         const int room =
             box.width - indent - share - overlay.measure(row.count, value).width - unit / 2;
-        overlay.text(box.x + indent, y, fitted_text(overlay, row.text, text, room), text);
+        while (text.size > small_size(unit) && overlay.measure(row.text, text).width > room)
+            --text.size;
+        overlay.text(box.x + indent, y + (unit - text.size) / 2,
+                     fitted_text(overlay, row.text, text, room), text);
         y += line_height();
     }
 
@@ -131,11 +172,11 @@ struct PanelPainter {
 
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items) {
-    PanelPainter painter{overlay, box, theme, unit, box.y};
+    PanelPainter painter{overlay, box, theme, unit, items, box.y};
     for (std::size_t i = 0; i < items.size(); ++i) {
         // Things without their heading would be taken for those of the one above.
         if (std::holds_alternative<PanelHeading>(items[i]) &&
-            !painter.fits(painter.gap() + painter.least_below(items, i)))
+            !painter.fits(painter.gap() + painter.least_below(i)))
             break;
         std::visit([&](const auto& item) { painter.draw(item); }, items[i]);
     }

@@ -18,8 +18,12 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
     const int unit = style.unit, small = small_size(unit), heading = unit * 5 / 4;
     const TextStyle bold{unit, FontWeight::bold, style.theme.text};
     const TextStyle faint{small, FontWeight::regular, style.theme.faint_text};
-    const TextStyle name{small, FontWeight::regular, style.theme.text};
-    const TextStyle number{small, FontWeight::bold, style.theme.text};
+    const int top = 2 * heading + unit / 4, count = std::max(1, static_cast<int>(plot.bars.size()));
+    // Bars far apart do not look like one figure; many have smaller text.
+    const int row = std::min((rect.height - top) / count, 6 * unit),
+              text_size = std::clamp(row - 1, std::min(small, 8), small);
+    const TextStyle name{text_size, FontWeight::regular, style.theme.text};
+    const TextStyle number{text_size, FontWeight::bold, style.theme.text};
     const bool empty = std::none_of(plot.bars.begin(), plot.bars.end(), drawable);
 
     int names = 0, numbers = 0;
@@ -32,12 +36,9 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
     const int gap = unit / 2;
     // A name may be cut, a number never.
     names = std::min(names, rect.width * 9 / 20);
-    const int top = 2 * heading + unit / 4, count = std::max(1, static_cast<int>(plot.bars.size()));
     PixelRect area{rect.x + names + gap, rect.y + top, rect.width - names - numbers - 2 * gap,
                    rect.height - top};
-    // Bars far apart do not look like one figure.
-    const int row = std::min(area.height / count, 6 * unit);
-    if (area.width < 2 * unit || row < small + 1) return {rect.x, rect.y, 0, 0};
+    if (area.width < 2 * unit || row < text_size + 1) return {rect.x, rect.y, 0, 0};
     area.height = row * count;
 
     overlay.text(rect.x, rect.y, fitted_text(overlay, plot.title, bold, rect.width), bold);
@@ -53,7 +54,7 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
     const int thickness = std::clamp(row * 3 / 5, 2, 5 * unit / 2);
     for (int i = 0; i < static_cast<int>(plot.bars.size()); ++i) {
         const PlotBar& bar = plot.bars[static_cast<std::size_t>(i)];
-        const int middle = area.y + i * row + row / 2, text = middle - small / 2;
+        const int middle = area.y + i * row + row / 2, text = middle - text_size / 2;
         TextStyle right = name;
         right.align = Align::right;
         overlay.text(area.x - gap, text, fitted_text(overlay, bar.name, name, names), right);

@@ -5,7 +5,10 @@ namespace {
 
 constexpr Rgba8 grey{0xAC, 0xAC, 0xAC}, blue{0x00, 0x72, 0xB2}, sky{0x56, 0xB4, 0xE9},
     green{0x00, 0x9E, 0x73}, yellow{0xF0, 0xE4, 0x42}, vermillion{0xD5, 0x5E, 0x00},
-    purple{0xCC, 0x79, 0xA7}, indigo{0x4B, 0x5F, 0xC9}, orange{0xE6, 0x9F, 0x00};
+    purple{0xCC, 0x79, 0xA7};
+
+// Beyond the palette: far from all others, and from bodies, also as a deuteranope sees them.
+constexpr Rgba8 violet{0x77, 0x33, 0xEE}, olive{0x5F, 0x5F, 0x00};
 
 struct Look {
     std::string_view label;
@@ -43,11 +46,11 @@ Look look_of(Outcome ending, const Theme& theme) {
         case Stage::slab_a:
             return {"normal of A", blue};
         case Stage::second_slab_a:
-            return {"second normal of A", indigo};
+            return {"second normal of A", violet};
         case Stage::second_slab_b:
-            return {"second normal of B", orange};
+            return {"second normal of B", olive};
         case Stage::long_axes:
-            return {"product of long axes", yellow};
+            return {"long axes", yellow};
         case Stage::slab_b:
             return {"normal of B", sky};
         case Stage::center_line:

@@ -17,9 +17,10 @@ struct EndingGroup {
 };
 
 /// The groups of the endings, in their order. Colors mean the same in every picture: what the
-/// volume test rejected is grey (balls), blue (a slab and a ball) or green and yellow (a slab and a
-/// cylinder, or what comes last); what it let pass is purple where the triangles were apart and
-/// vermillion where they meet. What the query left over has the theme's color.
+/// volume test rejected is grey (balls), blue (a slab and a ball), violet and olive (second slabs)
+/// or green and yellow (a slab and a cylinder, or what comes last); what it let pass is purple
+/// where the triangles were apart and vermillion where they meet. What the query left over has the
+/// theme's color.
 std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme);
 
 Rgba8 ending_color(Outcome ending, const Theme& theme);

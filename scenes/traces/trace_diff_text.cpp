@@ -89,10 +89,15 @@ std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b) {
                                   {"N_v", a.n_v, b.n_v},
                                   {"N_p", a.n_p, b.n_p},
                                   {"N_u", a.n_u, b.n_u}};
-    for (std::size_t s = 0; s < stage_count; ++s)
+    std::vector<Stage> stages = {Stage::overlapping};
+    for (const std::span<const Stage> test :
+         {stages_of(OverlapTest::corrected), scb2_stages().subspan(1), obb_stages()})
+        stages.insert(stages.end(), test.begin(), test.end());
+    for (const Stage stage : stages) {
+        const auto s = static_cast<std::size_t>(stage);
         if (a.stages[s] != 0 || b.stages[s] != 0)
-            rows.push_back(
-                {std::string(stage_name(static_cast<Stage>(s))), a.stages[s], b.stages[s]});
+            rows.push_back({std::string(stage_name(stage)), a.stages[s], b.stages[s]});
+    }
     return rows;
 }
 

@@ -18,6 +18,10 @@ std::string_view volume_kind_name(VolumeKind kind);
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 std::span<const VolumeKind> all_volume_kinds();
 
+/// Whether FitOptions::growth and FitOptions::margin mean anything to the kind.
+bool has_growth(VolumeKind kind);
+bool has_margin(VolumeKind kind);
+
 /// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
 /// template.
 using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>, Hierarchy<Scb2>>;

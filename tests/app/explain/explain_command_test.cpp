@@ -143,6 +143,22 @@ TEST_F(ExplainCommand, TakesBallsAndBoxes) {
     EXPECT_EQ(explained("--pairs " + file_of(json::array())), json::array());
 }
 
+TEST_F(ExplainCommand, DefinesTheSymbolsOfEachTest) {
+    const char* const two_slabs = R"({
+      "a": {"center": [0,0,0], "radius": 2, "slabs": [{"normal": [0,0,1], "e": 1, "f": -1},
+                                                      {"normal": [0,1,0], "e": 1, "f": -1}]},
+      "b": {"center": [0,0,1], "radius": 2, "slabs": [{"normal": [0,0,1], "e": 1, "f": -1},
+                                                      {"normal": [0,1,0], "e": 1, "f": -1}]}})";
+    const std::string file = file_of(json::parse(two_slabs)),
+                      two = run_scb("explain --pairs " + file).out,
+                      one = run_scb("explain --pairs " + file_of(pair_of(0.4))).out;
+    for (const char* symbol : {"sλ: ", "u: ", "w: ", "ρ: ", "″: ", "d: "})
+        EXPECT_NE(two.find(symbol), std::string::npos) << symbol << two;
+    // Lines are the paper's, which has no such test.
+    EXPECT_EQ(two.find("  line  stage"), std::string::npos) << two;
+    EXPECT_NE(one.find("  line  stage"), std::string::npos) << one;
+}
+
 TEST_F(ExplainCommand, MakesGoodWhatSinglePrecisionLeaves) {
     json pair = pair_of(0.75);
     pair["a"]["normal"] = {0, 0, 1.0000004};

@@ -160,10 +160,17 @@ TEST(CollideCommand, TellsThePosesInJson) {
 
 TEST(CollideCommand, SaysWhichOptionsHaveNoEffect) {
     const std::string start = "collide spheres-l1 --frames 0 ";
-    EXPECT_NE(run_scb(start + "--volume ball --test extents").err.find("have no effect"),
-              std::string::npos);
+    EXPECT_NE(
+        run_scb(start + "--volume ball --test line8 --threshold 0.5").err.find("have no effect"),
+        std::string::npos);
     EXPECT_NE(run_scb(start + "--threshold 0.5").err.find("--threshold has no effect"),
               std::string::npos);
+    for (const char* volume : {"--volume scb2", "--volume obb"}) {
+        const std::string note = run_scb(start + volume + " --threshold 0.5").err;
+        EXPECT_EQ(
+            note,
+            "scb: --threshold has no effect: it is for slab cut balls with one slab (scb).\n");
+    }
     EXPECT_EQ(run_scb(start + "--threshold 0.5 --test corrected").err, "");
     EXPECT_EQ(run_scb(start + "--volume ball").err, "");
 }

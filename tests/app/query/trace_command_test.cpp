@@ -130,6 +130,20 @@ TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
     EXPECT_EQ(d["sum"]["n_v"]["b"], n_v);
 }
 
+TEST_F(TraceCommand, DiffOfTwoSlabsNamesWhatWasAskedAndItsStagesInOrder) {
+    const std::string a = record("--volume scb2 --frames 200", folder / "a"),
+                      b = record("--volume scb2 --frames 200 --growth radius --margin 0.2",
+                                 folder / "b");
+    const std::string text = run_scb("diff " + a + " " + b).out;
+    std::size_t at = 0;
+    for (const char* part :
+         {"growth", "ritter", "radius", "margin", "0.2", "ball-ball", "slab-a", "second-slab-a",
+          "slab-b", "second-slab-b", "center-line", "long-axes"}) {
+        at = text.find(part, at);
+        ASSERT_NE(at, std::string::npos) << part << text;
+    }
+}
+
 TEST_F(TraceCommand, OfAnotherSplitIsReplayedAndItsNodesAreNotCompared) {
     record("--frames 250", folder / "paper");
     record("--frames 250 --split cost", folder / "cost");

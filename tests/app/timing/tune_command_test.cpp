@@ -75,6 +75,31 @@ TEST(TuneCommand, TheBaseIsWhatWasAsked) {
     EXPECT_EQ(base["n_v"], mean["n_v"]);
 }
 
+TEST(TuneCommand, TakesEveryVolume) {
+    const TemporaryFolder folder;
+    for (const char* volume : {"scb2", "ball", "ritter", "obb"}) {
+        const std::string asked = " --frames 80 --margin 0.1 --volume " + std::string(volume);
+        const json found = tune("cone --no-time --size 640x480 -o " + folder.path.string() + asked);
+        EXPECT_EQ(found["volume"], volume);
+        ASSERT_GE(found["settings"].size(), 2u);
+        for (const json& setting : found["settings"]) {
+            EXPECT_FALSE(setting.contains("test"));
+            const std::string growth = setting.contains("growth")
+                                           ? " --growth " + setting["growth"].get<std::string>()
+                                           : "";
+            const ProgramRun run = run_scb("collide cone --json" + asked + growth + " --descent " +
+                                           setting["descent"].get<std::string>());
+            const json mean = json::parse(run.out)["mean"];
+            for (const char* count : {"n_v", "n_p", "pairs"})
+                EXPECT_EQ(setting[count], mean[count]) << volume << setting;
+        }
+        EXPECT_EQ(lines_of(file_text(folder.path / "tune.csv")), 1 + found["settings"].size());
+    }
+    const ProgramRun run = run_scb("tune cone --frames 80 --no-time --volume scb2 --threshold 0.3");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.err.find("--threshold has no effect"), std::string::npos) << run.err;
+}
+
 TEST(TuneCommand, WithoutTimesIsTheSameEachTime) {
     const TemporaryFolder folder;
     const std::string arguments = "tune cone --frames 0:199:40 --no-time -o ";
@@ -140,8 +165,6 @@ TEST(TuneCommand, RefusesWhatMakesNoSense) {
           {"cone --frames 5:3", "--frames"},
           {mesh, "has one body"},
           {"cone --bodies A,C", "not a body"},
-          {"cone --volume ball", "only slab cut balls"},
-          {"cone --volume obb", "only slab cut balls"},
           {"cone --volume scb,ball", "one"},
           {"cone --test nonsense", "not an overlap test"},
           {"cone --test corrected,extents", "one overlap test"},

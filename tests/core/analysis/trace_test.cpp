@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "core/analysis/trace_words.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
@@ -326,6 +328,33 @@ TEST(TraceDiff, OtherVolumesOfTheSameMeshAreComparedNodeByNode) {
     for (const std::size_t i : {1u, 2u})
         EXPECT_EQ(d.asked[i].b, "-");  // margin and test mean nothing there
     EXPECT_TRUE(d.first);
+}
+
+TEST(TraceDiff, NamesGrowthAndMarginWhereTheyMatter) {
+    for (const VolumeKind kind : all_volume_kinds()) {
+        const TraceHeader header = asking(kind, OverlapTest::symmetric);
+        Trace a = {header, {}}, b = a;
+        b.header.growth = BallGrowth::radius;
+        b.header.margin = 0.2;
+        std::vector<std::string> asked;
+        for (const FieldDifference& field : diff(a, b).asked) asked.push_back(field.name);
+        std::vector<std::string> matter;
+        if (has_growth(kind)) matter.emplace_back("growth");
+        if (has_margin(kind)) matter.emplace_back("margin");
+        EXPECT_EQ(asked, matter) << volume_kind_name(kind);
+
+        // They matter where the volumes are others.
+        BuildOptions options = build_options(b.header);
+        const AnyHierarchy built =
+            build_hierarchies(mesh_a().mesh, std::span(&kind, 1), options).front();
+        const auto volumes_differ = [&](const auto& x) {
+            const auto& y = std::get<std::decay_t<decltype(x)>>(
+                mesh_a().hierarchies[static_cast<std::size_t>(kind)]);
+            return std::memcmp(x.volumes.data(), y.volumes.data(),
+                               x.volumes.size() * sizeof(x.volumes[0])) != 0;
+        };
+        EXPECT_EQ(std::visit(volumes_differ, built), has_growth(kind)) << volume_kind_name(kind);
+    }
 }
 
 TEST(TraceDiff, OfOtherSplitsPairsAreCompared) {

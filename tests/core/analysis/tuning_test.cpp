@@ -62,6 +62,18 @@ TEST(TuneTrials, ChangeOneThingAtATimeAndEachOnce) {
     }
 }
 
+TEST(TuneTrials, ChangeOnlyWhatHasAnEffectOnTheVolume) {
+    for (const auto& [kind, descents, growths] : {std::tuple{VolumeKind::scb2, 3u, 1u},
+                                                  {VolumeKind::obb, 3u, 0u},
+                                                  {VolumeKind::ball, 1u, 1u},
+                                                  {VolumeKind::ritter, 1u, 0u}}) {
+        auto counts = counts_of(tune_trials({}, kind));
+        EXPECT_EQ(counts[Tuned::test] + counts[Tuned::threshold], 0u) << volume_kind_name(kind);
+        EXPECT_EQ(counts[Tuned::descent], descents) << volume_kind_name(kind);
+        EXPECT_EQ(counts[Tuned::growth], growths) << volume_kind_name(kind);
+    }
+}
+
 TEST(TuneTrials, AThresholdCountsOnlyWhereTheTestHasOne) {
     TuneSetting x, y;
     y.overlap.threshold = 0.2;

@@ -182,6 +182,18 @@ TEST(BenchFigure, HasBarsOfFewFrames) {
     EXPECT_EQ(bench_legend(example(2)).columns[0].heading, "mean N_v");
 }
 
+TEST(BenchFigure, HasBarsOfOneFrameHoweverManyHierarchies) {
+    Drawing drawing;
+    for (const std::size_t more : {1u, 10u, 22u, 26u, 28u, 30u}) {
+        BenchFigure figure = example(1);
+        for (std::size_t i = 0; i < more; ++i)
+            figure.series.insert(figure.series.end() - 1, series_of("OBB " + std::to_string(i),
+                                                                    VolumeKind::obb, 9000, 2, 1));
+        const Image image = drawn(drawing, figure, 1280, 720);
+        EXPECT_GT(longest_run(image, hierarchy_color(VolumeKind::scb2)), 40) << more;
+    }
+}
+
 TEST(BenchFigure, SaysWhichFrames) {
     EXPECT_EQ(frames_text({}), "");
     EXPECT_EQ(frames_text({7}), "frame 7");

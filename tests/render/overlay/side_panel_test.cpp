@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "render/plots/ending_colors.h"
+#include "tests/render/gl/gl_fixture.h"
+#include "tests/render/overlay/overlay_fixture.h"
+
 namespace scb::render {
 namespace {
 
@@ -33,6 +37,40 @@ TEST(SidePanel, LeavesOutWhatBelongsToAHeadingThatIsNotDrawn) {
     EXPECT_EQ(filled(50, {PanelRow{"first", {}}, PanelHeading{"heading"}, PanelRow{"second", {}},
                           PanelNote{"a note"}}),
               25);
+}
+
+TEST(SidePanel, CutsNoDifference) {
+    Drawing drawing;
+    const auto drawn = [&drawing](const std::string& difference) {
+        Overlay overlay;
+        overlay.begin();
+        draw_side_panel(overlay, {0, 0, 240, 60}, light_theme, 20,
+                        {PanelRow{"pairs", {"8,234,567", difference}, {}, true},
+                         PanelRow{"outlined", {"1", ""}}});
+        return drawing.renderer.draw(empty_picture(240, 60), &overlay).image;
+    };
+    // Wider than half of what the label leaves, and wider than all of it.
+    for (const std::string number : {"280,12", "2,345,678,90"})
+        for (const std::string sign : {"+", "−"})
+            EXPECT_NE(drawn(sign + number + "4"), drawn(sign + number + "7")) << sign << number;
+    EXPECT_NE(drawn("±0"), drawn("+1"));
+}
+
+TEST(SidePanel, CutsNoNameOfAStage) {
+    Drawing drawing;
+    const auto drawn = [&drawing](const std::string& name) {
+        Overlay overlay;
+        overlay.begin();
+        // As wide as in a picture of 1280x720.
+        draw_side_panel(overlay, {0, 0, 300, 30}, light_theme, 20,
+                        {PanelLegendRow{body_a_color, name, "123,456", "28.9 %"}});
+        return drawing.renderer.draw(empty_picture(300, 30), &overlay).image;
+    };
+    for (const VolumeKind kind : all_volume_kinds())
+        for (const EndingGroup& group : ending_groups(endings_of(kind, {}), light_theme)) {
+            const std::string name(group.label);
+            EXPECT_NE(drawn(name), drawn(name.substr(0, name.size() - 1) + "w")) << name;
+        }
 }
 
 }  // namespace
