@@ -5,7 +5,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/text_format.h"
-#include "render/figures/explain_verdict.h"
+#include "render/figures/explain_symbols.h"
 #include "render/figures/volume_titles.h"
 #include "scenes/text/utf8.h"
 

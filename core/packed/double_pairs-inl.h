@@ -6,6 +6,7 @@
 #define SCB_CORE_DOUBLE_PAIRS_INL_H_
 #endif
 
+#include "core/base/double_lanes-inl.h"
 #include "core/packed/packed_query.h"
 #include "core/packed/triangle_kernel-inl.h"
 #include "scb/triangle_overlap.h"
@@ -19,13 +20,11 @@ namespace HWY_NAMESPACE {
 /// exact test can decide on are left, in their order.
 inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
                               PackedFindings& found) {
-    constexpr int n = part_lanes<double>(8);
-    using Number = Lanes<n, double>;
     std::vector<IndexPair>& undecided = found.undecided;
     std::size_t left = 0;
-    for (std::size_t first = 0; first < undecided.size(); first += n) {
-        const std::size_t count = std::min<std::size_t>(n, undecided.size() - first);
-        double rows[15][n] = {};
+    for (std::size_t first = 0; first < undecided.size(); first += double_lanes) {
+        const std::size_t count = std::min(double_lanes, undecided.size() - first);
+        double rows[15][double_lanes] = {};
         for (std::size_t k = 0; k < count; ++k) {
             const IndexPair& pair = undecided[first + k];
             const TriangleCorners p = corners(a, pair.a),
@@ -37,14 +36,14 @@ inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
                         (*points[i])[axis] - p[0][axis];
         }
         const auto point = [&rows](std::size_t i) HWY_ATTR {
-            return Lanes3<n, double>{Number::load(rows[3 * i]), Number::load(rows[3 * i + 1]),
-                                     Number::load(rows[3 * i + 2])};
+            return Doubles3{Doubles::load(rows[3 * i]), Doubles::load(rows[3 * i + 1]),
+                            Doubles::load(rows[3 * i + 2])};
         };
-        TrianglePairs<n, double> pairs = {point(0), point(1), point(2),
-                                          point(3), point(4), Number::all(0)};
+        TrianglePairs<double_lanes, double> pairs = {point(0), point(1), point(2),
+                                                     point(3), point(4), Doubles::all(0)};
         // A difference is off by 2^-53 D at most, and what the determinants ask for is more.
-        pairs.error = magnitude(pairs) * Number::all(0x1p-48);
-        const Certainty<n, double> certain = intersection(pairs);
+        pairs.error = magnitude(pairs) * Doubles::all(0x1p-48);
+        const Certainty<double_lanes, double> certain = intersection(pairs);
         const std::uint32_t yes = certain.intersect.bits(), open = certain.open.bits() & ~yes;
         for (std::size_t k = 0; k < count; ++k) {
             const IndexPair pair = undecided[first + k];

@@ -47,7 +47,7 @@ struct PairLimit {
     bool is_passed() const { return found.load(std::memory_order_relaxed) > most; }
 };
 
-void decide_exactly(const AnyQuery& query, PackedFindings& found) {
+void decide_undecided(const AnyQuery& query, PackedFindings& found) {
     found.n_exact += found.undecided.size();
     decide_in_doubles(query.a, query.b, query.b_to_a, query.level, found);
     for (const IndexPair& pair : found.undecided)
@@ -71,11 +71,11 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     while (!lists.empty() && !limit.is_passed()) {
         divide_nodes(query.nodes, query.level, lists, found);
         test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
-        if (found.undecided.size() >= many) decide_exactly(query, found);
+        if (found.undecided.size() >= many) decide_undecided(query, found);
         if (found.pairs.size() >= counted + many) count();
     }
     decide_open(query.leaves, query.level, open, found);
-    decide_exactly(query, found);
+    decide_undecided(query, found);
     count();
 }
 

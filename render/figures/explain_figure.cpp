@@ -6,6 +6,7 @@
 
 #include "core/base/trigonometry.h"
 #include "render/figures/explain_layout.h"
+#include "render/figures/explain_symbols.h"
 #include "render/figures/explain_verdict.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/scales.h"

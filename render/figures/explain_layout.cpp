@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "render/figures/explain_symbols.h"
 #include "render/figures/explain_verdict.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/section_plane.h"
 #include "render/plots/slack_chart.h"
 
 namespace scb::render {
-
 namespace {
 
 /// At most so many, as letters are half as wide as high at most on the average.

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "render/figures/explain_figure.h"
@@ -15,9 +14,6 @@ const OverlapStep& shown_step(const ExplainFigure& figure);
 
 /// "disjoint, 0.0123 apart".
 std::string exact_words(const ContactCertificate& certificate);
-
-/// What the formulas of a test have beyond the paper's symbols, in lines for a terminal.
-std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions& options);
 
 /// A line of what a figure concludes.
 struct VerdictLine {

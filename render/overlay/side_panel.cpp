@@ -1,6 +1,7 @@
 #include "render/overlay/side_panel.h"
 
 #include <algorithm>
+#include <map>
 
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/scales.h"
@@ -22,6 +23,7 @@ struct PanelPainter {
     int unit;
     const std::vector<PanelItem>& items;
     int y;
+    std::map<std::size_t, std::vector<int>> ends_by_columns{};  ///< see column_ends
 
     int line_height() const { return unit * 5 / 4; }
     bool fits(int height) const { return y + height <= box.y + box.height; }
@@ -96,7 +98,8 @@ struct PanelPainter {
         const FontWeight weight = row.strong ? FontWeight::bold : FontWeight::regular;
         const TextStyle label = style(FontWeight::regular, theme.faint_text);
         const TextStyle value = style(weight, theme.text, Align::right);
-        const std::vector<int> ends = column_ends(row.values.size());
+        auto& ends = ends_by_columns[row.values.size()];
+        if (ends.empty()) ends = column_ends(row.values.size());
         overlay.text(box.x, y, fitted_text(overlay, row.label, label, ends[0]), label);
         for (std::size_t i = 0; i < row.values.size(); ++i) {
             const int right = box.x + ends[i + 1], room = ends[i + 1] - ends[i] - unit / 4;

@@ -125,8 +125,6 @@ TEST_F(InputsAndOutputs, NeverMeet) {
         const auto before = contents();
         for (std::size_t n = 0; n < names.size(); ++n)
             for (std::size_t i = 0; i < row.inputs.size(); ++i) {
-                // Each input and each output, not each pair of them.
-                if (n % row.inputs.size() != i && i % names.size() != n) continue;
                 const std::string &name = names[n], &input = row.inputs[i];
                 fs::create_directory(folder.path / "out");
                 fs::create_hard_link(folder.path / input, folder.path / name);

@@ -94,21 +94,13 @@ HWY_AFTER_NAMESPACE();
 #include "scb/triangle_overlap.h"
 #include "tests/core/geometry/triangle_pairs.h"
 #include "tests/core/overlap/volume_pairs.h"
+#include "tests/core/packed/touching_triangles.h"
 
 namespace scb {
 namespace {
 
 HWY_EXPORT(ask_kernel);
 HWY_EXPORT(ask_leaves);
-
-/// What floats are to be near to: exact.
-using TrueCorners = std::array<double, 15>;
-
-Vec3 corner(const TrueCorners& c, std::size_t i) {
-    return i == 0 ? Vec3(0, 0, 0) : Vec3(c[3 * i - 3], c[3 * i - 2], c[3 * i - 1]);
-}
-Vec3 corner_p(const TrueCorners& c, std::size_t i) { return corner(c, i % 3); }
-Vec3 corner_q(const TrueCorners& c, std::size_t j) { return corner(c, 3 + j % 3); }
 
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(Vec3(b - a), Vec3(c - a)), Vec3(d - a));
@@ -248,58 +240,6 @@ TEST(TriangleKernel, LengthsOfNormalsAreWithinTheirBound) {
     EXPECT_GT(worst, 12);
 }
 
-Vec3 grid_point(Random& random) {
-    const auto x = [&random] { return static_cast<double>(random.below(17)) - 8; };
-    const double a = x(), b = x(), c = x();
-    return {a, b, c};
-}
-
-/// Two triangles that just touch, or that are a little apart or into each other.
-TrueCorners touching(Random& random) {
-    std::array<Vec3, 3> p, q;
-    for (Vec3& x : p) x = grid_point(random);
-    for (Vec3& x : q) x = grid_point(random);
-    const Vec3 u = p[1] - p[0], v = p[2] - p[0];
-    switch (random.below(5)) {
-        case 0: {  // an edge across an edge
-            const Vec3 middle = (p[0] + p[1]) / 2, way = q[1] - q[0];
-            q[0] = middle - way / 2;
-            q[1] = middle + way / 4;
-            if (random.below(2) == 0) q[2] = 2 * middle - p[2];
-            break;
-        }
-        case 1:  // a corner in the face
-            q[0] = p[0] + u / 4 + v / 2;
-            break;
-        case 2:  // one plane
-            for (Vec3& x : q)
-                x = p[0] + (static_cast<double>(random.below(9)) - 4) / 4 * u +
-                    (static_cast<double>(random.below(9)) - 4) / 4 * v;
-            break;
-        case 3:  // needles that cross
-            p[2] = p[1] + Vec3(0, 0, 0x1p-10);
-            q[2] = q[1] + Vec3(0x1p-10, 0, 0);
-            q[0] = p[0] + u / 2 - (q[1] - p[0] - u / 2);
-            break;
-        default:  // a corner in common
-            q[0] = p[random.below(3)];
-    }
-    // To the side by a little: all are multiples of 2^-30.
-    const Vec3 side = std::ldexp(1.0, -4 - static_cast<int>(random.below(20))) * grid_point(random);
-    if (random.below(3) != 0)
-        for (Vec3& x : q) x += side / 16;
-    const std::uint32_t turn_p = random.below(3), turn_q = random.below(3);
-    std::rotate(p.begin(), p.begin() + turn_p, p.end());
-    std::rotate(q.begin(), q.begin() + turn_q, q.end());
-    TrueCorners truth;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (int axis = 0; axis < 3; ++axis) {
-            if (i > 0) truth[3 * i - 3 + static_cast<std::size_t>(axis)] = p[i][axis] - p[0][axis];
-            truth[6 + 3 * i + static_cast<std::size_t>(axis)] = q[i][axis] - p[0][axis];
-        }
-    return truth;
-}
-
 bool overlap(const TrueCorners& c) {
     return triangles_overlap({corner_p(c, 0), corner_p(c, 1), corner_p(c, 2)},
                              {corner_q(c, 0), corner_q(c, 1), corner_q(c, 2)});
@@ -336,41 +276,6 @@ TEST(TriangleKernel, IsNeverCertainOfWhatIsNotSo) {
     EXPECT_GT(certain[0], 1000 / effort);
     EXPECT_GT(certain[1], 1000 / effort);
     EXPECT_GT(certain[2], 50 / effort);
-}
-
-// Triangles that touch, or nearly so, by the kernel in doubles: what it is certain of is so, and
-// all that it decides on is gone from the undecided.
-TEST(TriangleKernel, InDoublesIsNeverCertainOfWhatIsNotSo) {
-    Random random(5);
-    Mesh a, b;
-    std::vector<IndexPair> all, expected;
-    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(200'000 / effort); ++t) {
-        const TrueCorners truth = touching(random);
-        const Vec3 at =
-            std::ldexp(1.0, static_cast<int>(random.below(40)) - 20) * grid_point(random);
-        // Not by whole numbers any more: all sums round.
-        const double size = 0.1 + random.uniform();
-        for (std::size_t i = 0; i < 3; ++i) {
-            a.vertices.push_back(size * corner_p(truth, i) + at);
-            b.vertices.push_back(size * corner_q(truth, i) + at);
-        }
-        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-        all.push_back({t, t});
-        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
-    }
-    for (const SimdLevel level : available_simd_levels()) {
-        PackedFindings found;
-        found.undecided = all;
-        decide_in_doubles(a, b, Pose{}, level, found);
-        EXPECT_GT(found.pairs.size(), expected.size() / 4) << simd_level_name(level);
-        EXPECT_LT(found.undecided.size(), all.size() / 2) << simd_level_name(level);
-        EXPECT_GT(found.undecided.size(), 0u) << "some touch";
-        for (const IndexPair& pair : found.undecided)
-            if (triangles_overlap(corners(a, pair.a), corners(b, pair.b)))
-                found.pairs.push_back(pair);
-        std::sort(found.pairs.begin(), found.pairs.end());
-        EXPECT_EQ(found.pairs, expected) << simd_level_name(level);
-    }
 }
 
 template <class Codec>

@@ -20,8 +20,9 @@ bool within(const NodePair<Packed>& pair, const Placement& placement, float unit
     const FloatPlacement in_floats(placement);
     const Offset o = offset(in_floats, pair.origin_a, pair.reach_a, pair.origin_b, pair.reach_b);
     const L b = placed(L::all(pair.b), in_floats, Lanes3<L::n>::all(o.t));
-    const float margin = (units < 0 ? LaneVolumes<Packed, 1>::distance_bound : units) * float_unit * o.length +
-                         in_floats.double_error;
+    const float margin =
+        (units < 0 ? LaneVolumes<Packed, 1>::distance_bound : units) * float_unit * o.length +
+        in_floats.double_error;
     return overlap(L::all(pair.a), b, Lanes<L::n>::all(margin)).bits() % 2 != 0;
 }
 bool one_slab_within(const NodePair<PackedScb>& pair, const Placement& placed, float units) {

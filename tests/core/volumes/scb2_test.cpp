@@ -1,10 +1,10 @@
-#include "core/volumes/scb2_faces.h"
 #include "scb/scb2.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "core/volumes/scb2_faces.h"
 #include "scb/scb.h"
 #include "tests/core/overlap/scb2_pairs.h"
 

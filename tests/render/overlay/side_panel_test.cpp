@@ -39,15 +39,21 @@ TEST(SidePanel, LeavesOutWhatBelongsToAHeadingThatIsNotDrawn) {
               25);
 }
 
+/// A picture that is nothing but the panel.
+Image panel_image(Drawing& drawing, int width, const std::vector<PanelItem>& items) {
+    constexpr int height = 60;
+    Overlay overlay;
+    overlay.begin();
+    draw_side_panel(overlay, {0, 0, width, height}, light_theme, 20, items);
+    return drawing.renderer.draw(empty_picture(width, height), &overlay).image;
+}
+
 TEST(SidePanel, CutsNoDifference) {
     Drawing drawing;
     const auto drawn = [&drawing](const std::string& difference) {
-        Overlay overlay;
-        overlay.begin();
-        draw_side_panel(overlay, {0, 0, 240, 60}, light_theme, 20,
-                        {PanelRow{"pairs", {"8,234,567", difference}, {}, true},
-                         PanelRow{"outlined", {"1", ""}}});
-        return drawing.renderer.draw(empty_picture(240, 60), &overlay).image;
+        return panel_image(drawing, 240,
+                           {PanelRow{"pairs", {"8,234,567", difference}, {}, true},
+                            PanelRow{"outlined", {"1", ""}}});
     };
     // Wider than half of what the label leaves, and wider than all of it.
     for (const std::string number : {"280,12", "2,345,678,90"})
@@ -59,12 +65,8 @@ TEST(SidePanel, CutsNoDifference) {
 TEST(SidePanel, CutsNoNameOfAStage) {
     Drawing drawing;
     const auto drawn = [&drawing](const std::string& name) {
-        Overlay overlay;
-        overlay.begin();
         // As wide as in a picture of 1280x720.
-        draw_side_panel(overlay, {0, 0, 300, 30}, light_theme, 20,
-                        {PanelLegendRow{body_a_color, name, "123,456", "28.9 %"}});
-        return drawing.renderer.draw(empty_picture(300, 30), &overlay).image;
+        return panel_image(drawing, 300, {PanelLegendRow{body_a_color, name, "123,456", "28.9 %"}});
     };
     for (const VolumeKind kind : all_volume_kinds())
         for (const EndingGroup& group : ending_groups(endings_of(kind, {}), light_theme)) {

@@ -64,8 +64,9 @@ TEST(MeshExport, RefusesCoordinatesThatFloatCannotHold) {
                       "the mesh down.");
         ExportPart tiny = part("A", 0);
         for (Vec3& v : tiny.mesh.vertices) v *= 1e-60;
-        EXPECT_NE(refusal([&] { encode_mesh({tiny}, name); })
-                      .find("mesh files hold none below 1.2e-38; scale the mesh up."),
+        EXPECT_NE(refusal([&] {
+                      encode_mesh({tiny}, name);
+                  }).find("mesh files hold none below 1.2e-38; scale the mesh up."),
                   std::string::npos);
     }
 }

@@ -124,7 +124,12 @@ std::vector<Case> cases(const Scene& scene) {
 #ifdef SCB_SANITIZED
     const std::vector<int> frames = {scene.frames / 5};
 #else
-    const std::vector<int> frames = {0, scene.frames / 5, scene.frames * 3 / 5};
+    const std::vector<int> frames = {0,
+                                     scene.frames / 5,
+                                     scene.frames * 2 / 5,
+                                     scene.frames * 3 / 5,
+                                     scene.frames * 4 / 5,
+                                     scene.frames - 1};
 #endif
     std::vector<Case> cases;
     for (const int frame : frames)

@@ -1,0 +1,22 @@
+#include "scenes/traces/trace_diff_text.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace scb::scenes {
+namespace {
+
+TEST(CountRows, HaveEveryStageOnce) {
+    TraceCounts counts;
+    counts.stages.fill(1);
+    std::set<std::string> names;
+    const std::vector<CountRow> rows = count_rows(counts, counts);
+    for (const CountRow& row : rows) names.insert(row.name);
+    EXPECT_EQ(names.size(), rows.size());
+    for (std::size_t s = 0; s < stage_count; ++s)
+        EXPECT_TRUE(names.contains(std::string(stage_name(static_cast<Stage>(s))))) << s;
+}
+
+}  // namespace
+}  // namespace scb::scenes
