@@ -57,32 +57,30 @@ class BruteForce : public testing::TestWithParam<const char*> {};
 TEST_P(BruteForce, FindsThePairsOfEveryHierarchyTestAndDescentRule) {
     const BuiltScene built(GetParam());
     const int last = built.scene.frames - 1;
+    // Some of the scenes keep their bodies apart, so each is also tried with B pushed.
 #ifdef SCB_SANITIZED
-    const std::vector<int> frames = {last / 2, last * 5 / 8};
-    const std::vector<bool> placements = {true};
+    const std::vector<std::pair<int, bool>> cases = {{last / 2, false}, {last * 5 / 8, true}};
 #else
-    const std::vector<bool> placements = {false, true};
-    const std::vector<int> frames =
-        std::string(GetParam()) == "knots-l1"
-            ? std::vector<int>{0, 250}
-            : std::vector<int>{0, last / 4, last / 2, last * 5 / 8, last};
+    std::vector<std::pair<int, bool>> cases;
+    for (const int frame : std::string(GetParam()) == "knots-l1"
+                               ? std::vector<int>{0, 250}
+                               : std::vector<int>{0, last / 4, last / 2, last * 5 / 8, last})
+        for (const bool pushed : {false, true}) cases.emplace_back(frame, pushed);
 #endif
     std::size_t pairs = 0;
-    for (const int frame : frames)
-        for (const bool pushed : placements) {
-            // Some of the scenes keep their bodies apart, so each is also tried with B pushed.
-            Pose pose = relative_pose_at(built.scene, frame);
-            if (pushed) {
-                pose.translation += Vec3(0.25, 0.2, -0.03);
-                pose.rotation = rotation_about(Vec3(1, 2, 0), 3) * pose.rotation;
-            }
-            const BuiltMesh &a = built.mesh_of(0), &b = built.mesh_of(1);
-            const std::vector<IndexPair> expected = brute_force(a.mesh, b.mesh, pose);
-            pairs += expected.size();
-            for (const QueryVariant& variant : all_query_variants())
-                ASSERT_EQ(query(a, b, pose, variant).pairs, expected)
-                    << variant.name() << ", frame " << frame;
+    for (const auto& [frame, pushed] : cases) {
+        Pose pose = relative_pose_at(built.scene, frame);
+        if (pushed) {
+            pose.translation += Vec3(0.25, 0.2, -0.03);
+            pose.rotation = rotation_about(Vec3(1, 2, 0), 3) * pose.rotation;
         }
+        const BuiltMesh &a = built.mesh_of(0), &b = built.mesh_of(1);
+        const std::vector<IndexPair> expected = brute_force(a.mesh, b.mesh, pose);
+        pairs += expected.size();
+        for (const QueryVariant& variant : all_query_variants())
+            ASSERT_EQ(query(a, b, pose, variant).pairs, expected)
+                << variant.name() << ", frame " << frame;
+    }
     EXPECT_GT(pairs, 0u);
 }
 
