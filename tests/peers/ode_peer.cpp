@@ -13,11 +13,17 @@ namespace {
 /// of times, which would count.
 void ignore_message(int, const char*, va_list) {}
 
+/// ODE has met an error of its own, after which it would end the program.
+struct OdeError {};
+
+[[noreturn]] void stop_query(int, const char*, va_list) { throw OdeError{}; }
+
 /// ODE must be started before anything else is called, once for all.
 void start_ode() {
     static const bool started = [] {
         dInitODE2(0);
         dSetMessageHandler(ignore_message);
+        dSetDebugHandler(stop_query);
         dAllocateODEDataForThread(static_cast<unsigned int>(dAllocateMaskAll));
         return true;
     }();
@@ -69,8 +75,12 @@ class OdePeer : public Peer {
     }
 
     void query(const PeerPose& a, const PeerPose& b) override {
-        count_ = dCollide(a_.placed(a), b_.placed(b), most_contacts, contacts_.data(),
-                          sizeof(dContactGeom));
+        try {
+            count_ = dCollide(a_.placed(a), b_.placed(b), most_contacts, contacts_.data(),
+                              sizeof(dContactGeom));
+        } catch (const OdeError&) {
+            count_ = 0;
+        }
     }
 
     std::vector<IndexPair> pairs() const override {
@@ -103,7 +113,9 @@ PeerKind ode_peer() {
     kind.title = "ODE " dODE_VERSION ", OPCODE";
     kind.method =
         "`dCollide` of two triangle meshes, in part in floats. It makes contact points, "
-        "of which near ones become one, and at most 65,535: pairs are missing.";
+        "of which near ones become one, and at most 65,535: pairs are missing. A query that ends "
+        "in "
+        "an internal error of ODE finds none.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         start_ode();
         return std::make_unique<OdePeer>(a, b);
