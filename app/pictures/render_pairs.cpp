@@ -142,8 +142,8 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
                      "Without the volumes of leaves that overlap while their triangles do not");
     add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "
-               "or of the triangle itself")
-        .type_name("volumes|triangles");
+               "of the triangle itself, or wasted ones of volumes, which led to no pair")
+        .type_name("volumes|triangles|wasted");
     command
         .add_option("--heat-end", options->heat_end,
                     "Count at the end of the color scale. Default: the smallest power of ten that "

@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/geometry/placed_box.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 
@@ -123,6 +125,33 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
     return text + "\n\n";
 }
 
+/// Where queries find nothing: how far apart the boxes of the bodies are, in A's frame.
+std::string nothing_text(const SceneQuery& query) {
+    const Box a = bounding_box(query.mesh(query.a));
+    std::size_t overlapping = 0;
+    double least = std::numeric_limits<double>::infinity();
+    int nearest = 0;
+    Vec3 gap = Vec3::Zero();
+    for (const int frame : query.frames) {
+        const Vec3 here = gap_between(a, bounding_box(query.mesh(query.b), query.b_to_a(frame)));
+        overlapping += here.isZero(0);
+        if (here.norm() >= least) continue;
+        least = here.norm();
+        nearest = frame;
+        gap = here;
+    }
+    const std::string names =
+        query.scene.bodies[query.a].name + " and " + query.scene.bodies[query.b].name;
+    const std::size_t frames = query.frames.size();
+    if (overlapping > 0)
+        return "\nNo triangles intersect, though the boxes of " + names + " overlap" +
+               (frames == 1 ? ".\n" : format(" in %zu of %zu frames.\n", overlapping, frames));
+    return "\nNo triangles intersect: the boxes of " + names + format(" are %.6g apart", least) +
+           (frames == 1 ? "" : format(" in frame %d, where they are nearest", nearest)) +
+           format(" (x %.6g, y %.6g, z %.6g in the frame of ", gap[0], gap[1], gap[2]) +
+           query.scene.bodies[query.a].name + ").\n";
+}
+
 int run(const CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
@@ -165,6 +194,8 @@ int run(const CollideCommandOptions& options, const Console& console) {
                "\n";
     else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
+    const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
+    if (!options.json && !options.csv && all && sums.pairs == 0) text += nothing_text(query);
     if (!options.pairs_out.empty() && sums.frames > 0)
         render::write_file_whole(options.pairs_out, pairs);
     print_result(text);

@@ -10,6 +10,7 @@
 #include "core/base/exit_status.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "core/geometry/mesh_facts.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/mesh_topology.h"
@@ -60,6 +61,7 @@ struct Measured {
     std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
     BuildOptions build;
+    MeshFacts facts;
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
     std::vector<Packed> packed;  ///< of slab cut balls
@@ -88,7 +90,6 @@ void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& m
     }
 }
 
-/// The value over that of the level above.
 std::vector<Measured> measure(const StatsOptions& options) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     BuildOptions build = options.hierarchy.build();
@@ -105,6 +106,7 @@ std::vector<Measured> measure(const StatsOptions& options) {
         const MeshTopology shared = mesh_topology(mesh, build.topology());
         const auto& [topology, points] = shared;
         const double topology_ms = milliseconds_since(start);
+        const MeshFacts facts = mesh_facts(mesh);
         for (const VolumeKind kind : kinds) {
             Measured measured;
             start = Clock::now();
@@ -121,6 +123,7 @@ std::vector<Measured> measure(const StatsOptions& options) {
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
             measured.build = build;
+            measured.facts = facts;
             measured.levels = level_statistics(hierarchy);
             add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
@@ -139,13 +142,50 @@ std::string rules_text(const LevelStatistics& level) {
     return text;
 }
 
+std::string vector_text(const Vec3& v) { return format("%.6g, %.6g, %.6g", v[0], v[1], v[2]); }
+
+std::string share_text(std::size_t part, std::size_t whole) {
+    return format("%.1f %%", 100 * ratio(static_cast<double>(part), static_cast<double>(whole)));
+}
+
+std::string slenderness_text(const MeshFacts& f) {
+    const std::size_t measured = f.triangles - f.degenerate;
+    if (measured == 0) return "all triangles are degenerate";
+    std::string text = format("median %.3g;", f.median_slenderness);
+    for (std::size_t c = 0, limit = 1; c < slenderness_classes; ++c, limit *= 4) {
+        const std::string range = c == 0 ? "below 4"
+                                  : c + 1 == slenderness_classes
+                                      ? format("%zu and more", limit)
+                                      : format("%zu to %zu", limit, 4 * limit);
+        text += (c == 0 ? " " : ", ") + range + ": " + share_text(f.slenderness[c], measured);
+    }
+    return text;
+}
+
+std::string facts_text(const MeshFacts& f) {
+    std::string text = "box          " + vector_text(f.box.lower) + " to " +
+                       vector_text(f.box.upper) + "; size " +
+                       vector_text(f.box.upper - f.box.lower) + "\n" + "surface      " +
+                       (f.closed() ? "closed"
+                                   : format("open: %zu edges of one triangle, %zu of more than two",
+                                            f.open_edges, f.crowded_edges)) +
+                       format("; %zu component%s\n", f.components, f.components == 1 ? "" : "s") +
+                       format("triangles    %zu degenerate, %zu duplicates of others\n",
+                              f.degenerate, f.duplicates) +
+                       "slenderness  " + slenderness_text(f) + "\n";
+    if (f.slender() > 0)
+        text += format("             the longest of 16 and more is triangle %u, %.6g long\n",
+                       f.longest_slender, f.longest_slender_side);
+    return text;
+}
+
 std::string table(const Measured& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
     std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
                        format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
                        std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build) +
-                       "\n\n" +
+                       "\n" + facts_text(m.facts) + "\n" +
                        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
                        "max tau tau ratio  "
                        "     area     volume  split by\n";
@@ -177,6 +217,22 @@ std::string table(const Measured& m) {
                              m.per_triangle(packed.bytes), packed.ms)
                     : format("%-13s %19s  ", packed.layout.c_str(), "-") + packed.refused + "\n";
     return text;
+}
+
+Json vector_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Json facts_json(const MeshFacts& f) {
+    return {{"box", {{"lower", vector_json(f.box.lower)}, {"upper", vector_json(f.box.upper)}}},
+            {"components", f.components},
+            {"closed", f.closed()},
+            {"open_edges", f.open_edges},
+            {"crowded_edges", f.crowded_edges},
+            {"degenerate", f.degenerate},
+            {"duplicates", f.duplicates},
+            {"slenderness", f.slenderness},
+            {"median_slenderness", f.median_slenderness},
+            {"slender", f.slender()},
+            {"longest_slender_side", f.longest_slender_side}};
 }
 
 Json json_of(const Measured& m) {
@@ -219,6 +275,7 @@ Json json_of(const Measured& m) {
                    {"split", split_method_name(m.build.split)},
                    {"triangles", m.triangles},
                    {"points", m.points},
+                   {"facts", facts_json(m.facts)},
                    {"nodes", m.nodes},
                    {"depth", m.levels.size() - 1},
                    {"bytes_per_node", m.bytes_per_node},
@@ -268,6 +325,12 @@ void add_stats(const Command& program, const Console& console, Action& action) {
     add_threads_option(command, options->threads, "Threads that build; the result is the same");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
+        "box: of the mesh, in its own frame and units. closed: each edge has two triangles; "
+        "corners "
+        "with equal coordinates are one\n"
+        "vertex, whatever their indices; components have none in common. slenderness: the longest "
+        "side of a triangle over the height\n"
+        "on it, 1.15 where all sides are equal; volumes of long and slender triangles are loose.\n"
         "nodes: at that depth; leaves: how many of them are leaves; cover: these nodes and the "
         "leaves above, as in a picture of\n"
         "the level; d is the diameter 2r, tau the thickness e - f (of an OBB: diagonal and "

@@ -1,9 +1,29 @@
 #include "core/analysis/triangle_heat.h"
 
+#include "core/analysis/traversal_tree.h"
+
 namespace scb {
 
-std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
-                                         std::size_t side, HeatOf of) {
+std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> found) {
+    // A query that was to stop at a level has pairs of nodes, and has tested no triangles.
+    const bool nodes = events.triangle_tests.empty();
+    const TraversalTree tree = traversal_tree(events, nodes ? found : std::span<const IndexPair>());
+    const auto is_true = [](Outcome outcome) {
+        return outcome == Outcome::triangles_meet || outcome == Outcome::found;
+    };
+    std::vector<bool> meets(tree.parents.size()), wasted(tree.parents.size());
+    // Parents come before their children.
+    for (std::size_t i = meets.size(); i-- > 0;) {
+        if (is_true(tree.outcomes[i])) meets[i] = true;
+        if (meets[i] && tree.parents[i] != TraversalTree::no_parent) meets[tree.parents[i]] = true;
+    }
+    for (std::size_t i = 0; i < meets.size(); ++i)
+        wasted[i] = tree.parents[i] != TraversalTree::no_parent && !meets[tree.parents[i]];
+    return wasted;
+}
+
+std::vector<std::uint32_t> triangle_heat(const Events& events, std::span<const IndexPair> found,
+                                         const Topology& topology, std::size_t side, HeatOf of) {
     std::vector<std::uint32_t> heat(topology.order.size());
     const auto index_on_side = [side](const IndexPair& pair) {
         return side == 0 ? pair.a : pair.b;
@@ -14,7 +34,10 @@ std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& t
         return heat;
     }
     std::vector<std::uint32_t> tests(topology.nodes.size());
-    for (const VolumeTest& test : events.volume_tests) ++tests[index_on_side(test.nodes)];
+    const std::vector<bool> wasted =
+        of == HeatOf::wasted ? wasted_tests(events, found) : std::vector<bool>();
+    for (std::size_t i = 0; i < events.volume_tests.size(); ++i)
+        if (wasted.empty() || wasted[i]) ++tests[index_on_side(events.volume_tests[i].nodes)];
     // Parents come before their children: what was tested of a node was tested of all below it.
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scb/event_recorder.h"
@@ -11,11 +12,16 @@ namespace scb {
 enum class HeatOf {
     volumes,    ///< of two volumes, where the one of its own body holds the triangle
     triangles,  ///< of two triangles
+    wasted,     ///< as volumes, of those that the division of a false pair led to: see PassCounts
 };
 
+/// For each volume test of a query whether the pair whose division led to it is false: no triangles
+/// below it intersect. `found` are the query's pairs.
+std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> found);
+
 /// For each triangle of A (`side` 0) or B (1), in how many tests of the query it took part.
-/// `topology` is that body's.
-std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
-                                         std::size_t side, HeatOf of);
+/// `topology` is that body's, `found` are the query's pairs.
+std::vector<std::uint32_t> triangle_heat(const Events& events, std::span<const IndexPair> found,
+                                         const Topology& topology, std::size_t side, HeatOf of);
 
 }  // namespace scb

@@ -10,8 +10,8 @@ Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
     Heat heat;
     heat.of = of;
     for (std::size_t side = 0; side < 2; ++side) {
-        heat.counts[side] =
-            triangle_heat(frame.events, topology_of(*bodies[side].hierarchy), side, of);
+        heat.counts[side] = triangle_heat(frame.events, frame.found.pairs,
+                                          topology_of(*bodies[side].hierarchy), side, of);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
     double end = 10;
@@ -34,9 +34,10 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
 }
 
 PanelItem heat_key(const Heat& heat) {
-    PanelScale scale{
-        heat.of == HeatOf::volumes ? "volume tests of a triangle" : "triangle tests of a triangle",
-        {}};
+    PanelScale scale{heat.of == HeatOf::volumes     ? "volume tests of a triangle"
+                     : heat.of == HeatOf::triangles ? "triangle tests of a triangle"
+                                                    : "wasted tests of a triangle",
+                     {}};
     for (const AxisTick& tick : heat.scale.ticks)
         if (!tick.label.empty())
             scale.ticks.emplace_back(axis_position(heat.scale, tick.value), tick.label);
@@ -49,8 +50,17 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
+    if (heat.of == HeatOf::wasted) {
+        const std::vector<bool> wasted = wasted_tests(frame.events, frame.found.pairs);
+        const auto count = std::count(wasted.begin(), wasted.end(), true);
+        items.emplace_back(
+            PanelRow{"wasted N_v",
+                     {count_text(static_cast<std::uint64_t>(count)) + ", " +
+                      share_text(static_cast<double>(count), static_cast<double>(wasted.size()))}});
+    }
     items.emplace_back(PanelHeading{""});
-    PanelRow body{"body", {}, {}, true}, most{"most tests", {}}, none{"untested", {}};
+    PanelRow body{"body", {}, {}, true}, most{"most tests", {}},
+        none{heat.of == HeatOf::wasted ? "none wasted" : "untested", {}};
     for (std::size_t side = 0; side < 2; ++side) {
         const std::vector<std::uint32_t>& counts = heat.counts[side];
         body.values.push_back(bodies[side].name);
@@ -63,9 +73,12 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     items.emplace_back(std::move(none));
     items.emplace_back(PanelHeading{""});
     items.push_back(heat_key(heat));
-    items.emplace_back(PanelNote{heat.of == HeatOf::volumes
-                                     ? "tests of two volumes, one of which holds the triangle"
-                                     : "tests of the triangle against one of the other body"});
+    items.emplace_back(PanelNote{
+        heat.of == HeatOf::triangles ? "tests of the triangle against one of the other body"
+        : heat.of == HeatOf::volumes
+            ? "tests of two volumes, one of which holds the triangle"
+            : "tests of two volumes, one of which holds the triangle, below a pair of which no "
+              "triangles meet"});
     return items;
 }
 

@@ -12,7 +12,7 @@
 
 namespace scb::render {
 
-inline constexpr EnumNames<HeatOf, 2> heat_names = {"volumes", "triangles"};
+inline constexpr EnumNames<HeatOf, 3> heat_names = {"volumes", "triangles", "wasted"};
 
 /// In how many tests each triangle of both bodies took part, and the scale of its colors.
 struct Heat {

@@ -75,6 +75,19 @@ TEST(CollideCommand, TableCsvAndJsonAgree) {
     }
 }
 
+TEST(CollideCommand, SaysHowFarBodiesAreApartThatDoNotMeet) {
+    const std::string apart = run_scb("collide spheres-l1 --frames 0,2").out;
+    EXPECT_NE(apart.find("No triangles intersect: the boxes of A and B are "), std::string::npos)
+        << apart;
+    EXPECT_NE(apart.find("in frame 2, where they are nearest"), std::string::npos) << apart;
+    const std::string near = run_scb("collide knots-l1 --frames 0").out;
+    EXPECT_NE(near.find("No triangles intersect, though the boxes of A and B overlap."),
+              std::string::npos)
+        << near;
+    EXPECT_EQ(run_scb("collide spheres-l1 --frames 100").out.find("No triangles"),
+              std::string::npos);
+}
+
 TEST(CollideCommand, ListsThePairs) {
     const TemporaryFolder folder;
     const std::string file = folder / "pairs.csv";

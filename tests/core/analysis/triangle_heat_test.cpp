@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
+#include "core/analysis/attribution.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
 
@@ -28,11 +30,44 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
             }
             for (const TriangleTest& test : frame.events.triangle_tests)
                 ++triangles[on_side(test.triangles)];
-            EXPECT_EQ(triangle_heat(frame.events, topology, side, HeatOf::volumes), volumes);
-            const auto heat = triangle_heat(frame.events, topology, side, HeatOf::triangles);
+            EXPECT_EQ(
+                triangle_heat(frame.events, frame.found.pairs, topology, side, HeatOf::volumes),
+                volumes);
+            const auto heat =
+                triangle_heat(frame.events, frame.found.pairs, topology, side, HeatOf::triangles);
             EXPECT_EQ(heat, triangles);
             EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), std::uint64_t{0}), frame.found.n_p);
         }
+    }
+}
+
+TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
+    const BuiltMesh mesh(height_field(9));
+    Pose pose;
+    pose.translation = Vec3(0.3, 0.11, 0.02);
+    for (const int stop_level : {-1, 3}) {
+        TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+        header.options.stop_level = stop_level;
+        const TraceFrame frame = record_frame(mesh, mesh, 0, pose, header);
+        ASSERT_FALSE(frame.found.pairs.empty());
+        const std::vector<bool> wasted = wasted_tests(frame.events, frame.found.pairs);
+        ASSERT_EQ(wasted.size(), frame.found.n_v);
+        const auto count =
+            static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
+        EXPECT_FALSE(wasted[0]);
+        EXPECT_GT(count, 0u);
+        const Topology& topology = mesh.topology();
+        const auto heat =
+                       triangle_heat(frame.events, frame.found.pairs, topology, 0, HeatOf::wasted),
+                   all =
+                       triangle_heat(frame.events, frame.found.pairs, topology, 0, HeatOf::volumes);
+        for (std::size_t t = 0; t < heat.size(); ++t) EXPECT_LT(heat[t], all[t]);
+        if (stop_level >= 0) continue;
+        const AnyHierarchy& hierarchy = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];
+        const TraversalTree tree = traversal_tree(header, frame);
+        const Attribution attribution =
+            attribute(hierarchy, hierarchy, header, frame, tree, frame.found.pairs);
+        EXPECT_EQ(count, attribution.counts.wasted.volume_tests);
     }
 }
 

@@ -1,0 +1,71 @@
+#include "core/analysis/waste_causes.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "core/base/statistics.h"
+#include "scb/triangle_overlap.h"
+
+namespace scb {
+namespace {
+
+/// The cosine of ten degrees, squared.
+constexpr double squared_cosine = 0.96984631039295421;
+constexpr double unequal_sizes = 10;
+
+Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
+    const TriangleCorners t = corners(mesh, triangle);
+    return cross(t[1] - t[0], t[2] - t[0]);
+}
+
+int depth_of(const Topology& topology) {
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    return *std::max_element(depths.begin(), depths.end());
+}
+
+BodyCauses body_causes(const Topology& topology, const Mesh& mesh) {
+    BodyCauses causes{mesh_facts(mesh), depth_of(topology)};
+    const MeshFacts& facts = causes.facts;
+    causes.slender = 20 * facts.slender() >= facts.triangles;
+    causes.duplicated = 100 * facts.duplicates >= facts.triangles;
+    causes.soup = facts.components > 1 && 10 * facts.components >= facts.triangles;
+    causes.deep = causes.depth > 2 * static_cast<int>(std::bit_width(facts.triangles));
+    return causes;
+}
+
+}  // namespace
+
+VainTests& VainTests::operator+=(const VainTests& other) {
+    tests += other.tests;
+    parallel += other.parallel;
+    return *this;
+}
+
+VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame) {
+    VainTests vain;
+    for (const TriangleTest& test : frame.events.triangle_tests) {
+        if (test.intersect) continue;
+        const Vec3 n = normal_of(mesh_a, test.triangles.a),
+                   m = frame.b_to_a.rotation * normal_of(mesh_b, test.triangles.b);
+        const double cosine = n.dot(m), lengths = n.squaredNorm() * m.squaredNorm();
+        ++vain.tests;
+        vain.parallel += lengths > 0 && cosine * cosine >= squared_cosine * lengths;
+    }
+    return vain;
+}
+
+WasteCauses waste_causes(const Topology& a, const Mesh& mesh_a, const Topology& b,
+                         const Mesh& mesh_b, const VainTests& vain) {
+    WasteCauses causes{{body_causes(a, mesh_a), body_causes(b, mesh_b)}, &mesh_a == &mesh_b, vain};
+    const auto diagonal = [](const BodyCauses& body) {
+        return (body.facts.box.upper - body.facts.box.lower).norm();
+    };
+    causes.larger = ratio(diagonal(causes.bodies[0]), diagonal(causes.bodies[1]),
+                          std::numeric_limits<double>::infinity());
+    causes.unequal = causes.larger >= unequal_sizes || causes.larger * unequal_sizes <= 1;
+    causes.parallel = vain.tests > 0 && 2 * vain.parallel >= vain.tests;
+    return causes;
+}
+
+}  // namespace scb

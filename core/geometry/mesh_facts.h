@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scb/mesh.h"
+
+namespace scb {
+
+/// Classes of slenderness: below 4, then up to 16, 64, 256, 1024, and what is more slender.
+inline constexpr std::size_t slenderness_classes = 6;
+
+/// What to know of a mesh before its hierarchies are judged. Corners with equal coordinates count
+/// as one vertex, whatever their indices.
+struct MeshFacts {
+    Box box;  ///< of the vertices that triangles use
+    std::size_t triangles = 0;
+    std::size_t components = 0;     ///< parts that have no vertex in common
+    std::size_t degenerate = 0;     ///< triangles whose corners are collinear
+    std::size_t duplicates = 0;     ///< triangles that have the three corners of an earlier one
+    std::size_t open_edges = 0;     ///< edges of one triangle alone
+    std::size_t crowded_edges = 0;  ///< edges of more than two triangles
+
+    /// How many triangles are that slender: the longest side over the height on it, 1.15 for equal
+    /// sides. Degenerate ones do not count.
+    std::array<std::size_t, slenderness_classes> slenderness{};
+    double median_slenderness = 0;      ///< 0 where all triangles are degenerate
+    double longest_slender_side = 0;    ///< of the triangles with a slenderness of 16 and more
+    std::uint32_t longest_slender = 0;  ///< the first triangle that has it, where there is one
+
+    /// Whether every edge has two triangles, degenerate ones and duplicates set aside.
+    bool closed() const { return open_edges == 0 && crowded_edges == 0; }
+    /// How many triangles have a slenderness of 16 and more.
+    std::size_t slender() const;
+};
+
+/// O(n log n) in the triangles. `mesh` must satisfy check_mesh.
+MeshFacts mesh_facts(const Mesh& mesh);
+
+}  // namespace scb

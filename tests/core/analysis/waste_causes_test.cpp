@@ -1,0 +1,100 @@
+#include "core/analysis/waste_causes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "scb/hierarchy.h"
+
+namespace scb {
+namespace {
+
+/// Strips of so many triangles, each so many times as long as it is high.
+Mesh strips(std::uint32_t count, double length, double size = 1) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double y = 2 * i;
+        for (const Vec3& v : {Vec3(0, y, 0), Vec3(length, y, 0), Vec3(0, y + 1, 0)})
+            mesh.vertices.push_back(size * v);
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return mesh;
+}
+
+/// A square grid, all of whose triangles hang together.
+Mesh grid(std::uint32_t side) {
+    Mesh mesh;
+    for (std::uint32_t y = 0; y <= side; ++y)
+        for (std::uint32_t x = 0; x <= side; ++x) mesh.vertices.push_back(Vec3(x, y, 0));
+    for (std::uint32_t y = 0; y < side; ++y)
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const std::uint32_t i = y * (side + 1) + x;
+            mesh.triangles.push_back({i, i + 1, i + side + 1});
+            mesh.triangles.push_back({i + 1, i + side + 2, i + side + 1});
+        }
+    return mesh;
+}
+
+Mat3 about_x(double degrees) {
+    return Eigen::AngleAxisd(degrees * 3.14159265358979 / 180, Vec3::UnitX()).toRotationMatrix();
+}
+
+WasteCauses causes_of(const Mesh& a, const Mesh& b, const VainTests& vain = {}) {
+    return waste_causes(build_topology(a), a, build_topology(b), b, vain);
+}
+
+TEST(WasteCauses, NameWhatIsWrongWithAMeshAndNothingElse) {
+    Mesh twice = grid(10);
+    twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(),
+                           twice.triangles.begin() + 4);
+    const WasteCauses causes = causes_of(strips(40, 50), twice);
+    const auto& [a, b] = causes.bodies;
+    EXPECT_TRUE(a.slender && a.soup);
+    EXPECT_FALSE(a.duplicated || a.deep);
+    EXPECT_TRUE(b.duplicated);
+    EXPECT_FALSE(b.slender || b.soup || b.deep);
+    EXPECT_FALSE(causes.unequal || causes.parallel);
+}
+
+TEST(WasteCauses, ATreeThatTakesOffATenthAtATimeIsDeep) {
+    // Clusters, each with a tenth of what is left, each at a third of the place of the one before.
+    Mesh mesh;
+    std::uint32_t left = 2000;
+    for (double x = 1; left > 0; x /= 3) {
+        const std::uint32_t count = left / 9 + 1;
+        for (std::uint32_t i = 0; i < count && left > 0; ++i, --left) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            const double y = x * 1e-3 * i / count;
+            mesh.vertices.insert(mesh.vertices.end(),
+                                 {{x, y, 0}, {x, y + x * 1e-3, 0}, {x, y, x * 1e-3}});
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+    }
+    const WasteCauses causes = causes_of(mesh, grid(30));
+    EXPECT_TRUE(causes.bodies[0].deep) << causes.bodies[0].depth;
+    EXPECT_FALSE(causes.bodies[1].deep) << causes.bodies[1].depth;
+}
+
+TEST(WasteCauses, SayWhichBodyIsLargerAndWhereSurfacesAreParallel) {
+    const WasteCauses causes = causes_of(strips(4, 2, 100), strips(4, 2), {10, 5});
+    EXPECT_TRUE(causes.unequal);
+    EXPECT_NEAR(causes.larger, 100, 1e-9);
+    EXPECT_TRUE(causes.parallel);
+    EXPECT_TRUE(causes_of(strips(4, 2), strips(4, 2, 100)).unequal);
+    EXPECT_FALSE(causes_of(strips(4, 2), strips(4, 2), {10, 4}).parallel);
+}
+
+TEST(VainTests, CountPairsThatAreNearlyParallelInTheirPose) {
+    const Mesh mesh = grid(1);
+    TraceFrame frame;
+    frame.b_to_a.rotation = about_x(9);
+    frame.events.triangle_tests = {{{0, 0}, 0, false}, {{0, 1}, 0, false}, {{1, 1}, 0, true}};
+    const VainTests near = vain_tests(mesh, mesh, frame);
+    EXPECT_EQ(near.tests, 2u);
+    EXPECT_EQ(near.parallel, 2u);
+    frame.b_to_a.rotation = about_x(11);
+    EXPECT_EQ(vain_tests(mesh, mesh, frame).parallel, 0u);
+}
+
+}  // namespace
+}  // namespace scb

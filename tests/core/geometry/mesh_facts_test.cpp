@@ -1,0 +1,106 @@
+#include "core/geometry/mesh_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scb {
+namespace {
+
+/// Eight triangles of equal sides, about `center`.
+Mesh octahedron(const Vec3& center = Vec3::Zero()) {
+    Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            mesh.vertices.push_back(center + sign * Vec3::Unit(axis));
+    for (const std::uint32_t x : {0u, 1u})
+        for (const std::uint32_t y : {2u, 3u})
+            for (const std::uint32_t z : {4u, 5u}) mesh.triangles.push_back({x, y, z});
+    return mesh;
+}
+
+/// Without shared vertices, as a soup has them.
+Mesh soup_of(const Mesh& mesh) {
+    Mesh soup;
+    for (const Triangle& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+        for (const std::uint32_t v : t) soup.vertices.push_back(mesh.vertices[v]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return soup;
+}
+
+void append(Mesh& mesh, const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+TEST(MeshFacts, OfAClosedSurfaceWhateverItsIndices) {
+    const Mesh solid = octahedron();
+    for (const Mesh& mesh : {solid, soup_of(solid)}) {
+        const MeshFacts facts = mesh_facts(mesh);
+        EXPECT_EQ(facts.triangles, 8u);
+        EXPECT_EQ(facts.components, 1u);
+        EXPECT_EQ(facts.degenerate, 0u);
+        EXPECT_EQ(facts.duplicates, 0u);
+        EXPECT_TRUE(facts.closed());
+        EXPECT_EQ(facts.slenderness[0], 8u);
+        EXPECT_EQ(facts.slender(), 0u);
+        EXPECT_NEAR(facts.median_slenderness, 2 / std::sqrt(3.0), 1e-12);
+    }
+}
+
+TEST(MeshFacts, CountPartsThatAreApartAndTrianglesThatAreThereTwice) {
+    Mesh mesh = octahedron();
+    append(mesh, octahedron(Vec3(5, 0, 0)));
+    append(mesh, octahedron(Vec3(5, 0, 0)));
+    std::swap(mesh.triangles.back()[0], mesh.triangles.back()[1]);
+    const MeshFacts facts = mesh_facts(mesh);
+    EXPECT_EQ(facts.components, 2u);
+    EXPECT_EQ(facts.duplicates, 8u);
+    EXPECT_TRUE(facts.closed());
+    EXPECT_EQ(facts.box.upper[0], 6);
+}
+
+TEST(MeshFacts, CountEdgesOfOneTriangleAndOfMoreThanTwo) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {9, 9, 9}};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+    const MeshFacts facts = mesh_facts(mesh);
+    EXPECT_EQ(facts.crowded_edges, 1u);
+    EXPECT_EQ(facts.open_edges, 6u);
+    EXPECT_FALSE(facts.closed());
+    EXPECT_EQ(facts.components, 1u);
+    EXPECT_EQ(facts.box.upper, Vec3(1, 1, 1));
+}
+
+TEST(MeshFacts, SortSlenderTrianglesByTheirClass) {
+    Mesh mesh;
+    const auto add = [&](double length, double height) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        const double z = first;
+        mesh.vertices.insert(mesh.vertices.end(),
+                             {{0, 0, z}, {length, 0, z}, {length / 2, height, z}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    };
+    add(1, 0.5);    // 2
+    add(8, 2);      // 4: the next class begins with its limit
+    add(5, 0.1);    // 50
+    add(7, 0.07);   // 100
+    add(1, 0.002);  // 500
+    add(1, 1e-4);   // 10000
+    add(1, 0);      // degenerate
+    const MeshFacts facts = mesh_facts(mesh);
+    EXPECT_EQ(facts.slenderness, (std::array<std::size_t, 6>{1, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(facts.degenerate, 1u);
+    EXPECT_EQ(facts.slender(), 4u);
+    EXPECT_EQ(facts.longest_slender, 3u);
+    EXPECT_EQ(facts.longest_slender_side, 7);
+    EXPECT_EQ(facts.components, 7u);
+    EXPECT_DOUBLE_EQ(facts.median_slenderness, 100);
+}
+
+}  // namespace
+}  // namespace scb
