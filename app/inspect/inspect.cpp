@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +15,10 @@
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
 #include "app/query/query_source.h"
+#include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
+#include "golden/suite/shell_word.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -34,7 +39,9 @@ struct InspectOptions {
     std::vector<std::string> recording;    ///< see given_recording_options
     std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
     std::string command, explain;          ///< see InspectPage
+    std::string of_scene;                  ///< what was given of the scene, as given_text has it
     int top = 10;
+    bool time = false;
 
     bool draws() const { return !picture.output.empty(); }
     void check();
@@ -81,6 +88,8 @@ class Inspector {
                       all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
         report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
         report_.sum += report_.frames.back().found;
+        vain_ += vain_tests(mesh_a, mesh_b, frame);
+        complete_ &= frame.found.complete;
         wrong_.add(frame, attribution);
         weak_tests_.add(frame, tree, attribution);
         loose_fits_.add(frame, tree, attribution);
@@ -90,6 +99,8 @@ class Inspector {
     }
 
     std::size_t frames() const { return report_.frames.size(); }
+    /// Whether no query ended at the pairs that it may find at most.
+    bool complete() const { return complete_; }
 
     InspectReport report() && {
         report_.wrong = wrong_.pairs();
@@ -100,6 +111,9 @@ class Inspector {
                 sharpen_margin(pair, query_.hierarchy(query_.a), query_.hierarchy(query_.b),
                                query_.b_to_a(pair.frame));
         sort_by_waste(report_.frames);
+        report_.causes =
+            waste_causes(topology_of(query_.hierarchy(query_.a)), query_.mesh(query_.a),
+                         topology_of(query_.hierarchy(query_.b)), query_.mesh(query_.b), vain_);
         return std::move(report_);
     }
 
@@ -107,8 +121,77 @@ class Inspector {
     const SceneQuery& query_;
     WorstRejections wrong_;
     WorstPairs weak_tests_, loose_fits_;
+    VainTests vain_;
+    bool complete_ = true;
     InspectReport report_;
 };
+
+/// Volume and triangle tests of all settings: some seconds.
+constexpr double most_setting_tests = 1e8;
+/// Some fifty settings are counted.
+constexpr double usual_settings = 50;
+
+/// The frames in which settings are counted: all, or evenly spread so many as take seconds.
+std::vector<int> setting_frames(const InspectReport& report, const std::vector<int>& frames) {
+    const Work& all = report.sum.counts.all;
+    const auto tests = static_cast<double>(all.volume_tests + all.triangle_tests);
+    const auto count = static_cast<double>(frames.size());
+    const auto step = static_cast<std::size_t>(
+        std::ceil(std::clamp(usual_settings * tests / most_setting_tests, 1.0, count)));
+    std::vector<int> chosen;
+    for (std::size_t i = 0; i < frames.size(); i += step) chosen.push_back(frames[i]);
+    return chosen;
+}
+
+/// A command names no more frames of a trace.
+constexpr std::size_t most_named_frames = 20;
+
+/// The scene as the command line names it; that of a trace as it was recorded.
+std::string scene_words(const InspectOptions& options, const QuerySource& source) {
+    if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
+    std::string words;
+    for (const std::string& name : source.header().source) words += " " + golden::shell_word(name);
+    std::string frames;
+    for (const int frame : source.frames())
+        frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
+    if (source.frames().size() <= most_named_frames) words += frames;
+    if (source.header().source.size() != 2) return words;
+    const Pose pose = source.query().b_to_a(source.frames()[0]);
+    std::string numbers;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            numbers +=
+                (numbers.empty() ? "" : ",") +
+                format("%.17g", column < 3 ? pose.rotation(row, column) : pose.translation[row]);
+    return words + " --pose=" + numbers;
+}
+
+/// Tries other settings; the report has none where that was interrupted.
+void find_settings(InspectReport& report, const InspectOptions& options, const QuerySource& source,
+                   const Console& console, const InterruptWatch& watch) {
+    const SceneQuery& query = source.query();
+    const TraceHeader& header = report.header;
+    TuneOptions asked;
+    asked.base = {header.volume, header.split, header.options.overlap, header.options.descent,
+                  header.growth};
+    asked.build = query.build;
+    asked.repeats = options.time ? 5 : 0;
+    std::optional<Progress> progress;
+    std::string what;
+    const TuneProgress told = {[&](std::string_view part, std::size_t steps) {
+                                   what = part;
+                                   progress.emplace(console, steps);
+                               },
+                               [&] {
+                                   progress->step(what);
+                                   return watch.signal() == 0;
+                               }};
+    report.settings = tune_scene(query.scene, query.a, query.b,
+                                 setting_frames(report, source.frames()), asked, told);
+    if (!report.settings) return;
+    report.command = "scb collide" + scene_words(options, source) +
+                     setting_options(report.settings->rows[report.settings->recommended()].setting);
+}
 
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
 bool write_report(PictureRun& pictures, const InspectOptions& options, const SceneQuery& query,
@@ -160,7 +243,12 @@ int run(InspectOptions& options, const Console& console) {
         progress.step("frames");
     }
     const std::size_t done = inspector.frames();
+    // Parts of queries, and queries with errors on purpose, say nothing of settings.
+    const bool whole =
+        inspector.complete() && query.options.stop_level < 0 && query.mutation == Mutation::none;
     InspectReport report = std::move(inspector).report();
+    if (watch.signal() == 0 && whole && report.sum.counts.missed == 0)
+        find_settings(report, options, source, console, watch);
     if (pictures && watch.signal() == 0) {
         report.drawn = true;
         if (options.picture.json)
@@ -209,6 +297,9 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         .check(decimal_number)
         .type_name("K")
         .show_default();
+    command.add_flag(
+        "--time", options->time,
+        "Also time the settings that would have helped, which is not the same each time");
     add_picture_options(command, options->picture);
     options->picture.samples = PictureOptions{}.samples;
     command.get_option("--output")
@@ -222,7 +313,10 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "(test: too weak).\n"
         "For fit and test, all tests that follow from the pair are wasted. Each verdict on two "
         "volumes is exact, and has a\n"
-        "certificate. Exit status 1 if the test rejected volumes that meet, as --test printed "
+        "certificate. Then the queries are made with other volumes, splits, tests and descent "
+        "rules, and the best is named (`scb tune`\n"
+        "has more of them, and times). Exit status 1 if the test rejected volumes that meet, as "
+        "--test printed "
         "does.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
@@ -235,6 +329,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         const std::vector<std::string> of_queries = {
             "SCENE",    "--pose",  "--models", "--volume",    "--growth",
             "--margin", "--split", "--test",   "--threshold", "--bodies"};
+        options->of_scene = given_text(
+            command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
         options->explain = "scb explain" + given_text(command, of_queries);
         options->command = "scb inspect" + given_text(command, of_queries) +
                            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",

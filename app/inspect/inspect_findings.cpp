@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "app/timing/tune_report.h"
+#include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
+#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -78,6 +81,68 @@ std::string best_other(const InspectReport& report) {
            (best.all.operations < all.operations ? " of the operations." : " more operations.");
 }
 
+/// What of the meshes makes the volumes loose, a sentence each.
+std::vector<std::string> causes(const InspectReport& report) {
+    const WasteCauses& found = report.causes;
+    std::vector<std::string> sentences;
+    const auto name = [&](std::size_t body) {
+        return scenes::printable(report.header.bodies[body].name);
+    };
+    for (std::size_t i = 0; i < (found.alike ? 1 : 2); ++i) {
+        const BodyCauses& body = found.bodies[i];
+        const MeshFacts& facts = body.facts;
+        const std::string of = counted(facts.triangles, "triangle", "triangles") + " of " +
+                               name(i) + (found.alike ? ", and as many of " + name(1) + "," : "");
+        if (body.slender)
+            sentences.push_back(
+                render::count_text(facts.slender()) + " of " + of +
+                format(
+                    " are slender (a side 16 times the height on it, or more); the longest is "
+                    "triangle %u, %.2g of the diagonal of the body's box.",
+                    facts.longest_slender,
+                    ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())));
+        if (body.duplicated)
+            sentences.push_back(render::count_text(facts.duplicates) + " of " + of +
+                                " are there twice: each pair is found twice, and costs twice.");
+        if (body.soup)
+            sentences.push_back(of + " fall into " + render::count_text(facts.components) +
+                                " parts that have no corner in common: a soup, whose volumes "
+                                "overlap wherever it is cut.");
+        if (body.deep)
+            sentences.push_back(
+                format("The hierarchy of %s is %d levels deep, for ", name(i).c_str(), body.depth) +
+                counted(facts.triangles, "triangle", "triangles") + ": it is out of balance.");
+    }
+    if (found.unequal)
+        sentences.push_back(
+            format("%s is %.3g times as large as %s: its nodes are divided first, until they are "
+                   "as small.",
+                   name(found.larger > 1 ? 0 : 1).c_str(),
+                   found.larger > 1 ? found.larger : 1 / found.larger,
+                   name(found.larger > 1 ? 1 : 0).c_str()));
+    if (found.parallel)
+        sentences.push_back(share(found.vain.parallel, found.vain.tests) +
+                            " of the triangles that were tested in vain are within ten degrees of "
+                            "parallel: surfaces that lie close to each other.");
+    return sentences;
+}
+
+/// The setting that would have taken the fewest tests.
+std::string best_setting(const InspectReport& report) {
+    const SceneTuning& tuning = *report.settings;
+    const TuneRow &best = tuning.rows[tuning.best[0]], &base = tuning.base();
+    const std::string counted = "Of " + std::to_string(tuning.rows.size()) + " settings, ";
+    if (tuning.best[0] == 0) return counted + "none takes fewer volume tests than this one.";
+    std::string text = counted + setting_text(best.setting) +
+                       " takes the fewest volume tests: it " +
+                       change(base.counts.n_v, best.counts.n_v, "saves", "takes") + " of these";
+    if (base.counts.n_p > 0)
+        text += ", and " + change(base.counts.n_p, best.counts.n_p, "saves", "makes") +
+                (best.counts.n_p <= base.counts.n_p ? " of the triangle tests"
+                                                    : " more triangle tests");
+    return text + ".";
+}
+
 }  // namespace
 
 std::string missed_words(const WrongRejection& rejection) {
@@ -106,6 +171,9 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
     // Queries that miss contacts are no measure of others.
     if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
         sentences.push_back(best_other(report));
+    if (counts.wasted.volume_tests > 0)
+        for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
+    if (report.settings) sentences.push_back(best_setting(report));
     return sentences;
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
@@ -103,6 +104,30 @@ data other_rows(const InspectReport& report) {
         row["operations_change"] = render::change_text(all.operations, other.all.operations);
         rows << row;
     }
+    return rows;
+}
+
+data setting_rows(const SceneTuning& tuning) {
+    const TuneCounts& base = tuning.base().counts;
+    data rows(data::type::list);
+    const auto add = [&](std::size_t r) {
+        const TuneRow& found = tuning.rows[r];
+        data row;
+        row["setting"] = (r == 0 ? "as it was: " : "") + setting_text(found.setting);
+        row["n_v"] = render::count_text(found.counts.n_v);
+        row["n_v_change"] = render::change_text(base.n_v, found.counts.n_v);
+        row["n_p"] = render::count_text(found.counts.n_p);
+        row["n_p_change"] = render::change_text(base.n_p, found.counts.n_p);
+        row["operations"] = render::count_text(found.counts.operations);
+        row["operations_change"] = render::change_text(base.operations, found.counts.operations);
+        row["bytes"] = format("%.0f", found.bytes_per_triangle);
+        row["ms"] = found.ms ? format("%.4f (%.4f to %.4f)", found.ms->median, found.ms->low,
+                                      found.ms->high)
+                             : std::string();
+        rows << row;
+    };
+    add(0);
+    for (const std::size_t r : tuning.listed(most_settings)) add(r);
     return rows;
 }
 
@@ -223,6 +248,14 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
         data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
     values["others"] = other_rows(report);
     values["weak"] = render::count_text(report.sum.counts.passed(PassReason::weak_test));
+    values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
+    if (report.settings) {
+        values["settings"] = setting_rows(*report.settings);
+        values["settings_words"] = settings_words(report);
+        values["use"] = report.command;
+        values["timed"] =
+            data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
+    }
     values["groups"] = groups_of(report, page);
     values["version"] = SCB_VERSION;
     values["command"] = page.command;

@@ -8,6 +8,7 @@
 #include "app/explain/explain_pictures.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/query/trace_report.h"
+#include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
@@ -135,6 +136,13 @@ std::string others_text(const InspectReport& report) {
     return text;
 }
 
+std::string settings_text(const InspectReport& report) {
+    if (!report.settings) return "";
+    return "\nwhat would have helped, the best first: " + settings_words(report) + "\n" +
+           tune_rows_text(*report.settings, most_settings) + "\nTo use it: " + report.command +
+           "\n";
+}
+
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
     Json json;
     for (std::size_t r = 0; r < pass_reason_count; ++r)
@@ -193,6 +201,15 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
            ".png";
 }
 
+std::string settings_words(const InspectReport& report) {
+    const std::size_t counted = report.settings->frames.size(), all = report.frames.size();
+    if (all == 1) return "frame " + std::to_string(report.frames[0].frame);
+    return "means per frame over " +
+           (counted == all ? std::to_string(all)
+                           : std::to_string(counted) + " of the " + std::to_string(all)) +
+           " frames";
+}
+
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
     std::string title = scenes::printable(header.scene + ": " + header.bodies[0].name + " and " +
@@ -206,7 +223,7 @@ std::string inspect_text(const InspectReport& report) {
     return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +
            depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
            worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
-           others_text(report);
+           others_text(report) + settings_text(report);
 }
 
 Json inspect_json(const InspectReport& report) {
@@ -249,6 +266,13 @@ Json inspect_json(const InspectReport& report) {
         entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
         entry.update(work_json(other.all));
         json["other_tests"].push_back(std::move(entry));
+    }
+    if (report.settings) {
+        const Json settings = tune_json(*report.settings);
+        json["settings"] = Json::object();
+        for (const char* key : {"frames", "timed_frames", "settings", "best_first", "best"})
+            if (settings.contains(key)) json["settings"][key] = settings[key];
+        json["settings"]["command"] = report.command;
     }
     return json;
 }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/timing/tune_run.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
+#include "core/analysis/waste_causes.h"
 #include "core/analysis/worst_pairs.h"
 
 namespace scb::app {
@@ -18,7 +21,10 @@ struct InspectReport {
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<WronglyRejectedPair> wrong;         ///< those that miss the most
     std::vector<AlternativeTest> others;
-    bool drawn = false;  ///< there is a picture of each pair
+    WasteCauses causes;
+    std::optional<SceneTuning> settings;  ///< what would have helped; not of parts of queries
+    std::string command;                  ///< that makes the queries with the best of these
+    bool drawn = false;                   ///< there is a picture of each pair
 };
 
 /// Tables of frames end here: more rows make a table that nobody reads.
@@ -26,6 +32,12 @@ inline constexpr std::size_t most_frame_rows = 20;
 
 /// The picture of a pair of nodes; empty where none was drawn.
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
+
+/// So many settings are listed beside that of the queries.
+inline constexpr std::size_t most_settings = 8;
+
+/// Which frames the settings were counted in, as a sentence.
+std::string settings_words(const InspectReport& report);
 
 /// "12 %": the share of a whole, as the tables and pages say it.
 std::string share(std::uint64_t part, std::uint64_t whole);

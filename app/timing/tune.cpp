@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
+#include "app/cli/command_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -28,8 +29,9 @@ struct TuneCommandOptions {
     HierarchyOptions hierarchy;
     QueryOptions query{.frames = scenes::auto_frames};
     PictureOptions picture{.output = ""};
-    int repeats = 3;
-    bool no_time = false, json = false;
+    int repeats = 5;
+    bool every = false, no_time = false, json = false;
+    std::string of_scene;  ///< what was given of the scene, as given_text has it
 };
 
 /// Some fifty frames from the whole scene.
@@ -47,28 +49,36 @@ TuneOptions tune_options(const TuneCommandOptions& options) {
     const CollideOptions collide = options.query.collide();
     const BuildOptions build = options.hierarchy.build();
     TuneOptions result;
-    result.kind = options.hierarchy.kind();
+    result.base.volume = options.hierarchy.kind();
+    result.base.split = build.split;
     result.base.descent = collide.descent;
-    // What means nothing to these volumes is as by default, as in the best of each together.
-    if (result.kind == VolumeKind::scb) result.base.overlap = collide.overlap;
-    if (has_growth(result.kind)) result.base.growth = build.fit.growth;
+    // What means nothing to these volumes is as by default, for those to which it does.
+    if (result.base.volume == VolumeKind::scb) result.base.overlap = collide.overlap;
+    if (has_growth(result.base.volume)) result.base.growth = build.fit.growth;
     result.build = build;
+    result.every = options.every;
     result.repeats = options.no_time ? 0 : options.repeats;
     return result;
 }
 
-std::string conditions(const TuneCommandOptions& options) {
-    BuildOptions build = options.hierarchy.build();
-    build.fit.growth = FitOptions{}.growth;  // each setting has its own
-    const std::string built = build_sentence(build);
-    if (options.no_time) return built;
-    return (built.empty() ? "" : built + " ") +
-           "Time: at each frame the settings take turns, each after an untimed query of the same "
-           "nodes; one thread, processor time, median of " +
-           std::to_string(options.repeats) + (options.repeats == 1 ? " run" : " runs") +
-           " per frame, sorting the pairs included. Compiled by " + compiler_text() +
-           ". Best in time is the base unless another saves 2 % or more. Times differ from machine "
-           "to machine and from run to run; counts do not.";
+std::string conditions(const TuneCommandOptions& options, const SceneTuning& tuning) {
+    if (options.no_time) return build_sentence(tuning.build);
+    const std::string built = build_sentence(tuning.build);
+    const std::size_t frames = tuning.timed_frames.size();
+    return (built.empty() ? "" : built + " ") + "Time: " + std::to_string(options.repeats) +
+           (options.repeats == 1 ? " run" : " runs") + " over " + std::to_string(frames) +
+           (frames == 1 ? " frame" : " frames") +
+           ", in which the settings take turns, each after an untimed query of the same nodes; one "
+           "thread, processor time, sorting the pairs included. The interval is from the least to "
+           "the most of the runs; where two intervals meet, no difference was measured. Compiled "
+           "by " +
+           compiler_text() +
+           ". Times differ from machine to machine and from run to run; counts do not.";
+}
+
+std::string command_to_use(const TuneCommandOptions& options, const SceneTuning& tuning) {
+    return "scb collide" + options.of_scene +
+           setting_options(tuning.rows[tuning.recommended()].setting);
 }
 
 std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuning) {
@@ -76,6 +86,7 @@ std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuni
     document.update(tune_json(tuning));
     document["margin"] = options.hierarchy.margin;
     document["split"] = split_method_name(options.hierarchy.split);
+    document["command"] = command_to_use(options, tuning);
     if (!options.no_time) {
         document["repeats"] = options.repeats;
         document["compiler"] = compiler_text();
@@ -89,7 +100,7 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
                  const SceneTuning& tuning, render::Renderer& renderer,
                  const std::filesystem::path& folder) {
     render::TuneFigure figure = tune_figure(tuning);
-    figure.footnote = conditions(options);
+    figure.footnote = conditions(options, tuning);
     figure.theme = options.picture.theme();
     render::Overlay overlay;
     const render::Picture picture =
@@ -113,8 +124,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
     // Of slab cut balls the threshold counts whatever the base's test is.
     QueryOptions doubtful = options.query;
-    if (asked.kind == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
-    note_doubts(options.scene, doubtful, {asked.kind}, console);
+    if (asked.base.volume == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
+    note_doubts(options.scene, doubtful, {asked.base.volume}, console);
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;
@@ -144,7 +155,11 @@ int run(const TuneCommandOptions& options, const Console& console) {
     }
     if (writes) write_files(options, scene, *tuning, *renderer, folder);
     std::string text = options.json ? json_text(options, *tuning) : tune_table(*tuning);
-    if (!options.json && !options.no_time) text += "\n" + conditions(options) + "\n";
+    if (!options.json) {
+        if (const std::string said = conditions(options, *tuning); !said.empty())
+            text += "\n" + said + "\n";
+        text += "\nTo use it: " + command_to_use(options, *tuning) + "\n";
+    }
     print_result(text);
     return exit_done;
 }
@@ -153,7 +168,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
 
 void add_tune(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "tune", "Compare overlap tests, thresholds, descent and growth rules in a scene");
+        "tune", "Find the best volume, split, overlap test and descent for a scene");
     const auto options = std::make_shared<TuneCommandOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
@@ -163,28 +178,33 @@ void add_tune(const Command& program, const Console& console, Action& action) {
     command.get_option("--frames")
         .description(
             "Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is fifty from the whole scene");
-    command.add_option("--repeat", options->repeats, "Time each query N times and take the median")
+    command.add_option("--repeat", options->repeats, "Time the best settings in N runs")
         .check(decimal_number)
         .type_name("N")
         .show_default();
+    command.add_flag("--every", options->every,
+                     "Count every setting, also of volumes and splits that are far from the best");
     command.add_flag("--no-time", options->no_time,
                      "Counts only, which are the same on every machine");
     add_figure_options(command, options->picture, "Folder for tune.csv, tune.json and a picture");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "--test, --threshold, --descent and --growth give the base. The command changes one of "
-        "them at a time, of those that have an\n"
-        "effect on the volume, then combines the best values. operations: arithmetic operations of "
-        "the volume tests (Table 1 of the "
-        "paper); ms: mean processor\n"
-        "time of a query. The base is best in time unless another setting saves 2 % or more. The "
-        "printed test misses pairs and\n"
-        "is never best. Ctrl-C stops it, with exit status 130.\n\n"
+        "--volume, --split, --test, --threshold, --descent and --growth give the base, with which "
+        "all are compared. The command counts\n"
+        "every volume with every split, and what differs from the base in one other thing; then, "
+        "for volumes and splits that come near\n"
+        "the best, everything that can be chosen. Counts are the same on every machine. Then it "
+        "times the base and the best. operations:\n"
+        "arithmetic operations of the volume tests (Table 1 of the paper). B/tri: bytes of the "
+        "hierarchies per triangle. The printed\n"
+        "test misses pairs and is never best. Ctrl-C stops it, with exit status 130.\n\n"
         "Examples:\n"
         "  scb tune spheres-l1 -o out/\n"
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"
         "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected");
-    command.callback([&action, &console, options] {
+    command.callback([&action, &console, command, options] {
+        options->of_scene = given_text(
+            command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -15,184 +15,229 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "symmetric, descent radius, growth ritter": what of it means anything to the volume.
-std::string setting_text(const TuneSetting& setting, VolumeKind kind) {
-    return (kind == VolumeKind::scb ? overlap_title(setting.overlap) + ", " : "") + "descent " +
-           std::string(descent_rule_name(setting.descent)) +
-           (has_growth(kind) ? ", growth " + std::string(ball_growth_name(setting.growth)) : "");
+constexpr std::size_t most_table_rows = 15, most_bars = 9;
+
+bool has_tests(const TuneSetting& setting) { return setting.volume == VolumeKind::scb; }
+
+/// The columns that say what a setting is.
+std::string setting_columns(const TuneSetting& s) {
+    return format("  %-6s  %-5s  %-16s  %-11s  %-6s",
+                  std::string(volume_kind_name(s.volume)).c_str(),
+                  std::string(split_method_name(s.split)).c_str(),
+                  has_tests(s) ? overlap_title(s.overlap).c_str() : "",
+                  std::string(descent_rule_name(s.descent)).c_str(),
+                  has_growth(s.volume) ? std::string(ball_growth_name(s.growth)).c_str() : "");
 }
 
-/// What of the setting is not the base's.
-std::string change_text(const TuneTrial& trial, VolumeKind kind) {
-    switch (trial.tuned) {
-        case Tuned::test:
-        case Tuned::threshold:
-            return overlap_title(trial.setting.overlap);
-        case Tuned::descent:
-            return "descent " + std::string(descent_rule_name(trial.setting.descent));
-        case Tuned::growth:
-            return "growth " + std::string(ball_growth_name(trial.setting.growth));
-        default:
-            return setting_text(trial.setting, kind);
-    }
+double over(std::uint64_t count, std::uint64_t base) {
+    return ratio(static_cast<double>(count), static_cast<double>(base), 1);
 }
 
-const char* group_title(Tuned tuned) {
-    switch (tuned) {
-        case Tuned::nothing:
-            return "base";
-        case Tuned::test:
-            return "other overlap tests";
-        case Tuned::threshold:
-            return "other thresholds a of corrected";
-        case Tuned::descent:
-            return "other descent rules";
-        case Tuned::growth:
-            return "other growth of balls";
-        case Tuned::several:
-            break;
-    }
-    return "the best of each together";
-}
-
-std::string table_row(const TuneRow& row, const TuneRow& base, VolumeKind kind, bool timed) {
+std::string table_row(const SceneTuning& tuning, std::size_t r) {
+    const TuneRow &row = tuning.rows[r], &base = tuning.base();
     std::string line =
-        format("  %-46s %10.1f %9.1f %12.1f %6.2f", change_text(row.trial, kind).c_str(), row.n_v,
-               row.n_p, row.operations, ratio(row.operations, base.operations, 1));
-    if (timed) line += format(" %9.4f %6.2f", row.ms, ratio(row.ms, base.ms, 1));
-    return line + (row.misses_pairs ? "  misses pairs\n" : "\n");
+        setting_columns(row.setting) +
+        format(" %11.1f %6.3f %10.1f %6.3f %13.1f %6.3f %7.0f", tuning.mean(row.counts.n_v),
+               over(row.counts.n_v, base.counts.n_v), tuning.mean(row.counts.n_p),
+               over(row.counts.n_p, base.counts.n_p), tuning.mean(row.counts.operations),
+               over(row.counts.operations, base.counts.operations), row.bytes_per_triangle);
+    if (tuning.timed()) line += format(" %9.1f", row.build_ms);
+    if (row.ms) line += format("  %8.4f [%.4f, %.4f]", row.ms->median, row.ms->low, row.ms->high);
+    if (row.misses_pairs) line += "  misses pairs";
+    if (const std::size_t equal = tuning.equals(r); equal > 0)
+        line += format("  and %zu equal", equal);
+    return line + "\n";
 }
 
-std::string best_line(const char* what, const SceneTuning& tuning, std::size_t best,
-                      double TuneRow::*cost) {
-    const TuneRow &row = tuning.rows[best], &base = tuning.rows[0];
-    std::string line = std::string(what) + ": " + setting_text(row.trial.setting, tuning.kind);
-    if (best == 0) return line + ", the base\n";
-    return line + format(", %.2f of the base's\n", ratio(row.*cost, base.*cost, 1));
+std::string best_line(const SceneTuning& tuning, const char* what, std::size_t best, double share) {
+    std::string line = std::string(what) + ": " + setting_text(tuning.rows[best].setting);
+    if (best == 0) return line + ", the base.\n";
+    return line + format(", %.3f of the base's.\n", share);
 }
 
-/// The volume, unless it is the usual one.
-std::string of_volume(const SceneTuning& tuning, const char* separator) {
-    if (tuning.kind == VolumeKind::scb) return "";
-    return std::string(render::volume_title(tuning.kind)) + separator;
+std::string time_line(const SceneTuning& tuning) {
+    const TuneRow &row = tuning.rows[tuning.least_time], &base = tuning.base();
+    std::string line = "Least time: " + setting_text(row.setting);
+    line += tuning.least_time == 0
+                ? ", the base"
+                : format(", %.2f of the base's", ratio(row.ms->median, base.ms->median, 1));
+    std::size_t alike = 0;
+    for (const TuneRow& other : tuning.rows)
+        alike += &other != &row && other.ms && !apart(*other.ms, *row.ms);
+    if (alike > 0)
+        line += format("; no measurable difference from %zu other%s of those timed", alike,
+                       alike == 1 ? "" : "s");
+    return line + ".\n";
 }
 
-std::string bar_name(const SceneTuning& tuning, const TuneRow& row) {
-    if (row.trial.tuned == Tuned::nothing) return "base";
-    if (row.trial.tuned != Tuned::several) return change_text(row.trial, tuning.kind);
-    const TuneSetting& setting = row.trial.setting;
-    const TuneSetting& base = tuning.rows[0].trial.setting;
-    // What it changes is more than a bar has room for.
-    std::string name;
-    const auto add = [&](const std::string& part) { name += (name.empty() ? "" : ", ") + part; };
-    if (!(TuneSetting{setting.overlap, base.descent, base.growth} == base))
-        add(overlap_title(setting.overlap));
-    if (setting.descent != base.descent) add(std::string(descent_rule_name(setting.descent)));
-    if (setting.growth != base.growth) add(std::string(ball_growth_name(setting.growth)));
+/// "scb2, cost, area": the volume, and what is not as by default, as a bar has room for.
+std::string bar_name(const TuneSetting& s) {
+    const TuneSetting usual;
+    std::string name(volume_kind_name(s.volume));
+    const auto add = [&](bool is, const std::string& part) {
+        if (is) name += ", " + part;
+    };
+    add(s.split != usual.split, std::string(split_method_name(s.split)));
+    add(has_tests(s) && s.overlap.test != usual.overlap.test, overlap_title(s.overlap));
+    add(s.descent != usual.descent, std::string(descent_rule_name(s.descent)));
+    add(has_growth(s.volume) && s.growth != usual.growth,
+        "growth " + std::string(ball_growth_name(s.growth)));
     return name;
+}
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + (count == 1 ? one : many);
 }
 
 }  // namespace
 
-std::string tune_table(const SceneTuning& tuning) {
-    std::string text =
-        tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
-        format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
-        of_volume(tuning, ", ") + render::frames_text(tuning.frames) + build_text(tuning.build) +
-        "; means per frame\n\n" +
-        "  setting                                               N_v       N_p   operations / base";
-    text += tuning.timed ? "        ms / base\n" : "\n";
-    const TuneRow& base = tuning.rows[0];
-    Tuned group = Tuned::nothing;
-    for (const TuneRow& row : tuning.rows) {
-        if (&row == &base || row.trial.tuned != group)
-            text += std::string(group_title(row.trial.tuned)) + "\n";
-        group = row.trial.tuned;
-        text += table_row(row, base, tuning.kind, tuning.timed);
+std::string setting_options(const TuneSetting& s) {
+    const TuneSetting usual;
+    std::string text;
+    const auto add = [&](bool given, const char* option, std::string_view value) {
+        if (given) text += " " + std::string(option) + " " + std::string(value);
+    };
+    add(s.volume != usual.volume, "--volume", volume_kind_name(s.volume));
+    add(s.split != usual.split, "--split", split_method_name(s.split));
+    if (has_tests(s)) {
+        add(s.overlap.test != usual.overlap.test, "--test", overlap_test_name(s.overlap.test));
+        add(has_threshold(s.overlap.test) && s.overlap.threshold != usual.overlap.threshold,
+            "--threshold", Json(s.overlap.threshold).dump());
     }
-    text += "\n" +
-            best_line("Fewest operations", tuning, tuning.fewest_operations, &TuneRow::operations);
-    if (tuning.timed) text += best_line("Least time", tuning, tuning.least_time, &TuneRow::ms);
+    add(s.descent != usual.descent, "--descent", descent_rule_name(s.descent));
+    add(has_growth(s.volume) && s.growth != usual.growth, "--growth", ball_growth_name(s.growth));
     return text;
+}
+
+std::string setting_text(const TuneSetting& s) {
+    return std::string(volume_kind_name(s.volume)) + ", split " +
+           std::string(split_method_name(s.split)) +
+           (has_tests(s) ? ", " + overlap_title(s.overlap) : "") + ", descent " +
+           std::string(descent_rule_name(s.descent)) +
+           (has_growth(s.volume) ? ", growth " + std::string(ball_growth_name(s.growth)) : "");
+}
+
+std::string tune_rows_text(const SceneTuning& tuning, std::size_t most) {
+    std::string text =
+        "  volume  split  test              descent      growth         N_v  /base        N_p  "
+        "/base    operations  /base    B/tri";
+    if (tuning.timed()) text += "  build ms        ms [least, most]";
+    text += "\n" + table_row(tuning, 0);
+    const std::vector<std::size_t> listed = tuning.listed(most);
+    for (const std::size_t r : listed) text += table_row(tuning, r);
+    // What the sentences below speak of, and what was timed.
+    for (const std::size_t r : tuning.best)
+        if (r != 0 && std::find(listed.begin(), listed.end(), r) == listed.end() &&
+            (tuning.rows[r].ms || r == tuning.fewest_operations))
+            text += table_row(tuning, r);
+    return text + "\n" +
+           best_line(tuning, "Fewest volume tests", tuning.best[0],
+                     over(tuning.rows[tuning.best[0]].counts.n_v, tuning.base().counts.n_v)) +
+           best_line(tuning, "Fewest operations", tuning.fewest_operations,
+                     over(tuning.rows[tuning.fewest_operations].counts.operations,
+                          tuning.base().counts.operations)) +
+           (tuning.timed() ? time_line(tuning) : "");
+}
+
+std::string tune_table(const SceneTuning& tuning) {
+    return tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
+           format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
+           render::frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
+           format("%s counted: the base, then the best first (by N_v, then N_p, then operations)\n",
+                  count_text(tuning.rows.size(), " setting", " settings").c_str()) +
+           tune_rows_text(tuning, most_table_rows);
 }
 
 Json tune_json(const SceneTuning& tuning) {
     Json settings = Json::array();
     for (const TuneRow& row : tuning.rows) {
-        const TuneSetting& setting = row.trial.setting;
-        Json entry = {{"tuned", tuned_names[row.trial.tuned]}};
-        if (tuning.kind == VolumeKind::scb) {
+        const TuneSetting& setting = row.setting;
+        Json entry = {{"tuned", tuned_names[tuned(setting, tuning.base().setting)]},
+                      {"volume", volume_kind_name(setting.volume)},
+                      {"split", split_method_name(setting.split)}};
+        if (has_tests(setting)) {
             entry["test"] = overlap_test_name(setting.overlap.test);
             if (has_threshold(setting.overlap.test)) entry["threshold"] = setting.overlap.threshold;
         }
         entry["descent"] = descent_rule_name(setting.descent);
-        if (has_growth(tuning.kind)) entry["growth"] = ball_growth_name(setting.growth);
-        entry["n_v"] = row.n_v;
-        entry["n_p"] = row.n_p;
-        entry["operations"] = row.operations;
-        entry["pairs"] = row.pairs;
+        if (has_growth(setting.volume)) entry["growth"] = ball_growth_name(setting.growth);
+        entry["n_v"] = tuning.mean(row.counts.n_v);
+        entry["n_p"] = tuning.mean(row.counts.n_p);
+        entry["operations"] = tuning.mean(row.counts.operations);
+        entry["pairs"] = tuning.mean(row.pairs);
         entry["misses_pairs"] = row.misses_pairs;
-        if (tuning.timed) entry["ms"] = row.ms;
+        entry["bytes_per_triangle"] = row.bytes_per_triangle;
+        if (tuning.timed()) entry["build_ms"] = row.build_ms;
+        if (row.ms)
+            entry.update(
+                Json{{"ms", row.ms->median}, {"ms_least", row.ms->low}, {"ms_most", row.ms->high}});
         settings.push_back(std::move(entry));
     }
-    Json best = {{"operations", tuning.fewest_operations}};
-    if (tuning.timed) best["time"] = tuning.least_time;
-    return {{"scene", tuning.scene},
-            {"bodies", tuning.bodies},
-            {"triangles", tuning.triangles},
-            {"frames", tuning.frames},
-            {"volume", volume_kind_name(tuning.kind)},
-            {"settings", settings},
-            {"best", best}};
+    Json best = {{"tests", tuning.best[0]}, {"operations", tuning.fewest_operations}};
+    if (tuning.timed()) best["time"] = tuning.least_time;
+    Json json = {{"scene", tuning.scene},
+                 {"bodies", tuning.bodies},
+                 {"triangles", tuning.triangles},
+                 {"frames", tuning.frames}};
+    if (tuning.timed()) json["timed_frames"] = tuning.timed_frames;
+    json.update(Json{{"volume", volume_kind_name(tuning.base().setting.volume)},
+                     {"settings", settings},
+                     {"best_first", tuning.best},
+                     {"best", best}});
+    return json;
 }
 
 std::string tune_csv(const SceneTuning& tuning) {
     std::string text =
-        "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,misses_pairs,ms\n";
+        "tuned,volume,split,test,threshold,descent,growth,n_v,n_p,operations,pairs,misses_pairs,"
+        "bytes_per_triangle,build_ms,ms,ms_least,ms_most\n";
     for (const TuneRow& row : tuning.rows) {
-        const TuneSetting& setting = row.trial.setting;
-        const bool test = tuning.kind == VolumeKind::scb,
-                   threshold = test && has_threshold(setting.overlap.test);
-        text += std::string(tuned_names[row.trial.tuned]) + "," +
-                std::string(test ? overlap_test_name(setting.overlap.test) : "") + "," +
-                (threshold ? Json(setting.overlap.threshold).dump() : std::string()) + "," +
-                std::string(descent_rule_name(setting.descent)) + "," +
-                std::string(has_growth(tuning.kind) ? ball_growth_name(setting.growth) : "") +
-                format(",%.6f,%.6f,%.6f,%.6f,%d,", row.n_v, row.n_p, row.operations, row.pairs,
-                       row.misses_pairs ? 1 : 0) +
-                (tuning.timed ? format("%.6f\n", row.ms) : std::string("\n"));
+        const TuneSetting& s = row.setting;
+        const bool threshold = has_tests(s) && has_threshold(s.overlap.test);
+        text += std::string(tuned_names[tuned(s, tuning.base().setting)]) + "," +
+                std::string(volume_kind_name(s.volume)) + "," +
+                std::string(split_method_name(s.split)) + "," +
+                std::string(has_tests(s) ? overlap_test_name(s.overlap.test) : "") + "," +
+                (threshold ? Json(s.overlap.threshold).dump() : std::string()) + "," +
+                std::string(descent_rule_name(s.descent)) + "," +
+                std::string(has_growth(s.volume) ? ball_growth_name(s.growth) : "") +
+                format(",%.6f,%.6f,%.6f,%.6f,%d,%.3f,", tuning.mean(row.counts.n_v),
+                       tuning.mean(row.counts.n_p), tuning.mean(row.counts.operations),
+                       tuning.mean(row.pairs), row.misses_pairs ? 1 : 0, row.bytes_per_triangle) +
+                (tuning.timed() ? format("%.3f,", row.build_ms) : std::string(",")) +
+                (row.ms ? format("%.6f,%.6f,%.6f\n", row.ms->median, row.ms->low, row.ms->high)
+                        : std::string(",,\n"));
     }
     return text;
 }
 
 render::TuneFigure tune_figure(const SceneTuning& tuning) {
-    const TuneRow& base = tuning.rows[0];
+    const TuneRow& base = tuning.base();
     render::TuneFigure figure;
-    figure.title = tuning.scene + " · " + of_volume(tuning, " · ") + "settings";
-    figure.subtitle = render::frames_text(tuning.frames) +
-                      ", base: " + setting_text(base.trial.setting, tuning.kind);
-    std::vector<std::pair<double, render::TuneCosts>> points;
-    for (std::size_t i = 0; i < tuning.rows.size(); ++i) {
-        const TuneRow& row = tuning.rows[i];
-        render::TuneCosts costs{
-            ratio(row.n_v, base.n_v, 1), ratio(row.operations, base.operations, 1), {}};
-        if (tuning.timed) costs.time = ratio(row.ms, base.ms, 1);
-        const TuneSetting& setting = row.trial.setting;
-        if (tuning.kind == VolumeKind::scb && setting.overlap.test == OverlapTest::corrected &&
-            setting.descent == base.trial.setting.descent &&
-            setting.growth == base.trial.setting.growth)
-            points.emplace_back(setting.overlap.threshold, costs);
-        if (row.trial.tuned == Tuned::threshold) continue;
-        figure.bars.push_back({bar_name(tuning, row), costs, row.misses_pairs,
-                               i == tuning.fewest_operations,
-                               tuning.timed && i == tuning.least_time});
-    }
-    std::sort(points.begin(), points.end(),
-              [](const auto& x, const auto& y) { return x.first < y.first; });
-    for (const auto& [threshold, costs] : points) {
-        figure.thresholds.push_back(threshold);
-        figure.over_threshold.push_back(costs);
-    }
+    figure.title = tuning.scene + " · settings";
+    figure.subtitle = render::frames_text(tuning.frames) + ", base: " + setting_text(base.setting);
+    const auto add = [&](std::size_t r) {
+        const TuneRow& row = tuning.rows[r];
+        render::TuneBar bar;
+        bar.name = r == 0 ? "base" : bar_name(row.setting);
+        bar.n_v = over(row.counts.n_v, base.counts.n_v);
+        bar.operations = over(row.counts.operations, base.counts.operations);
+        if (row.ms)
+            bar.time = {ratio(row.ms->low, base.ms->median, 1),
+                        ratio(row.ms->median, base.ms->median, 1),
+                        ratio(row.ms->high, base.ms->median, 1)};
+        bar.misses_pairs = row.misses_pairs;
+        bar.fewest_tests = r == tuning.best[0];
+        bar.fewest_operations = r == tuning.fewest_operations;
+        bar.least_time = tuning.timed() && r == tuning.least_time;
+        figure.bars.push_back(std::move(bar));
+    };
+    add(0);
+    const std::vector<std::size_t> listed = tuning.listed(most_bars);
+    for (const std::size_t r : tuning.best)
+        if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
+                       r == tuning.fewest_operations || (tuning.timed() && r == tuning.least_time)))
+            add(r);
     return figure;
 }
 

@@ -8,17 +8,25 @@
 
 namespace scb::app {
 
-/// One row per setting, in groups by what was changed, with means per frame and their ratio to the
-/// base's; below, the best settings.
+/// The options that ask for the setting, but for those that are as by default: " --volume scb2
+/// --split cost".
+std::string setting_options(const TuneSetting& setting);
+
+/// "scb2, split cost, descent area": what of it means anything to the volume.
+std::string setting_text(const TuneSetting& setting);
+
+/// The base, then at most so many of the best, one line each; then what is best, in sentences.
+std::string tune_rows_text(const SceneTuning& tuning, std::size_t most);
+
+/// As a table for a reader.
 std::string tune_table(const SceneTuning& tuning);
 
-/// The same as JSON; times only where they were measured.
 nlohmann::ordered_json tune_json(const SceneTuning& tuning);
 
-/// Lines "tuned,test,threshold,descent,growth,n_v,n_p,operations,pairs,ms" with a header; what
-/// means nothing to the volume or the test is empty, ms where nothing was timed.
+/// A line per setting.
 std::string tune_csv(const SceneTuning& tuning);
 
+/// The base and the best, without footnote and theme.
 render::TuneFigure tune_figure(const SceneTuning& tuning);
 
 }  // namespace scb::app

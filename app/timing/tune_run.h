@@ -11,14 +11,15 @@
 
 namespace scb::app {
 
-/// What one setting took: means per frame.
+/// What one setting took, over all frames.
 struct TuneRow {
-    TuneTrial trial;
-    double n_v = 0, n_p = 0;
-    double operations = 0;  ///< of the volume tests, see operation_count
-    double pairs = 0;
-    bool misses_pairs = false;  ///< has fewer in some frame than another setting has
-    double ms = 0;              ///< processor time of a query; NaN where nothing was timed
+    TuneSetting setting;
+    TuneCounts counts;
+    std::uint64_t pairs = 0;
+    bool misses_pairs = false;       ///< has fewer in some frame than another setting has
+    double bytes_per_triangle = 0;   ///< of the hierarchies of both bodies, topology included
+    double build_ms = 0;             ///< processor time of building these
+    std::optional<TimeInterval> ms;  ///< of a query, the mean over the timed frames; of some rows
 };
 
 /// The settings of one scene, the base first.
@@ -26,18 +27,33 @@ struct SceneTuning {
     std::string scene;
     std::vector<std::string> bodies;     ///< names of A and B
     std::vector<std::size_t> triangles;  ///< of A and B
-    std::vector<int> frames;
-    VolumeKind kind{};
-    BuildOptions build;  ///< but for the growth
+    std::vector<int> frames, timed_frames;
+    BuildOptions build;  ///< but for split and growth, which are tuned
     std::vector<TuneRow> rows;
-    bool timed = false;
-    std::size_t fewest_operations = 0, least_time = 0;  ///< rows; the latter where timed
+    std::vector<std::size_t> best;  ///< rows that find all pairs, by counts, the best first; of
+                                    ///< rows with equal counts only the first
+    std::size_t fewest_operations = 0;
+    std::size_t least_time = 0;  ///< see least_time_of; 0 where nothing is timed
+
+    double mean(std::uint64_t sum) const {
+        return static_cast<double>(sum) / static_cast<double>(frames.size());
+    }
+    const TuneRow& base() const { return rows[0]; }
+    /// So many of the best, the best first, without the base and without those that differ from a
+    /// better one in the growth of balls alone.
+    std::vector<std::size_t> listed(std::size_t most) const;
+    /// How many other rows have the counts of this one.
+    std::size_t equals(std::size_t row) const;
+    bool timed() const { return rows[0].ms.has_value(); }
+    /// The setting to use: that with the least time, or where nothing is timed with the fewest
+    /// tests. A row that misses pairs is never it.
+    std::size_t recommended() const { return timed() ? least_time : best[0]; }
 };
 
 struct TuneOptions {
-    TuneSetting base;  ///< overlap and growth as by default where they mean nothing to the kind
-    VolumeKind kind{};
-    BuildOptions build;  ///< but for the growth, which is tuned
+    TuneSetting base;  ///< overlap and growth as by default where they mean nothing to the volume
+    BuildOptions build;
+    bool every = false;  ///< all settings together, not just those of the volumes worth it
     int repeats = 0;     ///< of each timed query; 0: nothing is timed
 };
 
@@ -48,13 +64,14 @@ struct TuneProgress {
     std::function<bool()> step;
 };
 
-/// A setting must be that much quicker than the base to be called better: that much times differ
-/// from run to run.
-inline constexpr double least_time_gain = 0.02;
+/// So many settings with the fewest tests are timed, beside the base, the base with the other
+/// split, and the best of every volume and by operations.
+inline constexpr std::size_t most_timed = 8;
 
-/// Counts what tune_trials take, picks the best of each (by operations, and by time where that is
-/// another one; for that each is timed once) and then times all, so that all take turns at each
-/// frame. Nothing where it was ended.
+/// Counts what the settings take in the frames, all of them: those that change one thing or take
+/// another volume and split, then of the volumes that are worth it all that can be chosen. Then
+/// times some, which take turns at each frame, so many frames as keep the run short. Nothing where
+/// it was ended.
 std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress);

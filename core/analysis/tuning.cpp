@@ -2,100 +2,157 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+
+#include "core/base/statistics.h"
 
 namespace scb {
 namespace {
 
-// Adds the setting unless it is there.
-void add_once(std::vector<TuneTrial>& trials, const TuneSetting& setting, Tuned tuned) {
-    for (const TuneTrial& trial : trials)
-        if (trial.setting == setting) return;
-    trials.push_back({setting, tuned});
+constexpr bool is_ball(VolumeKind kind) {
+    return kind == VolumeKind::ball || kind == VolumeKind::ritter;
 }
 
-// The best of the trials in which nothing but one of these was changed.
-const TuneSetting& best_of(std::span<const TuneTrial> trials, std::span<const double> costs,
-                           double least_gain, std::initializer_list<Tuned> among) {
-    const bool chooses_test = std::find(among.begin(), among.end(), Tuned::test) != among.end();
-    std::vector<TuneTrial> chosen;
-    std::vector<double> their_costs;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        const bool is_among = std::find(among.begin(), among.end(), trials[i].tuned) != among.end();
-        if (!is_among && trials[i].tuned != Tuned::nothing) continue;
-        chosen.push_back(trials[i]);
-        // Where the test is the same for all, it is no reason to prefer one.
-        if (!chooses_test) chosen.back().setting.overlap.test = OverlapTest::symmetric;
-        their_costs.push_back(costs[i]);
-        places.push_back(i);
-    }
-    return trials[places[best_trial(chosen, their_costs, least_gain)]].setting;
+/// The larger of two balls is so by any measure.
+DescentRule effective_descent(const TuneSetting& s) {
+    return is_ball(s.volume) && s.descent != DescentRule::alternating ? DescentRule::radius
+                                                                      : s.descent;
+}
+
+bool same_overlap(const TuneSetting& x, const TuneSetting& y) {
+    if (x.volume != VolumeKind::scb || y.volume != VolumeKind::scb) return true;
+    return x.overlap.test == y.overlap.test &&
+           (!has_threshold(x.overlap.test) || x.overlap.threshold == y.overlap.threshold);
+}
+
+bool same_growth(const TuneSetting& x, const TuneSetting& y) {
+    return !has_growth(x.volume) || !has_growth(y.volume) || x.growth == y.growth;
+}
+
+void add_once(std::vector<TuneSetting>& trials, const TuneSetting& setting) {
+    if (std::find(trials.begin(), trials.end(), setting) == trials.end()) trials.push_back(setting);
 }
 
 }  // namespace
 
-bool operator==(const TuneSetting& x, const TuneSetting& y) {
-    return x.overlap.test == y.overlap.test &&
-           (!has_threshold(x.overlap.test) || x.overlap.threshold == y.overlap.threshold) &&
-           x.descent == y.descent && x.growth == y.growth;
+bool same_hierarchies(const TuneSetting& x, const TuneSetting& y) {
+    return x.volume == y.volume && x.split == y.split && same_growth(x, y);
 }
 
-std::vector<TuneTrial> tune_trials(const TuneSetting& base, VolumeKind kind) {
-    std::vector<TuneTrial> trials = {{base, Tuned::nothing}};
+bool operator==(const TuneSetting& x, const TuneSetting& y) {
+    return same_hierarchies(x, y) && same_overlap(x, y) &&
+           effective_descent(x) == effective_descent(y);
+}
+
+Tuned tuned(const TuneSetting& setting, const TuneSetting& base) {
+    Tuned found = Tuned::nothing;
+    const auto changed = [&](bool is, Tuned what) {
+        if (is) found = found == Tuned::nothing ? what : Tuned::several;
+    };
+    changed(setting.volume != base.volume, Tuned::volume);
+    changed(setting.split != base.split, Tuned::split);
+    if (!same_overlap(setting, base))
+        changed(true, has_threshold(setting.overlap.test) &&
+                              setting.overlap.threshold != base.overlap.threshold
+                          ? Tuned::threshold
+                          : Tuned::test);
+    changed(effective_descent(setting) != effective_descent(base) &&
+                !(is_ball(setting.volume) && setting.descent == base.descent),
+            Tuned::descent);
+    changed(!same_growth(setting, base), Tuned::growth);
+    return found;
+}
+
+std::vector<TuneSetting> first_trials(const TuneSetting& base) {
+    std::vector<TuneSetting> trials = {base};
+    for (const SplitMethod split : {SplitMethod::section_3, SplitMethod::cost})
+        for (const VolumeKind volume : all_volume_kinds()) {
+            TuneSetting setting = base;
+            setting.volume = volume;
+            setting.split = split;
+            add_once(trials, setting);
+        }
     TuneSetting setting = base;
-    if (kind == VolumeKind::scb) {
+    if (base.volume == VolumeKind::scb) {
         for (const OverlapTest test : all_overlap_tests()) {
             setting.overlap.test = test;
-            if (test != base.overlap.test) add_once(trials, setting, Tuned::test);
+            add_once(trials, setting);
         }
         setting.overlap.test = OverlapTest::corrected;
         for (int step = 2; step < 20; ++step) {
             setting.overlap.threshold = step / 20.0;
-            add_once(trials, setting, Tuned::threshold);
+            add_once(trials, setting);
         }
     }
     setting = base;
-    const auto by_size = [](DescentRule rule) { return rule != DescentRule::alternating; };
-    const bool is_ball = kind == VolumeKind::ball || kind == VolumeKind::ritter;
     for (const DescentRule rule : all_descent_rules()) {
-        // The larger of two balls is so by any measure.
-        if (is_ball && by_size(rule) && by_size(base.descent)) continue;
         setting.descent = rule;
-        add_once(trials, setting, Tuned::descent);
+        add_once(trials, setting);
     }
-    if (!has_growth(kind)) return trials;
     setting = base;
     for (const BallGrowth growth : {BallGrowth::ritter, BallGrowth::radius}) {
         setting.growth = growth;
-        add_once(trials, setting, Tuned::growth);
+        add_once(trials, setting);
     }
     return trials;
 }
 
-std::size_t best_trial(std::span<const TuneTrial> trials, std::span<const double> costs,
-                       double least_gain) {
-    assert(!trials.empty() && costs.size() == trials.size() && "every trial has a cost");
-    std::size_t best = 0;
-    bool found = is_sound(trials[0].setting.overlap.test);
-    for (std::size_t i = 1; i < trials.size(); ++i) {
-        if (!is_sound(trials[i].setting.overlap.test)) continue;
-        const bool gains = costs[i] < costs[0] * (1 - least_gain);
-        if (found && (costs[i] >= costs[best] || (best == 0 && !gains))) continue;
-        best = i;
-        found = true;
-    }
-    return best;
+std::vector<TuneSetting> refined_trials(const TuneSetting& base) {
+    std::vector<TuneSetting> trials;
+    for (const BallGrowth growth : {BallGrowth::ritter, BallGrowth::radius})
+        for (const OverlapTest test :
+             {OverlapTest::symmetric, OverlapTest::extents, OverlapTest::corrected})
+            for (const DescentRule rule : all_descent_rules()) {
+                TuneSetting setting = base;
+                setting.growth = growth;
+                setting.overlap.test = test;
+                setting.descent = rule;
+                add_once(trials, setting);
+            }
+    return trials;
 }
 
-std::optional<TuneTrial> best_together(std::span<const TuneTrial> trials,
-                                       std::span<const double> costs, double least_gain) {
-    TuneSetting setting;
-    setting.overlap = best_of(trials, costs, least_gain, {Tuned::test, Tuned::threshold}).overlap;
-    setting.descent = best_of(trials, costs, least_gain, {Tuned::descent}).descent;
-    setting.growth = best_of(trials, costs, least_gain, {Tuned::growth}).growth;
-    for (const TuneTrial& trial : trials)
-        if (trial.setting == setting) return std::nullopt;
-    return TuneTrial{setting, Tuned::several};
+std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
+                                           std::span<const TuneCounts> counts) {
+    assert(!trials.empty() && counts.size() == trials.size() && "every trial has counts");
+    std::vector<std::size_t> grid;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        TuneSetting as_base = trials[0];
+        as_base.volume = trials[i].volume;
+        as_base.split = trials[i].split;
+        if (trials[i] == as_base) grid.push_back(i);
+    }
+    const auto least = [&](std::uint64_t TuneCounts::*count) {
+        std::uint64_t fewest = counts[0].*count;
+        for (const std::size_t i : grid) fewest = std::min(fewest, counts[i].*count);
+        return worth_refining * static_cast<double>(fewest);
+    };
+    const double most_n_v = least(&TuneCounts::n_v),
+                 most_operations = least(&TuneCounts::operations);
+    std::erase_if(grid, [&](std::size_t i) {
+        return static_cast<double>(counts[i].n_v) > most_n_v &&
+               static_cast<double>(counts[i].operations) > most_operations;
+    });
+    return grid;
+}
+
+std::vector<std::size_t> best_first(std::span<const TuneCounts> counts) {
+    std::vector<std::size_t> places(counts.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::stable_sort(places.begin(), places.end(),
+                     [&](std::size_t x, std::size_t y) { return counts[x] < counts[y]; });
+    return places;
+}
+
+TimeInterval time_interval(std::vector<double> runs) {
+    assert(!runs.empty() && "a time that was measured");
+    const auto [low, high] = std::minmax_element(runs.begin(), runs.end());
+    const TimeInterval interval{*low, 0, *high};
+    return {interval.low, median(std::move(runs)), interval.high};
+}
+
+bool apart(const TimeInterval& x, const TimeInterval& y) {
+    return x.high < y.low || y.high < x.low;
 }
 
 }  // namespace scb

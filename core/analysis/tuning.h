@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,49 +12,74 @@
 
 namespace scb {
 
-/// One way to make queries.
+/// One way to build the hierarchies of two bodies and to query them.
 struct TuneSetting {
+    VolumeKind volume = VolumeKind::scb;
+    SplitMethod split = SplitMethod::section_3;
     OverlapOptions overlap;
     DescentRule descent = DescentRule::radius;
     BallGrowth growth = BallGrowth::ritter;
 };
 
-/// Whether the two make the same queries: a threshold counts only where the test has one.
+/// Whether the two make the same queries: what has no effect on their volumes does not count, such
+/// as a threshold of a test that has none.
 bool operator==(const TuneSetting& x, const TuneSetting& y);
 
-/// What was changed of the setting that all others are compared with.
+/// Whether both are queries of the same hierarchies.
+bool same_hierarchies(const TuneSetting& x, const TuneSetting& y);
+
+/// What a setting changes of the base, with which all are compared.
 enum class Tuned {
     nothing,
+    volume,
+    split,
     test,
     threshold,  ///< the paper's a, of the test `corrected`
     descent,
     growth,
-    several,  ///< the best of each together
+    several,
 };
 
-inline constexpr EnumNames<Tuned, 6> tuned_names = {"base",    "test",   "threshold",
-                                                    "descent", "growth", "best"};
+inline constexpr EnumNames<Tuned, 8> tuned_names = {"base",      "volume",  "split",  "test",
+                                                    "threshold", "descent", "growth", "several"};
 
-struct TuneTrial {
-    TuneSetting setting;
-    Tuned tuned = Tuned::nothing;
+Tuned tuned(const TuneSetting& setting, const TuneSetting& base);
+
+/// What queries took: exact, and the same on every machine.
+struct TuneCounts {
+    std::uint64_t n_v = 0, n_p = 0;
+    std::uint64_t operations = 0;  ///< of the volume tests, see operation_count
+
+    /// By n_v first, then by n_p, then by operations.
+    friend auto operator<=>(const TuneCounts&, const TuneCounts&) = default;
 };
 
-/// The base, then all settings that differ from it in one thing: the other overlap tests, the
-/// threshold of `corrected` from 0.1 to 0.95 in steps of 0.05, the other descent rules, the other
-/// growth rule. Each once, and of these what has an effect on such volumes.
-std::vector<TuneTrial> tune_trials(const TuneSetting& base, VolumeKind kind = VolumeKind::scb);
+/// The base first; then every volume with every split, and what differs from the base in one other
+/// thing: the other overlap tests, the threshold of `corrected` from 0.1 to 0.95 in steps of 0.05,
+/// the other descent rules, the other growth rule. Each once.
+std::vector<TuneSetting> first_trials(const TuneSetting& base);
 
-/// The trial with the least cost of those with a sound test; of equal ones the first; the first of
-/// all where none is sound. `costs` are
-/// of the trials, in their order. The first trial stays unless another saves more than
-/// `least_gain` of its cost, as a share.
-std::size_t best_trial(std::span<const TuneTrial> trials, std::span<const double> costs,
-                       double least_gain);
+/// Every descent rule and growth rule with the volume and the split of `setting`; and, for slab cut
+/// balls, each with the tests `symmetric`, `extents` and `corrected`. Each once.
+std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
-/// The best overlap test (with its threshold), the best descent rule and the best growth rule of
-/// the trials together, each chosen as best_trial does; where that is none of the trials.
-std::optional<TuneTrial> best_together(std::span<const TuneTrial> trials,
-                                       std::span<const double> costs, double least_gain);
+/// Those of the first trials whose volume and split are worth being refined: with the test, descent
+/// and growth of the base, they take at most so many times the least N_v, or the least operations,
+/// of all that have these. By their first places.
+inline constexpr double worth_refining = 1.3;
+std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
+                                           std::span<const TuneCounts> counts);
+
+/// The places of the settings, the one with the least counts first; of equal ones the first.
+std::vector<std::size_t> best_first(std::span<const TuneCounts> counts);
+
+/// A time that was measured several times.
+struct TimeInterval {
+    double low = 0, median = 0, high = 0;  ///< the least, the middle and the greatest
+};
+TimeInterval time_interval(std::vector<double> runs);
+
+/// Whether no run of one took as long as a run of the other.
+bool apart(const TimeInterval& x, const TimeInterval& y);
 
 }  // namespace scb

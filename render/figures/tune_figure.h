@@ -9,33 +9,28 @@
 
 namespace scb::render {
 
-/// What a setting took, as a multiple of what the base did.
-struct TuneCosts {
-    double n_v = 1, operations = 1;
-    std::optional<double> time;  ///< nothing where nothing was timed
-};
-
-/// A setting, as a bar.
+/// A setting, as a bar: what it took, as a multiple of what the base did.
 struct TuneBar {
-    std::string name;  ///< such as "descent area"
-    TuneCosts costs;
+    std::string name;  ///< such as "scb2, split cost, descent area"
+    double n_v = 1, operations = 1;
+    struct Times {
+        double least = 1, median = 1, most = 1;
+    };
+    std::optional<Times> time;  ///< nothing where it was not timed
     bool misses_pairs = false;
-    bool fewest_operations = false, least_time = false;  ///< of all settings
+    bool fewest_tests = false, fewest_operations = false, least_time = false;  ///< of all settings
 };
 
-/// What settings cost in a scene, the base being 1: lines over the threshold a of the test
-/// `corrected`, where there are any, and a bar for every other setting: operations, and time where
-/// that was measured.
+/// What settings cost in a scene, the base being 1: volume tests, and beside them the time of those
+/// that were timed, or where there is none the operations of the tests.
 struct TuneFigure {
     std::string title, subtitle;
-    std::vector<double> thresholds;         ///< ascending
-    std::vector<TuneCosts> over_threshold;  ///< one for each
-    std::vector<TuneBar> bars;              ///< top down, the base among them
-    std::string footnote;                   ///< small, wrapped; left out where there is no room
+    std::vector<TuneBar> bars;  ///< top down, the base among them
+    std::string footnote;       ///< small, wrapped; left out where there is no room
     const Theme* theme = &light_theme;
 };
 
-/// Composes the figure; all is in the overlay. The bars lie right of the lines, or below them where
+/// Composes the figure; all is in the overlay. Time lies right of the tests, or below them where
 /// the picture is taller than wide.
 Picture compose(const TuneFigure& figure, int width, int height, Overlay& overlay);
 

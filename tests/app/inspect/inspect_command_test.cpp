@@ -56,6 +56,56 @@ TEST(InspectCommand, AddsUpToWhatCollideCounts) {
     }
 }
 
+TEST(InspectCommand, NamesTheSettingThatWouldHaveHelpedMost) {
+    const std::string asked = "long-triangles --frames 0,120";
+    const json found = inspect(asked), settings = found["settings"]["settings"];
+    EXPECT_EQ(found["settings"]["frames"], json({0, 120}));
+    const json best = settings[found["settings"]["best"]["tests"].get<std::size_t>()];
+    for (const json& setting : settings)
+        if (!setting["misses_pairs"]) {
+            EXPECT_LE(best["n_v"], setting["n_v"]);
+        }
+    EXPECT_EQ(settings[0]["n_v"].get<double>() * 2, found["sum"]["n_v"].get<double>());
+    const std::string command = found["settings"]["command"];
+    EXPECT_NE(command.find("scb collide long-triangles --frames 0,120 --volume "),
+              std::string::npos)
+        << command;
+    const json mean = json::parse(run_scb(command.substr(4) + " --json").out)["mean"];
+    EXPECT_EQ(mean["n_v"], best["n_v"]);
+    // The text says it first, and ends with the command.
+    const std::string text = run_scb("inspect " + asked).out;
+    EXPECT_NE(text.find("takes the fewest volume tests: it saves"), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("To use it: " + command + "\n")) << text;
+    EXPECT_NE(text.find(" are slender"), std::string::npos) << text;
+}
+
+TEST(InspectCommand, HasNoSettingsOfPartsOfQueries) {
+    for (const char* options : {"--max-pairs 5", "--levels 6"})
+        EXPECT_FALSE(
+            inspect("spheres-l1 --frames 100 " + std::string(options)).contains("settings"))
+            << options;
+}
+
+TEST(InspectCommand, NamesTheSceneOfATraceInItsCommand) {
+    const TemporaryFolder folder;
+    const std::string trace = folder / "cone.scbtrace";
+    ASSERT_EQ(run_scb("trace cone --frames 80 -o " + trace).status, 0);
+    const std::string command = inspect(trace)["settings"]["command"];
+    EXPECT_TRUE(command.starts_with("scb collide cone")) << command;
+    const std::string mesh = folder / "level.ply";
+    ASSERT_EQ(run_scb("export spheres-l1 --levels 3 -o " + mesh).status, 0);
+    ASSERT_EQ(
+        run_scb("trace " + mesh + " " + mesh + " --pose=1,0,0,0.25,0,1,0,0,0,0,1,0 -o " + trace)
+            .status,
+        0);
+    const json found = inspect(trace);
+    const std::string with_pose = found["settings"]["command"];
+    EXPECT_NE(with_pose.find("--pose=1,0,0,0.25,0,1,0,0,0,0,1,0"), std::string::npos) << with_pose;
+    EXPECT_EQ(json::parse(run_scb(with_pose.substr(4) + " --json").out)["mean"]["n_v"],
+              found["settings"]["settings"][found["settings"]["best"]["tests"].get<std::size_t>()]
+                   ["n_v"]);
+}
+
 TEST(InspectCommand, SaysTheSameOfATrace) {
     const TemporaryFolder folder;
     const std::string trace = folder / "t.scbtrace";
@@ -174,7 +224,10 @@ TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
 
     // Its commands work as they stand.
     std::vector<std::string> commands = all_between(html, "<code>", "</code>");
-    ASSERT_EQ(commands.size(), 5u);
+    ASSERT_EQ(commands.size(), 6u);
+    EXPECT_EQ(commands.front(), found["settings"]["command"]);
+    EXPECT_EQ(run_scb(commands.front().substr(4)).status, 0);
+    commands.erase(commands.begin());
     EXPECT_EQ(commands.back(),
               "scb inspect spheres-l1 --test corrected --frames 60,100 --top 2 "
               "--size 640x360 -o DIR");

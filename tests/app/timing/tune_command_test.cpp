@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
@@ -19,28 +20,32 @@ json tune(const std::string& arguments) {
 
 /// What `scb collide` is to be asked for the same.
 std::string options_of(const json& setting) {
-    std::string options = " --test " + setting["test"].get<std::string>() + " --descent " +
-                          setting["descent"].get<std::string>() + " --growth " +
-                          setting["growth"].get<std::string>();
-    if (setting.contains("threshold")) options += " --threshold " + setting["threshold"].dump();
+    std::string options;
+    for (const char* option : {"volume", "split", "test", "threshold", "descent", "growth"})
+        if (setting.contains(option))
+            options += " --" + std::string(option) + " " +
+                       (setting[option].is_string() ? setting[option].get<std::string>()
+                                                    : setting[option].dump());
     return options;
 }
 
 TEST(TuneCommand, HasTheCountsOfCollide) {
-    const json found = tune("spheres-l1 --frames 60,250 --no-time");
-    ASSERT_GE(found["settings"].size(), 27u);
-    EXPECT_EQ(found["frames"], json({60, 250}));
+    const json found = tune("cone --frames 60,100 --no-time");
+    ASSERT_GE(found["settings"].size(), 40u);
+    EXPECT_EQ(found["frames"], json({60, 100}));
+    std::set<std::string> volumes;
     std::size_t missing = 0;
     for (const json& setting : found["settings"]) {
-        const std::string arguments = "collide spheres-l1 --json --frames 60,250";
+        const std::string arguments = "collide cone --json --frames 60,100";
         const json mean = json::parse(run_scb(arguments + options_of(setting)).out)["mean"];
         for (const char* count : {"n_v", "n_p", "pairs"})
             EXPECT_EQ(setting[count], mean[count]) << options_of(setting) << " " << count;
-        EXPECT_FALSE(setting.contains("ms"));
-        EXPECT_EQ(setting["misses_pairs"], setting["test"] == "printed");
+        EXPECT_FALSE(setting.contains("ms") || setting.contains("build_ms"));
+        volumes.insert(setting["volume"].get<std::string>() + setting["split"].get<std::string>());
         missing += setting["misses_pairs"].get<bool>();
     }
-    EXPECT_EQ(missing, 1u);
+    EXPECT_EQ(volumes.size(), 10u);
+    EXPECT_LE(missing, 1u);
 }
 
 TEST(TuneCommand, HasTheOperationsOfInspect) {
@@ -49,50 +54,81 @@ TEST(TuneCommand, HasTheOperationsOfInspect) {
     EXPECT_EQ(found["settings"][0]["operations"], work["operations"]);
 }
 
-TEST(TuneCommand, TheBestHasTheFewestOperations) {
-    const json found = tune("spheres-l1 --frames 60,250 --no-time");
-    const std::size_t best = found["best"]["operations"];
-    EXPECT_FALSE(found["best"].contains("time"));
+/// The least N_v and operations of the settings that find all pairs.
+json least_of(const json& found, const char* count) {
+    json least;
     for (const json& setting : found["settings"])
-        if (setting["test"] != "printed") {
-            EXPECT_LE(found["settings"][best]["operations"], setting["operations"]);
-        }
-    EXPECT_EQ(found["settings"].front()["tuned"], "base");
-    EXPECT_EQ(found["settings"].back()["tuned"], "best");
+        if (!setting["misses_pairs"] && setting.value("test", "") != "printed" &&
+            (least.is_null() || setting[count] < least))
+            least = setting[count];
+    return least;
+}
+
+TEST(TuneCommand, TheBestHasTheFewestTestsOrOperations) {
+    const json found = tune("spheres-l1 --frames 60,250 --no-time");
+    const json &settings = found["settings"], &best = found["best"];
+    EXPECT_FALSE(best.contains("time"));
+    EXPECT_EQ(settings[best["tests"].get<std::size_t>()]["n_v"], least_of(found, "n_v"));
+    EXPECT_EQ(settings[best["operations"].get<std::size_t>()]["operations"],
+              least_of(found, "operations"));
+    EXPECT_EQ(settings.front()["tuned"], "base");
+    EXPECT_EQ(found["best_first"][0], best["tests"]);
+    json last = 0;
+    for (const std::size_t place : found["best_first"]) {
+        EXPECT_GE(settings[place]["n_v"], last);
+        last = settings[place]["n_v"];
+    }
+}
+
+TEST(TuneCommand, WhatIsLeftOutIsNotBetter) {
+    for (const char* scene :
+         {"cone --frames 60:120:20", "soup --frames 60", "long-triangles --frames 120"}) {
+        const std::string asked = std::string(scene) + " --no-time";
+        const json some = tune(asked), every = tune(asked + " --every");
+        EXPECT_GT(every["settings"].size(), some["settings"].size()) << scene;
+        EXPECT_LE(least_of(some, "n_v").get<double>(), 1.1 * least_of(every, "n_v").get<double>())
+            << scene;
+    }
+}
+
+TEST(TuneCommand, NamesTheCommandThatUsesTheBest) {
+    const std::string text = run_scb("tune cone --frames 80 --no-time").out;
+    const std::string words = "To use it: scb ";
+    const std::size_t at = text.find(words);
+    ASSERT_NE(at, std::string::npos) << text;
+    const std::string command = text.substr(at + words.size());
+    const json found = tune("cone --frames 80 --no-time");
+    const json mean =
+        json::parse(run_scb(command.substr(0, command.find('\n')) + " --json").out)["mean"];
+    EXPECT_EQ(mean["n_v"], least_of(found, "n_v"));
 }
 
 TEST(TuneCommand, TheBaseIsWhatWasAsked) {
     const json found = tune(
         "cone --frames 80 --no-time --test line8 --threshold 0.33 --descent area --growth radius "
-        "--margin 0.01");
+        "--split cost --margin 0.01");
     const json base = found["settings"][0];
     EXPECT_EQ(base["test"], "line8");
     EXPECT_EQ(base["threshold"], 0.33);
     EXPECT_EQ(base["descent"], "area");
     EXPECT_EQ(base["growth"], "radius");
+    EXPECT_EQ(base["split"], "cost");
     const json mean = json::parse(
         run_scb("collide cone --frames 80 --json --margin 0.01" + options_of(base)).out)["mean"];
     EXPECT_EQ(base["n_v"], mean["n_v"]);
 }
 
-TEST(TuneCommand, TakesEveryVolume) {
+TEST(TuneCommand, TakesEveryVolumeAsItsBase) {
     const TemporaryFolder folder;
     for (const char* volume : {"scb2", "ball", "ritter", "obb"}) {
         const std::string asked = " --frames 80 --margin 0.1 --volume " + std::string(volume);
         const json found = tune("cone --no-time --size 640x480 -o " + folder.path.string() + asked);
         EXPECT_EQ(found["volume"], volume);
-        ASSERT_GE(found["settings"].size(), 2u);
-        for (const json& setting : found["settings"]) {
-            EXPECT_FALSE(setting.contains("test"));
-            const std::string growth = setting.contains("growth")
-                                           ? " --growth " + setting["growth"].get<std::string>()
-                                           : "";
-            const ProgramRun run = run_scb("collide cone --json" + asked + growth + " --descent " +
-                                           setting["descent"].get<std::string>());
-            const json mean = json::parse(run.out)["mean"];
-            for (const char* count : {"n_v", "n_p", "pairs"})
-                EXPECT_EQ(setting[count], mean[count]) << volume << setting;
-        }
+        const json base = found["settings"][0];
+        EXPECT_EQ(base["volume"], volume);
+        EXPECT_FALSE(base.contains("test"));
+        const json mean = json::parse(run_scb("collide cone --json" + asked).out)["mean"];
+        for (const char* count : {"n_v", "n_p", "pairs"}) EXPECT_EQ(base[count], mean[count]);
         EXPECT_EQ(lines_of(file_text(folder.path / "tune.csv")), 1 + found["settings"].size());
     }
     const ProgramRun run = run_scb("tune cone --frames 80 --no-time --volume scb2 --threshold 0.3");
@@ -112,20 +148,30 @@ TEST(TuneCommand, WithoutTimesIsTheSameEachTime) {
         EXPECT_EQ(file_text(folder.path / "a" / file), file_text(folder.path / "b" / file)) << file;
 }
 
-TEST(TuneCommand, TimesEverySettingAndWritesFiles) {
+TEST(TuneCommand, TimesTheBestSettingsAndWritesFiles) {
     const TemporaryFolder folder;
     const std::string out = folder / "out";
     const json found = tune("cone --frames 60,80 --repeat 1 --size 640x480 -o " + out);
-    for (const json& setting : found["settings"]) EXPECT_GT(setting["ms"], 0);
-    EXPECT_LT(found["best"]["time"], found["settings"].size());
+    std::size_t timed = 0;
+    for (const json& setting : found["settings"]) {
+        EXPECT_GT(setting["build_ms"], 0);
+        if (!setting.contains("ms")) continue;
+        ++timed;
+        EXPECT_GT(setting["ms_least"], 0);
+        EXPECT_LE(setting["ms_least"], setting["ms"]);
+        EXPECT_LE(setting["ms"], setting["ms_most"]);
+    }
+    EXPECT_GE(timed, 5u);
+    EXPECT_TRUE(found["settings"][0].contains("ms"));
+    EXPECT_TRUE(found["settings"][found["best"]["time"].get<std::size_t>()].contains("ms"));
     EXPECT_EQ(json::parse(file_text(fs::path(out) / "tune.json")), found);
     EXPECT_EQ(lines_of(file_text(fs::path(out) / "tune.csv")), 1 + found["settings"].size());
     const render::Image picture = render::read_png(fs::path(out) / "cone_tune.png");
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
     const std::string table = run_scb("tune cone --frames 60 --repeat 1").out;
-    for (const char* part : {"Fewest operations: ", "Least time: ", "descent alternating",
-                             "corrected a=0.95", "growth radius"})
+    for (const char* part :
+         {"Fewest volume tests: ", "Fewest operations: ", "Least time: ", "To use it: "})
         EXPECT_NE(table.find(part), std::string::npos) << part;
 }
 

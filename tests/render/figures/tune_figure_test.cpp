@@ -12,15 +12,16 @@ TuneFigure example(bool timed) {
     figure.title = "scene · settings";
     figure.subtitle = "50 frames, 0 to 490, base: symmetric, descent radius, growth ritter";
     figure.footnote = std::string(300, 'W') + " " + std::string(50, 'W');
-    for (int i = 2; i < 20; ++i) {
-        figure.thresholds.push_back(i / 20.0);
-        TuneCosts costs{1 + 0.01 * i * i, 0.9 + 0.02 * i, {}};
-        if (timed) costs.time = 1.1 + 0.01 * i;
-        figure.over_threshold.push_back(costs);
-    }
     for (int i = 0; i < 12; ++i) {
-        TuneBar bar{"setting " + std::to_string(i), {1, 1 + 0.05 * i, {}}, i == 1, i == 0, i == 2};
-        if (timed) bar.costs.time = 1.5 - 0.1 * i;
+        TuneBar bar;
+        bar.name = "setting " + std::to_string(i);
+        bar.n_v = 1 + 0.01 * i * i;
+        bar.operations = 1 + 0.05 * i;
+        bar.fewest_tests = i == 0;
+        bar.fewest_operations = i == 0;
+        bar.least_time = i == 2;
+        bar.misses_pairs = i == 1;
+        if (timed) bar.time = {1.4 - 0.1 * i, 1.5 - 0.1 * i, 1.6 - 0.1 * i};
         figure.bars.push_back(bar);
     }
     return figure;
@@ -61,7 +62,13 @@ TEST(TuneFigure, ShowsEveryBarAndThePlaceOfTheBest) {
             EXPECT_NE(drawn(drawing, other, width, height), image) << i;
         }
         TuneFigure other = figure;
-        other.bars[0].fewest_operations = false;
+        other.bars[0].fewest_tests = false;
+        EXPECT_NE(drawn(drawing, other, width, height), image);
+        other = figure;
+        other.bars[2].least_time = false;
+        EXPECT_NE(drawn(drawing, other, width, height), image);
+        other = figure;
+        other.bars[3].time->most += 1;
         EXPECT_NE(drawn(drawing, other, width, height), image);
         other = figure;
         other.bars[1].misses_pairs = false;
