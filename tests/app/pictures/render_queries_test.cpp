@@ -51,7 +51,7 @@ TEST_F(RenderQueries, AreTheSameBytesFromATrace) {
           std::string("knots-l1 --volume obb --level 5 --frames 3,4"),
           mesh + " " + mesh + " --pose 1,0,0,0.25,0,1,0,0.125,0,0,1,0 --frames 0"}) {
         ASSERT_EQ(run_scb("trace " + scene + " -o " + trace_file).status, 0);
-        for (const char* command : {"pairs ", "pairs --heat volumes ", "rejections "}) {
+        for (const char* command : {"pairs ", "pairs --heat volumes ", "pairs --heat wasted ", "rejections "}) {
             const json live = index_of(command + scene + " --ids");
             const auto bytes_of = [&](const json& index) {
                 std::vector<std::string> bytes;
@@ -227,7 +227,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
     refused("pairs spheres-l1 --pick 12", "this is not a pixel");
     refused("pairs spheres-l1 --pick 1,x", "is not a whole number");
-    refused("pairs spheres-l1 --heat tests", "--heat tests: give volumes or triangles");
+    refused("pairs spheres-l1 --heat tests", "--heat tests: give volumes, triangles or wasted");
     refused("pairs spheres-l1 --heat-end 100", "and --heat");
     refused("pairs spheres-l1 --heat volumes --heat-end 1", "give at least 2");
     refused("rejections spheres-l1 --depth 0:99", "levels 0 to");
