@@ -51,7 +51,8 @@ TEST_F(RenderQueries, AreTheSameBytesFromATrace) {
           std::string("knots-l1 --volume obb --level 5 --frames 3,4"),
           mesh + " " + mesh + " --pose 1,0,0,0.25,0,1,0,0.125,0,0,1,0 --frames 0"}) {
         ASSERT_EQ(run_scb("trace " + scene + " -o " + trace_file).status, 0);
-        for (const char* command : {"pairs ", "pairs --heat volumes ", "pairs --heat wasted ", "rejections "}) {
+        for (const char* command :
+             {"pairs ", "pairs --heat volumes ", "pairs --heat wasted ", "rejections "}) {
             const json live = index_of(command + scene + " --ids");
             const auto bytes_of = [&](const json& index) {
                 std::vector<std::string> bytes;
