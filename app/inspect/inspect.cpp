@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -135,11 +133,10 @@ constexpr double usual_settings = 50;
 std::vector<int> setting_frames(const InspectReport& report, const std::vector<int>& frames) {
     const Work& all = report.sum.counts.all;
     const auto tests = static_cast<double>(all.volume_tests + all.triangle_tests);
-    const auto count = static_cast<double>(frames.size());
-    const auto step = static_cast<std::size_t>(
-        std::ceil(std::clamp(usual_settings * tests / most_setting_tests, 1.0, count)));
     std::vector<int> chosen;
-    for (std::size_t i = 0; i < frames.size(); i += step) chosen.push_back(frames[i]);
+    for (const std::size_t i :
+         affordable_frames(frames.size(), usual_settings * tests, most_setting_tests))
+        chosen.push_back(frames[i]);
     return chosen;
 }
 

@@ -133,13 +133,14 @@ std::string best_setting(const InspectReport& report) {
     const TuneRow &best = tuning.rows[tuning.best[0]], &base = tuning.base();
     const std::string counted = "Of " + std::to_string(tuning.rows.size()) + " settings, ";
     if (tuning.best[0] == 0) return counted + "none takes fewer volume tests than this one.";
-    std::string text = counted + setting_text(best.setting) +
-                       " takes the fewest volume tests: it " +
-                       change(base.counts.n_v, best.counts.n_v, "saves", "takes") + " of these";
-    if (base.counts.n_p > 0)
-        text += ", and " + change(base.counts.n_p, best.counts.n_p, "saves", "makes") +
-                (best.counts.n_p <= base.counts.n_p ? " of the triangle tests"
-                                                    : " more triangle tests");
+    std::string text =
+        counted + setting_text(best.setting) + " takes the fewest volume tests: it " +
+        change(base.counts.volume_tests, best.counts.volume_tests, "saves", "takes") + " of these";
+    if (base.counts.triangle_tests > 0)
+        text += ", and " +
+                change(base.counts.triangle_tests, best.counts.triangle_tests, "saves", "makes") +
+                (best.counts.triangle_tests <= base.counts.triangle_tests ? " of the triangle tests"
+                                                                          : " more triangle tests");
     return text + ".";
 }
 

@@ -89,6 +89,16 @@ data reason_rows(const PassCounts& counts) {
     return rows;
 }
 
+/// What a query takes, and how much that is more or less than before.
+void set_changes(data& row, const Work& from, const Work& to) {
+    row["n_v"] = render::count_text(to.volume_tests);
+    row["n_v_change"] = render::change_text(from.volume_tests, to.volume_tests);
+    row["n_p"] = render::count_text(to.triangle_tests);
+    row["n_p_change"] = render::change_text(from.triangle_tests, to.triangle_tests);
+    row["operations"] = render::count_text(to.operations);
+    row["operations_change"] = render::change_text(from.operations, to.operations);
+}
+
 data other_rows(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
     data rows(data::type::list);
@@ -96,30 +106,19 @@ data other_rows(const InspectReport& report) {
         data row;
         row["test"] = overlap_title(other.overlap);
         row["caught"] = render::count_text(other.caught);
-        row["n_v"] = render::count_text(other.all.volume_tests);
-        row["n_v_change"] = render::change_text(all.volume_tests, other.all.volume_tests);
-        row["n_p"] = render::count_text(other.all.triangle_tests);
-        row["n_p_change"] = render::change_text(all.triangle_tests, other.all.triangle_tests);
-        row["operations"] = render::count_text(other.all.operations);
-        row["operations_change"] = render::change_text(all.operations, other.all.operations);
+        set_changes(row, all, other.all);
         rows << row;
     }
     return rows;
 }
 
 data setting_rows(const SceneTuning& tuning) {
-    const TuneCounts& base = tuning.base().counts;
     data rows(data::type::list);
     const auto add = [&](std::size_t r) {
         const TuneRow& found = tuning.rows[r];
         data row;
         row["setting"] = (r == 0 ? "as it was: " : "") + setting_text(found.setting);
-        row["n_v"] = render::count_text(found.counts.n_v);
-        row["n_v_change"] = render::change_text(base.n_v, found.counts.n_v);
-        row["n_p"] = render::count_text(found.counts.n_p);
-        row["n_p_change"] = render::change_text(base.n_p, found.counts.n_p);
-        row["operations"] = render::count_text(found.counts.operations);
-        row["operations_change"] = render::change_text(base.operations, found.counts.operations);
+        set_changes(row, tuning.base().counts, found.counts);
         row["bytes"] = format("%.0f", found.bytes_per_triangle);
         row["ms"] = found.ms ? format("%.4f (%.4f to %.4f)", found.ms->median, found.ms->low,
                                       found.ms->high)

@@ -58,7 +58,7 @@ std::vector<PackedLayout> packed_layouts(const StatsOptions& options) {
 struct Measured {
     std::string mesh;
     std::vector<std::string> bodies;
-    std::size_t triangles = 0, points = 0, nodes = 0, bytes_per_node = 0;
+    std::size_t triangles = 0, points = 0, nodes = 0, bytes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
     BuildOptions build;
     MeshFacts facts;
@@ -66,11 +66,9 @@ struct Measured {
     double topology_ms = 0, fit_ms = 0;
     std::vector<Packed> packed;  ///< of slab cut balls
 
-    double per_triangle(std::size_t bytes) const {
-        return static_cast<double>(bytes) / static_cast<double>(triangles);
+    double per_triangle(std::size_t amount) const {
+        return static_cast<double>(amount) / static_cast<double>(triangles);
     }
-    /// Of the reference: its nodes, their volumes, and the order of the triangles.
-    std::size_t bytes() const { return nodes * bytes_per_node + 4 * triangles; }
 };
 
 void add_packed(Measured& measured, const AnyHierarchy& hierarchy, const Mesh& mesh,
@@ -120,6 +118,7 @@ std::vector<Measured> measure(const StatsOptions& options) {
             measured.triangles = mesh.triangles.size();
             measured.points = points.points.size();
             measured.nodes = topology->nodes.size();
+            measured.bytes = bytes_of(hierarchy);
             measured.bytes_per_node = sizeof(TopologyNode) + bytes_per_volume(hierarchy);
             measured.kind = kind;
             measured.build = build;
@@ -206,7 +205,7 @@ std::string table(const Measured& m) {
     for (const LevelStatistics& l : m.levels)
         for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
     text += format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ",
-                   m.levels.size() - 1, m.nodes, m.bytes_per_node, m.per_triangle(m.bytes())) +
+                   m.levels.size() - 1, m.nodes, m.bytes_per_node, m.per_triangle(m.bytes)) +
             rules_text(total) +
             format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
                    m.topology_ms, m.fit_ms);
@@ -279,7 +278,7 @@ Json json_of(const Measured& m) {
                    {"nodes", m.nodes},
                    {"depth", m.levels.size() - 1},
                    {"bytes_per_node", m.bytes_per_node},
-                   {"bytes_per_triangle", m.per_triangle(m.bytes())},
+                   {"bytes_per_triangle", m.per_triangle(m.bytes)},
                    {"levels", levels},
                    {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
     if (can_pack(m.kind)) result["packed"] = std::move(packed);

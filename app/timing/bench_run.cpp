@@ -88,9 +88,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
         std::size_t bytes = 0;
         for (const std::size_t m : {mesh_a, mesh_b}) {
             if (!subject.layout) {
-                const std::size_t nodes = topology_of(h[m]).nodes.size();
-                bytes += nodes * (sizeof(TopologyNode) + bytes_per_volume(h[m])) +
-                         4 * scene.meshes[m].mesh.triangles.size();
+                bytes += bytes_of(h[m]);
                 continue;
             }
             packed[s].push_back(pack_any(*subject.layout, h[m], scene.meshes[m].mesh,

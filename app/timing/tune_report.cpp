@@ -37,9 +37,12 @@ std::string table_row(const SceneTuning& tuning, std::size_t r) {
     const TuneRow &row = tuning.rows[r], &base = tuning.base();
     std::string line =
         setting_columns(row.setting) +
-        format(" %11.1f %6.3f %10.1f %6.3f %13.1f %6.3f %7.0f", tuning.mean(row.counts.n_v),
-               over(row.counts.n_v, base.counts.n_v), tuning.mean(row.counts.n_p),
-               over(row.counts.n_p, base.counts.n_p), tuning.mean(row.counts.operations),
+        format(" %11.1f %6.3f %10.1f %6.3f %13.1f %6.3f %7.0f",
+               tuning.mean(row.counts.volume_tests),
+               over(row.counts.volume_tests, base.counts.volume_tests),
+               tuning.mean(row.counts.triangle_tests),
+               over(row.counts.triangle_tests, base.counts.triangle_tests),
+               tuning.mean(row.counts.operations),
                over(row.counts.operations, base.counts.operations), row.bytes_per_triangle);
     if (tuning.timed()) line += format(" %9.1f", row.build_ms);
     if (row.ms) line += format("  %8.4f [%.4f, %.4f]", row.ms->median, row.ms->low, row.ms->high);
@@ -132,7 +135,8 @@ std::string tune_rows_text(const SceneTuning& tuning, std::size_t most) {
             text += table_row(tuning, r);
     return text + "\n" +
            best_line(tuning, "Fewest volume tests", tuning.best[0],
-                     over(tuning.rows[tuning.best[0]].counts.n_v, tuning.base().counts.n_v)) +
+                     over(tuning.rows[tuning.best[0]].counts.volume_tests,
+                          tuning.base().counts.volume_tests)) +
            best_line(tuning, "Fewest operations", tuning.fewest_operations,
                      over(tuning.rows[tuning.fewest_operations].counts.operations,
                           tuning.base().counts.operations)) +
@@ -161,8 +165,8 @@ Json tune_json(const SceneTuning& tuning) {
         }
         entry["descent"] = descent_rule_name(setting.descent);
         if (has_growth(setting.volume)) entry["growth"] = ball_growth_name(setting.growth);
-        entry["n_v"] = tuning.mean(row.counts.n_v);
-        entry["n_p"] = tuning.mean(row.counts.n_p);
+        entry["n_v"] = tuning.mean(row.counts.volume_tests);
+        entry["n_p"] = tuning.mean(row.counts.triangle_tests);
         entry["operations"] = tuning.mean(row.counts.operations);
         entry["pairs"] = tuning.mean(row.pairs);
         entry["misses_pairs"] = row.misses_pairs;
@@ -201,8 +205,8 @@ std::string tune_csv(const SceneTuning& tuning) {
                 (threshold ? Json(s.overlap.threshold).dump() : std::string()) + "," +
                 std::string(descent_rule_name(s.descent)) + "," +
                 std::string(has_growth(s.volume) ? ball_growth_name(s.growth) : "") +
-                format(",%.6f,%.6f,%.6f,%.6f,%d,%.3f,", tuning.mean(row.counts.n_v),
-                       tuning.mean(row.counts.n_p), tuning.mean(row.counts.operations),
+                format(",%.6f,%.6f,%.6f,%.6f,%d,%.3f,", tuning.mean(row.counts.volume_tests),
+                       tuning.mean(row.counts.triangle_tests), tuning.mean(row.counts.operations),
                        tuning.mean(row.pairs), row.misses_pairs ? 1 : 0, row.bytes_per_triangle) +
                 (tuning.timed() ? format("%.3f,", row.build_ms) : std::string(",")) +
                 (row.ms ? format("%.6f,%.6f,%.6f\n", row.ms->median, row.ms->low, row.ms->high)
@@ -220,7 +224,7 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
         const TuneRow& row = tuning.rows[r];
         render::TuneBar bar;
         bar.name = r == 0 ? "base" : bar_name(row.setting);
-        bar.n_v = over(row.counts.n_v, base.counts.n_v);
+        bar.n_v = over(row.counts.volume_tests, base.counts.volume_tests);
         bar.operations = over(row.counts.operations, base.counts.operations);
         if (row.ms)
             bar.time = {ratio(row.ms->low, base.ms->median, 1),

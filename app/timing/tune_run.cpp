@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "app/timing/query_timing.h"
@@ -65,9 +66,7 @@ class Subject {
     double bytes_per_triangle(const BuiltSetting& built) const {
         std::size_t bytes = 0, triangles = 0;
         for (const std::size_t m : {mesh_a_, mesh_b_}) {
-            const AnyHierarchy& hierarchy = built.hierarchies[m];
-            bytes += topology_of(hierarchy).nodes.size() *
-                     (sizeof(TopologyNode) + bytes_per_volume(hierarchy));
+            bytes += bytes_of(built.hierarchies[m]);
             triangles += scene_.meshes[m].mesh.triangles.size();
         }
         return ratio(static_cast<double>(bytes), static_cast<double>(triangles));
@@ -119,8 +118,8 @@ class Run {
         for (const TuneRow& row : rows) result.push_back(row.setting);
         return result;
     }
-    std::vector<TuneCounts> counts() const {
-        std::vector<TuneCounts> result;
+    std::vector<Work> counts() const {
+        std::vector<Work> result;
         for (const TuneRow& row : rows) result.push_back(row.counts);
         return result;
     }
@@ -187,7 +186,7 @@ class Run {
   private:
     void count_row(std::size_t r, const BuiltSetting& built) {
         TuneRow& row = rows[r];
-        std::vector<TuneCounts> counts(subject_.frames());
+        std::vector<Work> counts(subject_.frames());
         parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
             const Collision found = subject_.query(built, row.setting, i);
             counts[i] = {found.n_v, found.n_p,
@@ -195,9 +194,7 @@ class Run {
             pairs_[r][i] = found.pairs.size();
         });
         for (std::size_t i = 0; i < counts.size(); ++i) {
-            row.counts.n_v += counts[i].n_v;
-            row.counts.n_p += counts[i].n_p;
-            row.counts.operations += counts[i].operations;
+            row.counts += counts[i];
             row.pairs += pairs_[r][i];
             most_[i] = std::max(most_[i], pairs_[r][i]);
         }
@@ -215,7 +212,7 @@ class Run {
 /// The rows that may be recommended, the best first: no row that misses pairs, and of equal ones
 /// the first.
 std::vector<std::size_t> best_rows(const std::vector<TuneRow>& all,
-                                   const std::vector<TuneCounts>& counts) {
+                                   const std::vector<Work>& counts) {
     std::vector<std::size_t> best;
     for (const std::size_t r : best_first(counts))
         if (is_sound(all[r].setting.overlap.test) && !all[r].misses_pairs &&
@@ -259,22 +256,22 @@ std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     return timed;
 }
 
-/// Places of frames, evenly spread, so few that timing them takes seconds.
-std::vector<std::size_t> timed_frames(const SceneTuning& tuning,
-                                      const std::vector<std::size_t>& timed, int repeats) {
-    double tests = 0;
-    for (const std::size_t r : timed)
-        tests += static_cast<double>(tuning.rows[r].counts.n_v + tuning.rows[r].counts.n_p);
-    const std::size_t frames = tuning.frames.size();
-    const double affordable = most_timed_tests / (2 * std::max(1.0, tests) * repeats);
+/// The tests that timing the rows in all frames takes, each query after another of its nodes.
+double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& timed, int repeats) {
+    Work work;
+    for (const std::size_t r : timed) work += tuning.rows[r].counts;
+    return 2.0 * repeats * static_cast<double>(work.volume_tests + work.triangle_tests);
+}
+
+}  // namespace
+
+std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most) {
     const auto step = static_cast<std::size_t>(
-        std::ceil(std::clamp(1 / affordable, 1.0, static_cast<double>(frames))));
+        std::ceil(std::clamp(tests / most, 1.0, static_cast<double>(frames))));
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < frames; i += step) places.push_back(i);
     return places;
 }
-
-}  // namespace
 
 std::vector<std::size_t> SceneTuning::listed(std::size_t most) const {
     std::vector<std::size_t> places;
@@ -338,7 +335,10 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         });
     if (options.repeats > 0) {
         const std::vector<std::size_t> timed = timed_rows(result),
-                                       places = timed_frames(result, timed, options.repeats);
+                                       places = affordable_frames(
+                                           frames.size(),
+                                           timed_tests(result, timed, options.repeats),
+                                           most_timed_tests);
         if (!run.time(timed, places, options.repeats)) return std::nullopt;
         for (const std::size_t i : places) result.timed_frames.push_back(frames[i]);
         result.rows = std::move(run.rows);

@@ -14,7 +14,7 @@ namespace scb::app {
 /// What one setting took, over all frames.
 struct TuneRow {
     TuneSetting setting;
-    TuneCounts counts;
+    Work counts;
     std::uint64_t pairs = 0;
     bool misses_pairs = false;       ///< has fewer in some frame than another setting has
     double bytes_per_triangle = 0;   ///< of the hierarchies of both bodies, topology included
@@ -56,6 +56,10 @@ struct TuneOptions {
     bool every = false;  ///< all settings together, not just those of the volumes worth it
     int repeats = 0;     ///< of each timed query; 0: nothing is timed
 };
+
+/// Places of `frames` frames, evenly spread: all, or so few that they have about `most` of their
+/// `tests` tests.
+std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most);
 
 /// Told of a part of the run that begins, with how many steps it has; then of each step, by
 /// `step`, which ends the run by returning false.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,7 +28,8 @@ struct Work {
 
     Work& operator+=(const Work& other);
     Work& operator-=(const Work& other);
-    friend bool operator==(const Work&, const Work&) = default;
+    /// By volume tests first, then by triangle tests, then by operations.
+    friend auto operator<=>(const Work&, const Work&) = default;
 };
 
 /// The passed pairs of a query, or of several, and what came of the false ones.

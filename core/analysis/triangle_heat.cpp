@@ -1,5 +1,7 @@
 #include "core/analysis/triangle_heat.h"
 
+#include <cassert>
+
 #include "core/analysis/traversal_tree.h"
 
 namespace scb {
@@ -22,8 +24,11 @@ std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> 
     return wasted;
 }
 
-std::vector<std::uint32_t> triangle_heat(const Events& events, std::span<const IndexPair> found,
-                                         const Topology& topology, std::size_t side, HeatOf of) {
+std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
+                                         std::size_t side, HeatOf of,
+                                         const std::vector<bool>& wasted) {
+    assert((of != HeatOf::wasted || wasted.size() == events.volume_tests.size()) &&
+           "which tests are wasted is known");
     std::vector<std::uint32_t> heat(topology.order.size());
     const auto index_on_side = [side](const IndexPair& pair) {
         return side == 0 ? pair.a : pair.b;
@@ -34,10 +39,8 @@ std::vector<std::uint32_t> triangle_heat(const Events& events, std::span<const I
         return heat;
     }
     std::vector<std::uint32_t> tests(topology.nodes.size());
-    const std::vector<bool> wasted =
-        of == HeatOf::wasted ? wasted_tests(events, found) : std::vector<bool>();
     for (std::size_t i = 0; i < events.volume_tests.size(); ++i)
-        if (wasted.empty() || wasted[i]) ++tests[index_on_side(events.volume_tests[i].nodes)];
+        if (of != HeatOf::wasted || wasted[i]) ++tests[index_on_side(events.volume_tests[i].nodes)];
     // Parents come before their children: what was tested of a node was tested of all below it.
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
         const TopologyNode& node = topology.nodes[i];

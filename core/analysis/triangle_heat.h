@@ -20,8 +20,9 @@ enum class HeatOf {
 std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> found);
 
 /// For each triangle of A (`side` 0) or B (1), in how many tests of the query it took part.
-/// `topology` is that body's, `found` are the query's pairs.
-std::vector<std::uint32_t> triangle_heat(const Events& events, std::span<const IndexPair> found,
-                                         const Topology& topology, std::size_t side, HeatOf of);
+/// `topology` is that body's; `wasted` are wasted_tests, where `of` asks for them.
+std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
+                                         std::size_t side, HeatOf of,
+                                         const std::vector<bool>& wasted = {});
 
 }  // namespace scb

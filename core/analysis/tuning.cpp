@@ -56,9 +56,9 @@ Tuned tuned(const TuneSetting& setting, const TuneSetting& base) {
                               setting.overlap.threshold != base.overlap.threshold
                           ? Tuned::threshold
                           : Tuned::test);
-    changed(effective_descent(setting) != effective_descent(base) &&
-                !(is_ball(setting.volume) && setting.descent == base.descent),
-            Tuned::descent);
+    changed(
+        setting.descent != base.descent && effective_descent(setting) != effective_descent(base),
+        Tuned::descent);
     changed(!same_growth(setting, base), Tuned::growth);
     return found;
 }
@@ -113,7 +113,7 @@ std::vector<TuneSetting> refined_trials(const TuneSetting& base) {
 }
 
 std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
-                                           std::span<const TuneCounts> counts) {
+                                           std::span<const Work> counts) {
     assert(!trials.empty() && counts.size() == trials.size() && "every trial has counts");
     std::vector<std::size_t> grid;
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -122,21 +122,20 @@ std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
         as_base.split = trials[i].split;
         if (trials[i] == as_base) grid.push_back(i);
     }
-    const auto least = [&](std::uint64_t TuneCounts::*count) {
+    const auto least = [&](std::uint64_t Work::*count) {
         std::uint64_t fewest = counts[0].*count;
         for (const std::size_t i : grid) fewest = std::min(fewest, counts[i].*count);
         return worth_refining * static_cast<double>(fewest);
     };
-    const double most_n_v = least(&TuneCounts::n_v),
-                 most_operations = least(&TuneCounts::operations);
+    const double most_n_v = least(&Work::volume_tests), most_operations = least(&Work::operations);
     std::erase_if(grid, [&](std::size_t i) {
-        return static_cast<double>(counts[i].n_v) > most_n_v &&
+        return static_cast<double>(counts[i].volume_tests) > most_n_v &&
                static_cast<double>(counts[i].operations) > most_operations;
     });
     return grid;
 }
 
-std::vector<std::size_t> best_first(std::span<const TuneCounts> counts) {
+std::vector<std::size_t> best_first(std::span<const Work> counts) {
     std::vector<std::size_t> places(counts.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
     std::stable_sort(places.begin(), places.end(),

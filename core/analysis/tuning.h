@@ -1,10 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/analysis/pass_counts.h"
 #include "core/base/enum_names.h"
 #include "scb/any_hierarchy.h"
 #include "scb/descent_rule.h"
@@ -45,15 +45,6 @@ inline constexpr EnumNames<Tuned, 8> tuned_names = {"base",      "volume",  "spl
 
 Tuned tuned(const TuneSetting& setting, const TuneSetting& base);
 
-/// What queries took: exact, and the same on every machine.
-struct TuneCounts {
-    std::uint64_t n_v = 0, n_p = 0;
-    std::uint64_t operations = 0;  ///< of the volume tests, see operation_count
-
-    /// By n_v first, then by n_p, then by operations.
-    friend auto operator<=>(const TuneCounts&, const TuneCounts&) = default;
-};
-
 /// The base first; then every volume with every split, and what differs from the base in one other
 /// thing: the other overlap tests, the threshold of `corrected` from 0.1 to 0.95 in steps of 0.05,
 /// the other descent rules, the other growth rule. Each once.
@@ -68,10 +59,10 @@ std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 /// of all that have these. By their first places.
 inline constexpr double worth_refining = 1.3;
 std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
-                                           std::span<const TuneCounts> counts);
+                                           std::span<const Work> counts);
 
 /// The places of the settings, the one with the least counts first; of equal ones the first.
-std::vector<std::size_t> best_first(std::span<const TuneCounts> counts);
+std::vector<std::size_t> best_first(std::span<const Work> counts);
 
 /// A time that was measured several times.
 struct TimeInterval {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "core/base/statistics.h"
@@ -10,13 +11,20 @@
 namespace scb {
 namespace {
 
-/// The cosine of ten degrees, squared.
-constexpr double squared_cosine = 0.96984631039295421;
+constexpr double cosine_of_ten_degrees = 0.98480775301220806;
 constexpr double unequal_sizes = 10;
 
+/// A unit vector, or zero of a degenerate triangle. Scaled first: powers of lengths may overflow.
 Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
     const TriangleCorners t = corners(mesh, triangle);
-    return cross(t[1] - t[0], t[2] - t[0]);
+    Vec3 u = t[1] - t[0], v = t[2] - t[0];
+    for (Vec3* edge : {&u, &v}) {
+        const double longest = edge->cwiseAbs().maxCoeff();
+        if (longest > 0) *edge /= longest;
+    }
+    const Vec3 normal = cross(u, v);
+    const double length = std::sqrt(squared_norm(normal));
+    return length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
 int depth_of(const Topology& topology) {
@@ -47,17 +55,18 @@ VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& f
     for (const TriangleTest& test : frame.events.triangle_tests) {
         if (test.intersect) continue;
         const Vec3 n = normal_of(mesh_a, test.triangles.a),
-                   m = frame.b_to_a.rotation * normal_of(mesh_b, test.triangles.b);
-        const double cosine = n.dot(m), lengths = n.squaredNorm() * m.squaredNorm();
+                   m = transform_direction(frame.b_to_a, normal_of(mesh_b, test.triangles.b));
         ++vain.tests;
-        vain.parallel += lengths > 0 && cosine * cosine >= squared_cosine * lengths;
+        vain.parallel += std::abs(dot(n, m)) >= cosine_of_ten_degrees;
     }
     return vain;
 }
 
 WasteCauses waste_causes(const Topology& a, const Mesh& mesh_a, const Topology& b,
                          const Mesh& mesh_b, const VainTests& vain) {
-    WasteCauses causes{{body_causes(a, mesh_a), body_causes(b, mesh_b)}, &mesh_a == &mesh_b, vain};
+    const bool alike = &mesh_a == &mesh_b;
+    const BodyCauses of_a = body_causes(a, mesh_a);
+    WasteCauses causes{{of_a, alike ? of_a : body_causes(b, mesh_b)}, alike, vain};
     const auto diagonal = [](const BodyCauses& body) {
         return (body.facts.box.upper - body.facts.box.lower).norm();
     };

@@ -72,4 +72,10 @@ std::size_t bytes_per_volume(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) { return sizeof(h.volumes[0]); }, hierarchy);
 }
 
+std::size_t bytes_of(const AnyHierarchy& hierarchy) {
+    const Topology& topology = topology_of(hierarchy);
+    return topology.nodes.size() * (sizeof(TopologyNode) + bytes_per_volume(hierarchy)) +
+           topology.order.size() * sizeof(topology.order[0]);
+}
+
 }  // namespace scb

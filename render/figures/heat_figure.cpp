@@ -9,9 +9,12 @@ Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
              std::optional<std::uint32_t> scale_end) {
     Heat heat;
     heat.of = of;
+    std::vector<bool> wasted;
+    if (of == HeatOf::wasted) wasted = wasted_tests(frame.events, frame.found.pairs);
+    heat.wasted = static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
     for (std::size_t side = 0; side < 2; ++side) {
-        heat.counts[side] = triangle_heat(frame.events, frame.found.pairs,
-                                          topology_of(*bodies[side].hierarchy), side, of);
+        heat.counts[side] =
+            triangle_heat(frame.events, topology_of(*bodies[side].hierarchy), side, of, wasted);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
     double end = 10;
@@ -50,14 +53,11 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
-    if (heat.of == HeatOf::wasted) {
-        const std::vector<bool> wasted = wasted_tests(frame.events, frame.found.pairs);
-        const auto count = std::count(wasted.begin(), wasted.end(), true);
-        items.emplace_back(
-            PanelRow{"wasted N_v",
-                     {count_text(static_cast<std::uint64_t>(count)) + ", " +
-                      share_text(static_cast<double>(count), static_cast<double>(wasted.size()))}});
-    }
+    if (heat.of == HeatOf::wasted)
+        items.emplace_back(PanelRow{
+            "wasted N_v",
+            {count_text(heat.wasted) + ", " +
+             share_text(static_cast<double>(heat.wasted), static_cast<double>(frame.found.n_v))}});
     items.emplace_back(PanelHeading{""});
     PanelRow body{"body", {}, {}, true}, most{"most tests", {}},
         none{heat.of == HeatOf::wasted ? "none wasted" : "untested", {}};

@@ -18,8 +18,9 @@ inline constexpr EnumNames<HeatOf, 3> heat_names = {"volumes", "triangles", "was
 struct Heat {
     HeatOf of = HeatOf::volumes;
     std::array<std::vector<std::uint32_t>, 2> counts;
-    std::uint32_t most = 0;  ///< of both bodies
-    PlotAxis scale;          ///< logarithmic, with a place for 0
+    std::uint32_t most = 0;    ///< of both bodies
+    std::uint64_t wasted = 0;  ///< volume tests of the query, where `of` asks for these
+    PlotAxis scale;            ///< logarithmic, with a place for 0
 };
 
 /// `scale_end`: the count at the upper end of the scale; else the power of ten that holds all,

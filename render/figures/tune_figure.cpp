@@ -33,25 +33,25 @@ std::string bar_text(const std::string& value, const TuneBar& bar, bool best) {
     return value + (best ? ", best" : "") + (bar.misses_pairs ? ", misses pairs" : "");
 }
 
-BarPlot plot_of_tests(const TuneFigure& figure) {
+BarPlot plot_of_counts(const TuneFigure& figure, const char* title, Rgba8 color,
+                       double TuneBar::*count, bool TuneBar::*fewest) {
     BarPlot plot;
-    plot.title = "volume tests, N_v";
+    plot.title = title;
     plot.label = "mean per frame, base = 1";
     for (const TuneBar& bar : figure.bars)
-        plot.bars.push_back({bar.name, bar_color(n_v_color, bar.fewest_tests, *figure.theme),
-                             bar.n_v, bar_text(multiple_text(bar.n_v), bar, bar.fewest_tests)});
+        plot.bars.push_back({bar.name, bar_color(color, bar.*fewest, *figure.theme), bar.*count,
+                             bar_text(multiple_text(bar.*count), bar, bar.*fewest)});
     return plot;
 }
 
+BarPlot plot_of_tests(const TuneFigure& figure) {
+    return plot_of_counts(figure, "volume tests, N_v", n_v_color, &TuneBar::n_v,
+                          &TuneBar::fewest_tests);
+}
+
 BarPlot plot_of_operations(const TuneFigure& figure) {
-    BarPlot plot;
-    plot.title = "operations of the volume tests";
-    plot.label = "mean per frame, base = 1";
-    for (const TuneBar& bar : figure.bars)
-        plot.bars.push_back(
-            {bar.name, bar_color(operations_color, bar.fewest_operations, *figure.theme),
-             bar.operations, bar_text(multiple_text(bar.operations), bar, bar.fewest_operations)});
-    return plot;
+    return plot_of_counts(figure, "operations of the volume tests", operations_color,
+                          &TuneBar::operations, &TuneBar::fewest_operations);
 }
 
 BarPlot plot_of_times(const TuneFigure& figure) {

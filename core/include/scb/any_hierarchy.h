@@ -38,4 +38,7 @@ std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);
 /// sizeof the volume of one node.
 std::size_t bytes_per_volume(const AnyHierarchy& hierarchy);
 
+/// Its nodes, their volumes, and the order of the triangles; without the mesh.
+std::size_t bytes_of(const AnyHierarchy& hierarchy);
+
 }  // namespace scb

@@ -48,6 +48,12 @@ TEST(TuneCommand, HasTheCountsOfCollide) {
     EXPECT_LE(missing, 1u);
 }
 
+TEST(TuneCommand, HasTheBytesOfStats) {
+    const json found = tune("soup --frames 60 --no-time"),
+               stats = json::parse(run_scb("stats soup --json").out)["hierarchies"][0];
+    EXPECT_EQ(found["settings"][0]["bytes_per_triangle"], stats["bytes_per_triangle"]);
+}
+
 TEST(TuneCommand, HasTheOperationsOfInspect) {
     const json found = tune("knots-l1 --frames 0 --no-time");
     const json work = json::parse(run_scb("inspect knots-l1 --frames 0 --json").out)["sum"]["work"];

@@ -30,11 +30,8 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
             }
             for (const TriangleTest& test : frame.events.triangle_tests)
                 ++triangles[on_side(test.triangles)];
-            EXPECT_EQ(
-                triangle_heat(frame.events, frame.found.pairs, topology, side, HeatOf::volumes),
-                volumes);
-            const auto heat =
-                triangle_heat(frame.events, frame.found.pairs, topology, side, HeatOf::triangles);
+            EXPECT_EQ(triangle_heat(frame.events, topology, side, HeatOf::volumes), volumes);
+            const auto heat = triangle_heat(frame.events, topology, side, HeatOf::triangles);
             EXPECT_EQ(heat, triangles);
             EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), std::uint64_t{0}), frame.found.n_p);
         }
@@ -57,10 +54,8 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
         EXPECT_FALSE(wasted[0]);
         EXPECT_GT(count, 0u);
         const Topology& topology = mesh.topology();
-        const auto heat =
-                       triangle_heat(frame.events, frame.found.pairs, topology, 0, HeatOf::wasted),
-                   all =
-                       triangle_heat(frame.events, frame.found.pairs, topology, 0, HeatOf::volumes);
+        const auto heat = triangle_heat(frame.events, topology, 0, HeatOf::wasted, wasted),
+                   all = triangle_heat(frame.events, topology, 0, HeatOf::volumes);
         for (std::size_t t = 0; t < heat.size(); ++t) EXPECT_LT(heat[t], all[t]);
         if (stop_level >= 0) continue;
         const AnyHierarchy& hierarchy = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];

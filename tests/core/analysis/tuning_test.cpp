@@ -104,7 +104,7 @@ TEST(RefinedTrials, AreAllThatCanBeChosenOfAVolumeAndASplit) {
 
 TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByOperations) {
     const std::vector<TuneSetting> trials = first_trials({});
-    std::vector<TuneCounts> counts(trials.size(), {1000, 100, 1000});
+    std::vector<Work> counts(trials.size(), {1000, 100, 1000});
     const auto place = [&](const TuneSetting& setting) {
         return static_cast<std::size_t>(std::find(trials.begin(), trials.end(), setting) -
                                         trials.begin());
@@ -123,8 +123,8 @@ TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByOperations) {
 }
 
 TEST(BestFirst, OrdersByVolumeTestsThenTriangleTestsThenOperationsThenPlace) {
-    const std::vector<TuneCounts> counts = {{2, 0, 0}, {1, 1, 0}, {1, 0, 2},
-                                            {1, 0, 1}, {1, 0, 1}, {0, 9, 9}};
+    const std::vector<Work> counts = {{2, 0, 0}, {1, 1, 0}, {1, 0, 2},
+                                      {1, 0, 1}, {1, 0, 1}, {0, 9, 9}};
     EXPECT_EQ(best_first(counts), (std::vector<std::size_t>{5, 3, 4, 2, 1, 0}));
 }
 

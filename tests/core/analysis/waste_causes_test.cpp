@@ -92,6 +92,15 @@ TEST(VainTests, CountPairsThatAreNearlyParallelInTheirPose) {
     const VainTests near = vain_tests(mesh, mesh, frame);
     EXPECT_EQ(near.tests, 2u);
     EXPECT_EQ(near.parallel, 2u);
+    // Whatever their size: powers of lengths must not overflow or vanish.
+    for (const double scale : {1e-60, 1e60}) {
+        Mesh scaled = mesh;
+        for (Vec3& v : scaled.vertices) v *= scale;
+        frame.b_to_a.rotation = about_x(9);
+        EXPECT_EQ(vain_tests(scaled, scaled, frame).parallel, 2u) << scale;
+        frame.b_to_a.rotation = about_x(11);
+        EXPECT_EQ(vain_tests(scaled, scaled, frame).parallel, 0u) << scale;
+    }
     frame.b_to_a.rotation = about_x(11);
     EXPECT_EQ(vain_tests(mesh, mesh, frame).parallel, 0u);
 }
