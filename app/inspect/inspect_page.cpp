@@ -250,7 +250,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
     if (report.settings) {
         values["settings"] = setting_rows(*report.settings);
-        values["settings_words"] = settings_words(report);
+        values["settings_words"] = settings_words(report, "sums over");
         values["use"] = report.command;
         values["timed"] =
             data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);

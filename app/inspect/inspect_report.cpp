@@ -138,7 +138,8 @@ std::string others_text(const InspectReport& report) {
 
 std::string settings_text(const InspectReport& report) {
     if (!report.settings) return "";
-    return "\nwhat would have helped, the best first: " + settings_words(report) + "\n" +
+    return "\nwhat would have helped, the best first: " +
+           settings_words(report, "means per frame over") + "\n" +
            tune_rows_text(*report.settings, most_settings) + "\nTo use it: " + report.command +
            "\n";
 }
@@ -201,10 +202,10 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
            ".png";
 }
 
-std::string settings_words(const InspectReport& report) {
+std::string settings_words(const InspectReport& report, const std::string& over) {
     const std::size_t counted = report.settings->frames.size(), all = report.frames.size();
     if (all == 1) return "frame " + std::to_string(report.frames[0].frame);
-    return "means per frame over " +
+    return over + " " +
            (counted == all ? std::to_string(all)
                            : std::to_string(counted) + " of the " + std::to_string(all)) +
            " frames";

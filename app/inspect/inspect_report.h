@@ -36,8 +36,8 @@ std::string file_of(const InspectReport& report, int frame, const VolumeTest& te
 /// So many settings are listed beside that of the queries.
 inline constexpr std::size_t most_settings = 8;
 
-/// Which frames the settings were counted in, as a sentence.
-std::string settings_words(const InspectReport& report);
+/// Which frames the settings were counted in: "frame 150", or `over` and "10 of the 50 frames".
+std::string settings_words(const InspectReport& report, const std::string& over);
 
 /// "12 %": the share of a whole, as the tables and pages say it.
 std::string share(std::uint64_t part, std::uint64_t whole);
