@@ -2,6 +2,7 @@
 
 #include "app/cli/build_text.h"
 #include "core/collide/query_placement.h"
+#include "core/volumes/shape.h"
 
 #include <cmath>
 
@@ -46,7 +47,9 @@ ExplainedPair explained_nodes(const SceneQuery& query, int frame,
             std::vector<std::string> notes;
             if (const std::string built = build_sentence(query.build); !built.empty())
                 notes.push_back(built);
-            return {query.kind, a, b, placed, options, explain(a, b, placed, options), notes, both};
+            return {query.kind, shape_of(a), shape_of(b),
+                    placed,     options,     explain(a, b, placed, options),
+                    notes,      both};
         },
         query.hierarchy(query.a));
 }

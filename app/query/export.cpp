@@ -6,6 +6,7 @@
 #include "app/query/output_guard.h"
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
+#include "core/volumes/shape.h"
 #include "render/files/output_file.h"
 #include "render/view/any_volume.h"
 #include "render/view/palette.h"
@@ -69,8 +70,8 @@ int run(const ExportOptions& options, const Console& console) {
         for (const std::uint32_t node : level_cover(topology_of(hierarchy), level)) {
             std::visit(
                 [&](const auto& h) {
-                    const Mesh volume =
-                        scenes::volume_mesh(placed(h.volumes[node], pose), options.segments);
+                    const Mesh volume = scenes::volume_mesh(placed(shape_of(h.volumes[node]), pose),
+                                                            options.segments);
                     left_out += volume.triangles.empty();
                     append(part.mesh, volume);
                 },

@@ -10,6 +10,10 @@ void grow(Scb& volume, double by) { volume.r *= by; }
 void grow(Scb2& volume, double by) { volume.r *= by; }
 void grow(Ball& volume, double by) { volume.radius *= by; }
 void grow(Obb& volume, double by) { volume.half *= by; }
+template <bool exact>
+void grow(BasicAabb<exact>& volume, double by) {
+    volume.half *= by;
+}
 
 /// The first node at that depth, or the last one.
 std::size_t node_at(const Topology& topology, int depth) {

@@ -92,13 +92,25 @@ BuildOptions HierarchyOptions::build() const {
     return options;
 }
 
+namespace {
+
+/// All that can be asked for, in a sentence.
+std::string volume_names(const char* separator) {
+    std::string names;
+    for (const VolumeKind kind : all_volume_kinds())
+        names += (names.empty() ? "" : separator) + std::string(volume_kind_name(kind));
+    return names;
+}
+
+}  // namespace
+
 std::vector<VolumeKind> HierarchyOptions::kinds() const {
     std::vector<VolumeKind> kinds;
     for (const std::string& name : scenes::split_list(volumes)) {
         const std::optional<VolumeKind> kind = volume_kind_of(name);
         if (!kind)
             throw InputError("--volume " + volumes + ": '" + name +
-                             "' is not a volume; give some of scb,ball,ritter,obb,scb2.");
+                             "' is not a volume; give some of " + volume_names(",") + ".");
         if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
     }
     return kinds;
@@ -107,16 +119,16 @@ std::vector<VolumeKind> HierarchyOptions::kinds() const {
 VolumeKind HierarchyOptions::kind() const {
     const std::vector<VolumeKind> all = kinds();
     if (all.size() != 1)
-        throw InputError("--volume " + volumes +
-                         ": this command takes one of scb,ball,ritter,obb,scb2 at a time.");
+        throw InputError("--volume " + volumes + ": this command takes one of " +
+                         volume_names(",") + " at a time.");
     return all[0];
 }
 
 void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several) {
     command
         .add_option("--volume", options.volumes,
-                    several ? "Bounding volumes: some of scb,ball,ritter,obb,scb2"
-                            : "Bounding volume: one of scb, ball, ritter, obb, scb2")
+                    several ? "Bounding volumes: some of " + volume_names(",")
+                            : "Bounding volume: one of " + volume_names(", "))
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
     constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};

@@ -3,6 +3,7 @@
 #include "core/analysis/operation_cost.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/exact_verdict.h"
+#include "core/volumes/shape.h"
 #include "scb/collide.h"
 
 namespace scb {
@@ -78,7 +79,7 @@ void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const IndexPair nodes = tests[i].nodes;
         const ContactCertificate certificate =
-            exact_verdict(a.volumes[nodes.a], b.volumes[nodes.b], placed);
+            exact_verdict(shape_of(a.volumes[nodes.a]), shape_of(b.volumes[nodes.b]), placed);
         if (tests[i].stage != Stage::overlapping) {
             if (certificate.contact == Contact::overlapping || contacts[i] > 0)
                 result.wrongly_rejected.push_back({i, contacts[i], certificate.contact});

@@ -54,10 +54,11 @@ std::uint32_t of_two_slabs(Stage stage) {
     }
 }
 
-/// 66 for B's center and axes; 27 for each axis of A, with the products of axes that later ones
-/// use; 12 for each of B; 11 for each cross product.
-std::uint32_t of_boxes(Stage stage) {
-    constexpr std::uint32_t transformation = 66, axis_a = 27, axis_b = 12, crossed = 11;
+/// Of oriented boxes 66 for B's center and axes; 27 for each axis of A, with the products of axes
+/// that later ones use. Of boxes along their body's axes 21 for B's center, and 7 for each axis of
+/// A, where no product is needed. For both 12 for each axis of B; 11 for each cross product.
+std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t axis_a) {
+    constexpr std::uint32_t axis_b = 12, crossed = 11;
     if (stage == Stage::overlapping) return transformation + 3 * axis_a + 3 * axis_b + 9 * crossed;
     const std::uint32_t made =
         static_cast<std::uint32_t>(stage) - static_cast<std::uint32_t>(Stage::axis_a0) + 1;
@@ -76,7 +77,11 @@ std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Sta
         case VolumeKind::ritter:
             return 29;
         case VolumeKind::obb:
-            return of_boxes(stage);
+            return of_boxes(stage, 66, 27);
+        case VolumeKind::aabb:
+            return of_boxes(stage == Stage::overlapping ? Stage::axis_a2 : stage, 21, 7);
+        case VolumeKind::aabb_exact:
+            return of_boxes(stage, 21, 7);
         case VolumeKind::scb2:
             return of_two_slabs(stage);
     }

@@ -47,7 +47,10 @@ std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options)
         case VolumeKind::ritter:
             return ball_stages();
         case VolumeKind::obb:
+        case VolumeKind::aabb_exact:
             return obb_stages();
+        case VolumeKind::aabb:
+            return aabb_stages();
         case VolumeKind::scb2:
             return scb2_stages();
     }
@@ -56,18 +59,7 @@ std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options)
 
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options) {
-    switch (kind) {
-        case VolumeKind::scb:
-            break;
-        case VolumeKind::ball:
-        case VolumeKind::ritter:
-            return transform_count<Ball>(stages, options);
-        case VolumeKind::obb:
-            return transform_count<Obb>(stages, options);
-        case VolumeKind::scb2:
-            return transform_count<Scb2>(stages, options);
-    }
-    return transform_count<Scb>(stages, options);
+    return with_volume_type(kind, [&]<Volume V>() { return transform_count<V>(stages, options); });
 }
 
 }  // namespace scb

@@ -11,13 +11,10 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
     return dual_traversal(a, b, b_to_a, options, none);
 }
 
-template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
-                           const CollideOptions&);
-template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
-                           const CollideOptions&);
-template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
-                           const CollideOptions&);
-template Collision collide(const Collider<Obb>&, const Collider<Obb>&, const Pose&,
-                           const CollideOptions&);
+#define SCB_INSTANTIATE(V)                                                          \
+    template Collision collide(const Collider<V>&, const Collider<V>&, const Pose&, \
+                               const CollideOptions&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

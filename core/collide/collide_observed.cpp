@@ -30,21 +30,12 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
     return dual_traversal(a, b, b_to_a, options, caller);
 }
 
-template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
-                           const CollideOptions&, EventRecorder&);
-template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
-                           const CollideOptions&, EventRecorder&);
-template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
-                           const CollideOptions&, EventRecorder&);
-template Collision collide(const Collider<Obb>&, const Collider<Obb>&, const Pose&,
-                           const CollideOptions&, EventRecorder&);
-template Collision collide(const Collider<Scb>&, const Collider<Scb>&, const Pose&,
-                           const CollideOptions&, const ObserverCalls&);
-template Collision collide(const Collider<Scb2>&, const Collider<Scb2>&, const Pose&,
-                           const CollideOptions&, const ObserverCalls&);
-template Collision collide(const Collider<Ball>&, const Collider<Ball>&, const Pose&,
-                           const CollideOptions&, const ObserverCalls&);
-template Collision collide(const Collider<Obb>&, const Collider<Obb>&, const Pose&,
-                           const CollideOptions&, const ObserverCalls&);
+#define SCB_INSTANTIATE(V)                                                          \
+    template Collision collide(const Collider<V>&, const Collider<V>&, const Pose&, \
+                               const CollideOptions&, EventRecorder&);              \
+    template Collision collide(const Collider<V>&, const Collider<V>&, const Pose&, \
+                               const CollideOptions&, const ObserverCalls&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

@@ -37,12 +37,12 @@ bool descends_into_a(const V& a, const V& b, int depth) {
 
 /// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
 /// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
-/// center; of boxes the center and three axes; of two slabs the center and, after the balls, both
-/// normals.
+/// center; of boxes the center and three axes, of those along the body's axes the center; of two
+/// slabs the center and, after the balls, both normals.
 template <Volume V>
 std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& options) {
     const std::uint64_t tests = test_count(stages);
-    if constexpr (std::same_as<V, Ball>) {
+    if constexpr (std::same_as<V, Ball> || std::same_as<V, Aabb> || std::same_as<V, ExactAabb>) {
         return tests;
     } else if constexpr (std::same_as<V, Obb>) {
         return 4 * tests;

@@ -90,4 +90,10 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
 OverlapSteps overlap_steps(const Obb& a, const Obb& b, const Placement& placed,
                            const OverlapOptions& = {});
 
+/// The same axes, all or the first three, see overlap_aabb.
+OverlapSteps overlap_steps(const Aabb& a, const Aabb& b, const Placement& placed,
+                           const OverlapOptions& = {});
+OverlapSteps overlap_steps(const ExactAabb& a, const ExactAabb& b, const Placement& placed,
+                           const OverlapOptions& = {});
+
 }  // namespace scb

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/explain/overlap_steps.h"
+#include "core/volumes/shape.h"
 
 namespace scb {
 namespace {
@@ -89,6 +90,19 @@ OverlapSteps overlap_steps(const Obb& a, const Obb& b, const Placement& placed,
                  a1 + a2 + b1 + b2 + margin});
         }
     return result;
+}
+
+// An axis with zeros and a one picks its component to the last bit.
+OverlapSteps overlap_steps(const Aabb& a, const Aabb& b, const Placement& placed,
+                           const OverlapOptions& options) {
+    OverlapSteps result = overlap_steps(shape_of(a), shape_of(b), placed, options);
+    result.steps.resize(aabb_stages().size());
+    return result;
+}
+
+OverlapSteps overlap_steps(const ExactAabb& a, const ExactAabb& b, const Placement& placed,
+                           const OverlapOptions& options) {
+    return overlap_steps(shape_of(a), shape_of(b), placed, options);
 }
 
 }  // namespace scb

@@ -3,22 +3,24 @@
 #include "core/explain/certificate_check.h"
 #include "core/explain/exact_overlap.h"
 #include "core/overlap/test_functors.h"
+#include "core/volumes/shape.h"
 #include "scb/overlap.h"
 
 namespace scb {
 namespace {
 
-template <class V>
-PairExplanation explained(const V& a, const V& b, const Placement& placed,
-                          const OverlapOptions& options) {
-    PairExplanation result;
-    result.steps = overlap_steps(a, b, placed, options);
-    const ContactCertificate verdict = exact_verdict(a, b, placed);
-    const V in_a = seen_from_a(b, placed);
-    result.certificate = sharpened(a, in_a, verdict);
-    result.verified = verify(a, in_a, verdict) && check_certificate(a, in_a, result.certificate);
-    result.answer = judged(result.steps.stage(), verdict.contact);
-    return result;
+/// What the tests for slab cut balls answer, each; nothing of other volumes.
+template <Volume V>
+std::vector<TestAnswer> answers_of(const V& a, const V& b, const Placement& placed,
+                                   const OverlapOptions& options, Contact contact) {
+    std::vector<TestAnswer> answers;
+    if constexpr (std::same_as<V, Scb>)
+        for (const OverlapTest test : all_overlap_tests()) {
+            const Stage stage = with_overlap_test<Scb>(
+                {test, options.threshold}, [&](const auto& t) { return t(a, b, placed); });
+            answers.push_back({test, stage, judged(stage, contact)});
+        }
+    return answers;
 }
 
 }  // namespace
@@ -34,30 +36,25 @@ Answer judged(Stage stage, Contact contact) {
     return Answer::correct;
 }
 
-PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
+template <Volume V>
+PairExplanation explain(const V& a, const V& b, const Placement& placed,
                         const OverlapOptions& options) {
-    PairExplanation result = explained(a, b, placed, options);
-    for (const OverlapTest test : all_overlap_tests()) {
-        const Stage stage = with_overlap_test<Scb>({test, options.threshold},
-                                                   [&](const auto& t) { return t(a, b, placed); });
-        result.tests.push_back({test, stage, judged(stage, result.certificate.contact)});
-    }
+    PairExplanation result;
+    result.steps = overlap_steps(a, b, placed, options);
+    const auto shape = shape_of(a);
+    const ContactCertificate verdict = exact_verdict(shape, shape_of(b), placed);
+    const auto in_a = seen_from_a(shape_of(b), placed);
+    result.certificate = sharpened(shape, in_a, verdict);
+    result.verified =
+        verify(shape, in_a, verdict) && check_certificate(shape, in_a, result.certificate);
+    result.answer = judged(result.steps.stage(), verdict.contact);
+    result.tests = answers_of(a, b, placed, options, verdict.contact);
     return result;
 }
 
-PairExplanation explain(const Scb2& a, const Scb2& b, const Placement& placed,
-                        const OverlapOptions& options) {
-    return explained(a, b, placed, options);
-}
-
-PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
-                        const OverlapOptions& options) {
-    return explained(a, b, placed, options);
-}
-
-PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,
-                        const OverlapOptions& options) {
-    return explained(a, b, placed, options);
-}
+#define SCB_INSTANTIATE(V) \
+    template PairExplanation explain(const V&, const V&, const Placement&, const OverlapOptions&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

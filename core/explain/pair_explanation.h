@@ -6,6 +6,7 @@
 #include "core/base/enum_names.h"
 #include "core/explain/exact_verdict.h"
 #include "core/explain/overlap_steps.h"
+#include "scb/volume.h"
 
 namespace scb {
 
@@ -47,13 +48,8 @@ struct PairExplanation {
 /// Explains the test that the options name, for A in its own frame and B in the one that `placed`
 /// says where it is. The volumes must be well-formed. The exact verdict takes microseconds, its
 /// sharpening up to a millisecond.
-PairExplanation explain(const Scb& a, const Scb& b, const Placement& placed,
-                        const OverlapOptions& options);
-PairExplanation explain(const Scb2& a, const Scb2& b, const Placement& placed,
-                        const OverlapOptions& = {});
-PairExplanation explain(const Ball& a, const Ball& b, const Placement& placed,
-                        const OverlapOptions& = {});
-PairExplanation explain(const Obb& a, const Obb& b, const Placement& placed,
-                        const OverlapOptions& = {});
+template <Volume V>
+PairExplanation explain(const V& a, const V& b, const Placement& placed,
+                        const OverlapOptions& options = {});
 
 }  // namespace scb

@@ -11,10 +11,11 @@
 namespace scb {
 namespace {
 
-constexpr std::array all_kinds = {VolumeKind::scb, VolumeKind::ball, VolumeKind::ritter,
-                                  VolumeKind::obb, VolumeKind::scb2};
-constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb", "ball", "ritter", "obb",
-                                                                "scb2"};
+constexpr std::array all_kinds = {VolumeKind::scb,       VolumeKind::ball, VolumeKind::ritter,
+                                  VolumeKind::obb,       VolumeKind::scb2, VolumeKind::aabb,
+                                  VolumeKind::aabb_exact};
+constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb",  "ball", "ritter",    "obb",
+                                                                "scb2", "aabb", "aabb-exact"};
 
 }  // namespace
 
@@ -29,25 +30,12 @@ bool has_margin(VolumeKind kind) { return kind == VolumeKind::scb || kind == Vol
 AnyHierarchy fit_any(VolumeKind kind, std::shared_ptr<const Topology> topology,
                      const LeafOrder& points, FitOptions options, int threads,
                      const FittedNodes& wanted) {
-    const auto fitted = [&]<class V>(V) -> AnyHierarchy {
+    if (kind == VolumeKind::ball) options.ball_method = BallMethod::minimum;
+    if (kind == VolumeKind::ritter) options.ball_method = BallMethod::ritter;
+    return with_volume_type(kind, [&]<Volume V>() -> AnyHierarchy {
         std::vector<V> volumes = fit_volumes<V>(*topology, points, options, threads, wanted);
         return Hierarchy<V>{std::move(topology), std::move(volumes)};
-    };
-    switch (kind) {
-        case VolumeKind::ball:
-            options.ball_method = BallMethod::minimum;
-            return fitted(Ball{});
-        case VolumeKind::ritter:
-            options.ball_method = BallMethod::ritter;
-            return fitted(Ball{});
-        case VolumeKind::obb:
-            return fitted(Obb{});
-        case VolumeKind::scb2:
-            return fitted(Scb2{});
-        case VolumeKind::scb:
-            break;
-    }
-    return fitted(Scb{});
+    });
 }
 
 std::vector<AnyHierarchy> build_hierarchies(const Mesh& mesh, std::span<const VolumeKind> kinds,

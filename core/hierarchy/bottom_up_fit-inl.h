@@ -17,6 +17,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/fit/dop26-inl.h"
+#include "core/fit/fit_aabb-inl.h"
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
 #include "core/hierarchy/fitted_nodes.h"

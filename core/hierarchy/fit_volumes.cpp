@@ -21,22 +21,15 @@ void fit_tree(const Topology& topology, const LeafOrder& points, const FitOption
     if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
-void fit_scb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, const FittedNodes& wanted, std::span<Scb> volumes) {
-    fit_tree(topology, points, options, threads, wanted, volumes);
-}
-void fit_scb2_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, const FittedNodes& wanted, std::span<Scb2> volumes) {
-    fit_tree(topology, points, options, threads, wanted, volumes);
-}
-void fit_ball_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                   int threads, const FittedNodes& wanted, std::span<Ball> volumes) {
-    fit_tree(topology, points, options, threads, wanted, volumes);
-}
-void fit_obb_tree(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                  int threads, const FittedNodes& wanted, std::span<Obb> volumes) {
-    fit_tree(topology, points, options, threads, wanted, volumes);
-}
+// A name for each type, which the table of targets needs.
+#define SCB_FIT_TREE(V)                                                                  \
+    void fit_tree_##V(const Topology& topology, const LeafOrder& points,                 \
+                      const FitOptions& options, int threads, const FittedNodes& wanted, \
+                      std::span<V> volumes) {                                            \
+        fit_tree(topology, points, options, threads, wanted, volumes);                   \
+    }
+SCB_FOR_EACH_VOLUME(SCB_FIT_TREE)
+#undef SCB_FIT_TREE
 
 }  // namespace HWY_NAMESPACE
 }  // namespace scb
@@ -44,37 +37,35 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace scb {
+namespace {
 
-HWY_EXPORT(fit_scb_tree);
-HWY_EXPORT(fit_scb2_tree);
-HWY_EXPORT(fit_ball_tree);
-HWY_EXPORT(fit_obb_tree);
+#define SCB_FIT_AT_LEVEL(V)                                                              \
+    HWY_EXPORT(fit_tree_##V);                                                            \
+    void fit_at_level(const Topology& topology, const LeafOrder& points,                 \
+                      const FitOptions& options, int threads, const FittedNodes& wanted, \
+                      std::span<V> volumes) {                                            \
+        SCB_AT_LEVEL(fit_tree_##V, options.simd)                                         \
+        (topology, points, options, threads, wanted, volumes);                           \
+    }
+SCB_FOR_EACH_VOLUME(SCB_FIT_AT_LEVEL)
+#undef SCB_FIT_AT_LEVEL
+
+}  // namespace
 
 template <Volume V>
 std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
                            const FitOptions& options, int threads, const FittedNodes& wanted) {
     std::vector<V> volumes;
     resize_large(volumes, topology.nodes.size());
-    const std::span<V> all(volumes);
-    if constexpr (std::is_same_v<V, Scb>)
-        SCB_AT_LEVEL(fit_scb_tree, options.simd)(topology, points, options, threads, wanted, all);
-    else if constexpr (std::is_same_v<V, Scb2>)
-        SCB_AT_LEVEL(fit_scb2_tree, options.simd)(topology, points, options, threads, wanted, all);
-    else if constexpr (std::is_same_v<V, Ball>)
-        SCB_AT_LEVEL(fit_ball_tree, options.simd)(topology, points, options, threads, wanted, all);
-    else if constexpr (std::is_same_v<V, Obb>)
-        SCB_AT_LEVEL(fit_obb_tree, options.simd)(topology, points, options, threads, wanted, all);
+    fit_at_level(topology, points, options, threads, wanted, std::span<V>(volumes));
     return volumes;
 }
 
-template std::vector<Scb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                      const FittedNodes&);
-template std::vector<Scb2> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                       const FittedNodes&);
-template std::vector<Ball> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                       const FittedNodes&);
-template std::vector<Obb> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int,
-                                      const FittedNodes&);
+#define SCB_INSTANTIATE(V)                                                                         \
+    template std::vector<V> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int, \
+                                        const FittedNodes&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb
 #endif

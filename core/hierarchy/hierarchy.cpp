@@ -69,13 +69,10 @@ std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh) {
     return {};
 }
 
-template Hierarchy<Scb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
-template Hierarchy<Scb2> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
-template Hierarchy<Ball> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
-template Hierarchy<Obb> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view);
-template std::string validate(const Hierarchy<Scb>&, const Mesh&);
-template std::string validate(const Hierarchy<Scb2>&, const Mesh&);
-template std::string validate(const Hierarchy<Ball>&, const Mesh&);
-template std::string validate(const Hierarchy<Obb>&, const Mesh&);
+#define SCB_INSTANTIATE(V)                                                                     \
+    template Hierarchy<V> build_hierarchy(const Mesh&, const BuildOptions&, std::string_view); \
+    template std::string validate(const Hierarchy<V>&, const Mesh&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

@@ -26,9 +26,9 @@ std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) { return level_statistics(h); }, hierarchy);
 }
 
-template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb>&);
-template std::vector<LevelStatistics> level_statistics(const Hierarchy<Scb2>&);
-template std::vector<LevelStatistics> level_statistics(const Hierarchy<Ball>&);
-template std::vector<LevelStatistics> level_statistics(const Hierarchy<Obb>&);
+#define SCB_INSTANTIATE(V) \
+    template std::vector<LevelStatistics> level_statistics(const Hierarchy<V>&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

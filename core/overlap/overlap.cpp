@@ -11,9 +11,9 @@ Stage overlap(const V& a, const V& b, const Pose& b_to_a, const OverlapOptions& 
     return with_overlap_test<V>(options, [&](auto test) { return test(a, b, placed); });
 }
 
-template Stage overlap(const Scb&, const Scb&, const Pose&, const OverlapOptions&);
-template Stage overlap(const Scb2&, const Scb2&, const Pose&, const OverlapOptions&);
-template Stage overlap(const Ball&, const Ball&, const Pose&, const OverlapOptions&);
-template Stage overlap(const Obb&, const Obb&, const Pose&, const OverlapOptions&);
+#define SCB_INSTANTIATE(V) \
+    template Stage overlap(const V&, const V&, const Pose&, const OverlapOptions&);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

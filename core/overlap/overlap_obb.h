@@ -8,33 +8,29 @@
 
 namespace scb {
 
-/// Two oriented boxes by the 15 separating axes of Gottschalk, Lin and Manocha, "OBBTree: A
+/// The first 3 or all 15 of the separating axes of Gottschalk, Lin and Manocha, "OBBTree: A
 /// Hierarchical Structure for Rapid Interference Detection": the 6 face normals, then the 9 cross
-/// products of edges. Exact, up to the placement's margin. The cross products are not normalized;
-/// where two edges are parallel, both sides of the comparison vanish and the margin keeps the pair.
-inline Stage overlap_obb(const Obb& a, const Obb& b, const Placement& placed) {
+/// products of edges. With all it is exact, up to the margin. Half lengths are `a` and `b`;
+/// `along_a(i, t, r)` sets t, the offset of the centers along the axis i of A, and row i of r, the
+/// axes of B along it. The cross products are not normalized; where two edges are parallel, both
+/// sides of the comparison vanish and the margin keeps the pair.
+template <int axes, class AlongA>
+Stage overlap_boxes(const Vec3& a, const Vec3& b, double margin, const AlongA& along_a) {
+    static_assert(axes == 3 || axes == 15);
     using std::abs;
-    const Vec3 offset = transform_point(placed.b_to_a, b.center) - a.center;
-    Mat3 turned, r, s;
-    for (int j = 0; j < 3; ++j)
-        turned.col(j) = transform_direction(placed.b_to_a, Vec3(b.axes.col(j)));
-    // Everything in the frame of A's axes: t the offset, r the axes of B, s their absolute values.
+    // Everything in the frame of A's axes; s are absolute values of r.
     Vec3 t;
+    Mat3 r, s;
     for (int i = 0; i < 3; ++i) {
-        const Vec3 axis = a.axes.col(i);
-        t[i] = dot(axis, offset);
-        for (int j = 0; j < 3; ++j) {
-            r(i, j) = dot(axis, Vec3(turned.col(j)));
-            s(i, j) = abs(r(i, j));
-        }
-        if (abs(t[i]) > a.half[i] + b.half[0] * s(i, 0) + b.half[1] * s(i, 1) +
-                            b.half[2] * s(i, 2) + placed.margin)
+        along_a(i, t[i], r);
+        for (int j = 0; j < 3; ++j) s(i, j) = abs(r(i, j));
+        if (abs(t[i]) > a[i] + b[0] * s(i, 0) + b[1] * s(i, 1) + b[2] * s(i, 2) + margin)
             return static_cast<Stage>(static_cast<int>(Stage::axis_a0) + i);
     }
+    if constexpr (axes == 3) return Stage::overlapping;
     for (int j = 0; j < 3; ++j) {
         const double distance = abs(t[0] * r(0, j) + t[1] * r(1, j) + t[2] * r(2, j));
-        if (distance > b.half[j] + a.half[0] * s(0, j) + a.half[1] * s(1, j) + a.half[2] * s(2, j) +
-                           placed.margin)
+        if (distance > b[j] + a[0] * s(0, j) + a[1] * s(1, j) + a[2] * s(2, j) + margin)
             return static_cast<Stage>(static_cast<int>(Stage::axis_b0) + j);
     }
     for (int i = 0; i < 3; ++i) {
@@ -42,12 +38,25 @@ inline Stage overlap_obb(const Obb& a, const Obb& b, const Placement& placed) {
         for (int j = 0; j < 3; ++j) {
             const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             const double distance = abs(t[i2] * r(i1, j) - t[i1] * r(i2, j));
-            if (distance > a.half[i1] * s(i2, j) + a.half[i2] * s(i1, j) + b.half[j1] * s(i, j2) +
-                               b.half[j2] * s(i, j1) + placed.margin)
+            if (distance >
+                a[i1] * s(i2, j) + a[i2] * s(i1, j) + b[j1] * s(i, j2) + b[j2] * s(i, j1) + margin)
                 return static_cast<Stage>(static_cast<int>(Stage::axis_a0_b0) + 3 * i + j);
         }
     }
     return Stage::overlapping;
+}
+
+/// Two oriented boxes, exactly.
+inline Stage overlap_obb(const Obb& a, const Obb& b, const Placement& placed) {
+    const Vec3 offset = transform_point(placed.b_to_a, b.center) - a.center;
+    Mat3 turned;
+    for (int j = 0; j < 3; ++j)
+        turned.col(j) = transform_direction(placed.b_to_a, Vec3(b.axes.col(j)));
+    return overlap_boxes<15>(a.half, b.half, placed.margin, [&](int i, double& t, Mat3& r) {
+        const Vec3 axis = a.axes.col(i);
+        t = dot(axis, offset);
+        for (int j = 0; j < 3; ++j) r(i, j) = dot(axis, Vec3(turned.col(j)));
+    });
 }
 
 }  // namespace scb

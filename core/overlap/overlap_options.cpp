@@ -49,6 +49,8 @@ std::span<const Stage> scb2_stages() { return two_slabs; }
 
 std::span<const Stage> obb_stages() { return axes; }
 
+std::span<const Stage> aabb_stages() { return std::span(axes).first(3); }
+
 std::string overlap_title(const OverlapOptions& options) {
     std::string title(overlap_test_name(options.test));
     if (has_threshold(options.test)) {

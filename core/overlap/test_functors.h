@@ -3,6 +3,7 @@
 #include <cassert>
 #include <concepts>
 
+#include "core/overlap/overlap_aabb.h"
 #include "core/overlap/overlap_ball.h"
 #include "core/overlap/overlap_extents.h"
 #include "core/overlap/overlap_figure8.h"
@@ -24,6 +25,13 @@ struct BallTest {
 struct ObbTest {
     Stage operator()(const Obb& a, const Obb& b, const Placement& placed) const {
         return overlap_obb(a, b, placed);
+    }
+};
+template <bool exact>
+struct AabbTest {
+    Stage operator()(const BasicAabb<exact>& a, const BasicAabb<exact>& b,
+                     const Placement& placed) const {
+        return overlap_aabb(a, b, placed);
     }
 };
 struct Scb2Test {
@@ -58,6 +66,10 @@ decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
         return use(ObbTest{});
     } else if constexpr (std::same_as<V, Scb2>) {
         return use(Scb2Test{});
+    } else if constexpr (std::same_as<V, Aabb>) {
+        return use(AabbTest<false>{});
+    } else if constexpr (std::same_as<V, ExactAabb>) {
+        return use(AabbTest<true>{});
     } else {
         assert(options.threshold >= 0 && options.threshold <= 1 && "a threshold is a cosine");
         switch (options.test) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/volumes/shape.h"
+
 namespace scb {
 
 Placement placement(const Pose& b_to_a, double reach_a, double reach_b) {
@@ -25,5 +27,7 @@ double reach(const Ball& v) { return std::sqrt(squared_norm(v.center)) + v.radiu
 double reach(const Obb& v) {
     return std::sqrt(squared_norm(v.center)) + std::sqrt(squared_norm(v.half));
 }
+double reach(const Aabb& v) { return reach(shape_of(v)); }
+double reach(const ExactAabb& v) { return reach(shape_of(v)); }
 
 }  // namespace scb

@@ -8,6 +8,8 @@ std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions
         case VolumeKind::ritter:
             return {};
         case VolumeKind::obb:
+        case VolumeKind::aabb:
+        case VolumeKind::aabb_exact:
             return {"a, b: the axes of the boxes; ρ: how far a box reaches along the axis."};
         case VolumeKind::scb2:
             return {

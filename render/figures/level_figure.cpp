@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "core/hierarchy/level_statistics.h"
+#include "core/volumes/shape.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
 namespace {
+
+bool holds_boxes(const AnyHierarchy& hierarchy) {
+    return std::visit(
+        [](const auto& h) {
+            return std::is_same_v<std::decay_t<decltype(shape_of(h.volumes[0]))>, Obb>;
+        },
+        hierarchy);
+}
 
 // Whether the thickness is but rounding noise.
 bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
@@ -63,7 +73,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         items.emplace_back(*scale);
     }
     const AnyHierarchy& hierarchy = *figure.bodies[0].hierarchy;
-    const bool boxes = std::holds_alternative<Hierarchy<Obb>>(hierarchy),
+    const bool boxes = holds_boxes(hierarchy),
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
     items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
                                  (boxes       ? ""
@@ -75,7 +85,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
 }  // namespace
 
 std::string_view lengths_words(const AnyHierarchy& hierarchy) {
-    if (std::holds_alternative<Hierarchy<Obb>>(hierarchy)) return "d: diagonal, τ: shortest side";
+    if (holds_boxes(hierarchy)) return "d: diagonal, τ: shortest side";
     if (std::holds_alternative<Hierarchy<Scb2>>(hierarchy)) return "d = 2r, τ: the thinner slab";
     if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return "τ = d = 2r";
     return "d = 2r, τ = e − f";
@@ -117,8 +127,7 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
                 [&](const auto& h) {
                     double most = -std::numeric_limits<double>::infinity();
                     for (const std::uint32_t node : nodes)
-                        most = std::max(most, dot(center(h.volumes[node]), local) +
-                                                  support(h.volumes[node], local));
+                        most = std::max(most, scb::render::reach(shape_of(h.volumes[node]), local));
                     return most;
                 },
                 *body.hierarchy);
@@ -150,12 +159,13 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
                 const std::uint32_t none = 0xffffffffu;
                 std::uint32_t drawn = none;
                 for (const std::uint32_t node : level_cover(*h.topology, level)) {
-                    const auto& volume = h.volumes[node];
+                    const auto& volume = shape_of(h.volumes[node]);
                     // Duplicate triangles have the same leaf: one of a run of equal ones is all
                     // that can be seen.
-                    if (drawn != none && identical(volume, h.volumes[drawn])) continue;
+                    if (drawn != none && identical(volume, shape_of(h.volumes[drawn]))) continue;
                     drawn = node;
-                    const Rgba8 color = volume_color(style.colors, volume, depths[node], b, node);
+                    const Rgba8 color =
+                        volume_color(style.colors, h.volumes[node], depths[node], b, node);
                     pane.volumes.push_back({placed(volume, body.pose),
                                             with_opacity(color, style.opacity),
                                             body.first_id + node});

@@ -1,12 +1,14 @@
 #include "render/figures/query_body.h"
 
+#include "core/volumes/shape.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
 
 AnyVolume volume_of(const QueryBody& body, std::uint32_t node) {
-    return std::visit([&](const auto& h) { return AnyVolume(placed(h.volumes[node], body.pose)); },
-                      *body.hierarchy);
+    return std::visit(
+        [&](const auto& h) { return AnyVolume(placed(shape_of(h.volumes[node]), body.pose)); },
+        *body.hierarchy);
 }
 
 Rgba8 body_color(std::size_t side) { return side == 0 ? body_a_color : body_b_color; }

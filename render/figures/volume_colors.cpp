@@ -86,13 +86,10 @@ double largest_root(const std::vector<AnyHierarchy>& hierarchies) {
     return largest;
 }
 
-template double color_magnitude(const ColorScale&, const Scb&, int);
-template double color_magnitude(const ColorScale&, const Scb2&, int);
-template double color_magnitude(const ColorScale&, const Ball&, int);
-template double color_magnitude(const ColorScale&, const Obb&, int);
-template Rgba8 volume_color(const ColorScale&, const Scb&, int, std::size_t, std::uint32_t);
-template Rgba8 volume_color(const ColorScale&, const Scb2&, int, std::size_t, std::uint32_t);
-template Rgba8 volume_color(const ColorScale&, const Ball&, int, std::size_t, std::uint32_t);
-template Rgba8 volume_color(const ColorScale&, const Obb&, int, std::size_t, std::uint32_t);
+#define SCB_INSTANTIATE(V)                                             \
+    template double color_magnitude(const ColorScale&, const V&, int); \
+    template Rgba8 volume_color(const ColorScale&, const V&, int, std::size_t, std::uint32_t);
+SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb::render

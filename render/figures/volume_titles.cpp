@@ -16,6 +16,10 @@ std::string_view volume_title(VolumeKind kind) {
             return "OBB";
         case VolumeKind::scb2:
             return "SCB2";
+        case VolumeKind::aabb:
+            return "AABB";
+        case VolumeKind::aabb_exact:
+            return "AABB (exact)";
     }
     return "SCB";
 }

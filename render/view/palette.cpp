@@ -51,6 +51,10 @@ Rgba8 hierarchy_color(VolumeKind kind) {
             return category_color(5);
         case VolumeKind::scb2:
             return category_color(2);
+        case VolumeKind::aabb:
+            return category_color(1);
+        case VolumeKind::aabb_exact:
+            return category_color(4);
         case VolumeKind::obb:
             break;
     }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/volumes/shape.h"
 #include "scb/any_packed.h"
 #include "scenes/scene/builtin.h"
 #include "tests/core/hierarchy/built_mesh.h"
@@ -97,7 +98,7 @@ std::string hash_of(const AnyHierarchy& hierarchy) {
     for (const std::uint32_t triangle : topology.order) hash.add(std::uint64_t{triangle});
     std::visit(
         [&](const auto& some) {
-            for (const auto& volume : some.volumes) hash.add(volume);
+            for (const auto& volume : some.volumes) hash.add(shape_of(volume));
         },
         hierarchy);
     return hash.text();

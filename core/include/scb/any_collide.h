@@ -21,7 +21,8 @@ std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options)
 
 /// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
 /// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
-/// center; of boxes the center and three axes.
+/// center; of boxes the center and three axes, of those along the body's axes the center; of two
+/// slabs the center and, after the balls, both normals.
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options);
 

@@ -45,5 +45,6 @@ std::span<const Stage> stages_of(OverlapTest test);
 std::span<const Stage> ball_stages();
 std::span<const Stage> scb2_stages();
 std::span<const Stage> obb_stages();
+std::span<const Stage> aabb_stages();  ///< as engines test them
 
 }  // namespace scb

@@ -29,5 +29,7 @@ double reach(const Scb& v);
 double reach(const Scb2& v);
 double reach(const Ball& v);
 double reach(const Obb& v);
+double reach(const Aabb& v);
+double reach(const ExactAabb& v);
 
 }  // namespace scb

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <string_view>
 
+#include "scb/aabb.h"
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
@@ -11,8 +12,7 @@
 namespace scb {
 
 /// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
-/// free functions. The templates of hierarchy.h are instantiated for the four types below; another
-/// one has to be added there and, with how it is fitted, in fit_volumes.cpp.
+/// free functions. Templates for volumes are compiled for the types below.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
     requires(const V& c, const Vec3& p) {
@@ -25,6 +25,11 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
     { thickness(c) } -> std::same_as<double>;
 };
 
-static_assert(Volume<Scb> && Volume<Scb2> && Volume<Ball> && Volume<Obb>);
+/// Calls the macro X with each type of volume: the only list of them.
+#define SCB_FOR_EACH_VOLUME(X) X(Scb) X(Scb2) X(Ball) X(Obb) X(Aabb) X(ExactAabb)
+
+#define SCB_IS_VOLUME(V) static_assert(Volume<V>);
+SCB_FOR_EACH_VOLUME(SCB_IS_VOLUME)
+#undef SCB_IS_VOLUME
 
 }  // namespace scb

@@ -18,7 +18,7 @@ namespace {
 
 template <class V>
 class HierarchyOf : public testing::Test {};
-using Volumes = testing::Types<Scb, Scb2, Ball, Obb>;
+using Volumes = testing::Types<Scb, Scb2, Ball, Obb, Aabb, ExactAabb>;
 TYPED_TEST_SUITE(HierarchyOf, Volumes);
 
 std::vector<Mesh> all_kinds() {

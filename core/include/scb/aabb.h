@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+
+#include "scb/vec.h"
+
+namespace scb {
+
+/// A box along the axes of its body's frame: the points with |x[i] - center[i]| <= half[i]. Closed.
+/// In another frame it is an oriented box. How two of them are tested is part of the type, since
+/// two ways are common, see overlap_aabb.h: `exact`, or by `exact = false` as engines do it, A
+/// against the box, along A's axes, about the turned B.
+template <bool exact>
+struct BasicAabb {
+    Vec3 center = Vec3::Zero();
+    Vec3 half = Vec3::Zero();  ///< half lengths
+};
+using Aabb = BasicAabb<false>;
+using ExactAabb = BasicAabb<true>;
+
+template <bool exact>
+double surface_area(const BasicAabb<exact>& box) {
+    const Vec3& h = box.half;
+    return 8 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]);
+}
+
+template <bool exact>
+double volume(const BasicAabb<exact>& box) {
+    return 8 * box.half[0] * box.half[1] * box.half[2];
+}
+
+/// Whether the point is inside or on the surface.
+template <bool exact>
+bool contains(const BasicAabb<exact>& box, const Vec3& point) {
+    return ((point - box.center).cwiseAbs().array() <= box.half.array()).all();
+}
+
+/// Whether all is finite and no side is negative.
+template <bool exact>
+bool is_well_formed(const BasicAabb<exact>& box) {
+    return box.center.allFinite() && box.half.allFinite() && box.half.minCoeff() >= 0;
+}
+
+/// How far the box reaches from its center in the unit direction `direction`.
+template <bool exact>
+double support(const BasicAabb<exact>& box, const Vec3& direction) {
+    return dot(box.half, Vec3(direction.cwiseAbs()));
+}
+
+/// As of oriented boxes: the longest half length; diagonal and shortest side.
+template <bool exact>
+double descent_size(const BasicAabb<exact>& box) {
+    return box.half.maxCoeff();
+}
+template <bool exact>
+double diameter(const BasicAabb<exact>& box) {
+    return 2 * std::sqrt(squared_norm(box.half));
+}
+template <bool exact>
+double thickness(const BasicAabb<exact>& box) {
+    return 2 * box.half.minCoeff();
+}
+
+}  // namespace scb

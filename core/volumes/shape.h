@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scb/volume.h"
+
+namespace scb {
+
+/// A volume as one of the few shapes for which there are pictures, files and exact verdicts: the
+/// volume itself, or one of another type that is the same set of points.
+template <class V>
+const V& shape_of(const V& volume) {
+    return volume;
+}
+template <bool exact>
+Obb shape_of(const BasicAabb<exact>& box) {
+    return {box.center, Mat3::Identity(), box.half};
+}
+
+}  // namespace scb
