@@ -140,6 +140,8 @@ TEST(BenchFigure, DrawsEveryHierarchyInItsColor) {
     Overlay overlay;
     for (const Theme* theme : {&light_theme, &dark_theme}) {
         BenchFigure figure = example();
+        figure.series.push_back(series_of("AABB", VolumeKind::aabb, 40000, 4, 300));
+        figure.series.push_back(series_of("AABB (exact)", VolumeKind::aabb_exact, 30000, 6, 300));
         figure.theme = theme;
         const Picture picture = compose(figure, 1280, 720, overlay);
         const Image image = drawing.renderer.draw(picture, &overlay).image;
