@@ -86,6 +86,8 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     values["name"] = result.name;
     values["anchor"] = anchor_of(result.name, anchors);
     values["verdict"] = std::string(verdict_names[result.verdict]);
+    values["cause"] = result.cause;
+    values["has_cause"] = flag(!result.cause.empty());
     values["message"] = result.message;
     values["has_message"] = flag(!result.message.empty());
     values["seconds"] = seconds_text(result.seconds);

@@ -250,8 +250,8 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
         EXPECT_NE(said.find("the new run tested"), std::string::npos);
     }
     // What it comes to is said first, and the whole keeps its columns.
-    EXPECT_EQ(found["lines"][0], "Another test: symmetric before, extents now.");
-    EXPECT_TRUE(found["lines"][1].get<std::string>().starts_with("They part first at frame 100"))
+    EXPECT_EQ(found["cause"], "The overlap test changed: extents instead of symmetric.");
+    EXPECT_TRUE(found["lines"][0].get<std::string>().starts_with("They part first at frame 100"))
         << found["lines"];
     EXPECT_NE(text.find("baseline      new run new run - baseline\n"), std::string::npos) << text;
     EXPECT_NE(page.find("<pre class=\"trace\""), std::string::npos);
@@ -309,11 +309,12 @@ TEST_F(GoldenReport, AnotherMeshIsNamedFirstAndHasNoLevels) {
     check();
     const json lines = result("rejections")["lines"];
     ASSERT_GE(lines.size(), 2u);
-    const std::string message = result("rejections")["message"];
-    EXPECT_TRUE(message.starts_with("The mesh of A is another: 2,000 triangles, ")) << message;
-    EXPECT_NE(lines.dump().find("Another scene: cone before, soup now."), std::string::npos)
-        << lines;
-    EXPECT_EQ(lines.dump().find("Another mesh of "), std::string::npos) << lines;
+    const std::string cause = result("rejections")["cause"];
+    EXPECT_TRUE(
+        cause.starts_with("The scene changed: soup instead of cone. The mesh of body A "
+                          "changed: 2,000 triangles instead of "))
+        << cause;
+    EXPECT_EQ(lines.dump().find("Another "), std::string::npos) << lines;
     EXPECT_EQ(lines.dump().find(", level "), std::string::npos) << lines;
 }
 
