@@ -57,6 +57,14 @@ TEST_F(HtmlReport, HasTheCauseThenThePicturesThenTheFindings) {
     EXPECT_EQ(page().find("class=\"cause\""), std::string::npos);
 }
 
+TEST_F(HtmlReport, FoldsManyLinesAway) {
+    failed.lines.assign(10, "a line");
+    EXPECT_EQ(page().find("more lines"), std::string::npos);
+    failed.lines.push_back("the last");
+    const std::string all = page();
+    EXPECT_LT(place_of(all, "<summary>3 more lines</summary>"), place_of(all, "the last"));
+}
+
 TEST_F(HtmlReport, ZoomsToTheSceneAndListsItsPixels) {
     const std::string all = page();
     EXPECT_NE(all.find("data-box=\"3 1 4 2\""), std::string::npos);
