@@ -112,6 +112,12 @@ std::string body_sentences(const CaseRecord& before, const CaseRecord& after) {
 
 /// In which frame is said only where the frames that are recorded differ in it.
 std::string pose_sentences(const CaseRecord& before, const CaseRecord& after) {
+    const auto scene_of = [](const CaseRecord& record) {
+        const auto scene = record.settings.find("scene");
+        return scene == record.settings.end() ? std::string() : scene->second;
+    };
+    // Bodies of two scenes have nothing in common but names.
+    if (scene_of(before) != scene_of(after)) return "";
     std::map<std::string, std::vector<std::pair<int, std::string>>> motions;  // by body
     for (const auto& [frame, bodies] : after.poses) {
         const auto old = before.poses.find(frame);

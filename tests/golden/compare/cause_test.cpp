@@ -65,6 +65,7 @@ TEST(Cause, IsTheSettingThatChanged) {
     after.command += " --test symmetric";
     EXPECT_EQ(cause(record(), after), "The overlap test changed: symmetric instead of corrected.");
     after.settings["scene"] = "knots";
+    after.poses[100]["B"].translation = {0.02, 0, 0};  // of another body
     EXPECT_EQ(cause(record(), after),
               "The scene changed: knots instead of spheres. "
               "The overlap test changed: symmetric instead of corrected.");
