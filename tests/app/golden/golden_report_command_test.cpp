@@ -264,6 +264,18 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
     EXPECT_EQ(run(result("rejections")["diff"].get<std::string>().substr(4)).status, 1);
 }
 
+TEST_F(GoldenReport, TracesSayWhatOlderBaselinesDoNot) {
+    const fs::path meta = baseline("rejections.meta.json");
+    json record = json::parse(file_text(meta));
+    record.erase("settings");
+    record.erase("poses");
+    write_text(meta, record.dump());
+    change_suite("/presets/small/test", "extents", {"levels"});
+    check();
+    EXPECT_EQ(result("rejections")["cause"], "");
+    EXPECT_EQ(result("rejections")["lines"][0], "Another test: symmetric before, extents now.");
+}
+
 TEST_F(GoldenReport, CountsHaveTheirValuesAndOneTotalEverywhere) {
     change_suite("/presets/small/test", "extents", {"levels"});
     const ProgramRun ended = check("--junit junit.xml", "env GITHUB_STEP_SUMMARY=summary.md");
