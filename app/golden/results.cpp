@@ -169,7 +169,7 @@ std::string results_text(const golden::SuiteResult& result) {
         tolerated += golden::is_tolerated(c);
         if (c.verdict == golden::Verdict::same) continue;
         text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_names[c.verdict]) +
-                ". " + golden::plain_text(c.message) + "\n";
+                ". " + golden::plain_text(golden::first_words(c)) + "\n";
         for (const std::string& line : golden::result_lines(c)) text += "    " + line + "\n";
         if (!c.reproduce.empty()) text += "    " + golden::plain_text(c.reproduce) + "\n";
         if (!c.diff.empty()) text += "    " + golden::plain_text(c.diff) + "\n";

@@ -12,6 +12,7 @@
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
+#include "app/query/poses_json.h"
 #include "app/query/query_source.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
@@ -209,6 +210,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Sce
                            options.explain};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
+    head["poses"] = poses_json(query.scene, query.frames);
     if (whole) {
         pictures.write("frames.csv", frames_csv(report));
         pictures.write("pairs.csv", pairs_csv(report));

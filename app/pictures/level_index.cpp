@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
 #include "core/hierarchy/level_statistics.h"
 
@@ -47,6 +48,7 @@ Json level_head(const LevelOptions& options, const scenes::Scene& scene, int fra
             {"scene", scene.name},
             {"bodies", std::move(bodies)},
             {"frame", frame},
+            {"poses", poses_json(scene, {frame})},
             {"options",
              {{"volume", kinds},
               {"levels", levels_json},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/query/count_table.h"
+#include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
 
 namespace scb::app {
@@ -39,6 +40,7 @@ Json query_index_head(const QueryView& view, const std::string& command) {
         head.update(asked[0]);
     }
     head["frames"] = sources.front().frames();
+    head["poses"] = poses_json(sources.front().query().scene, sources.front().frames());
     if (shows_bodies) {
         Json& ids = head["ids"] = Json::array();
         add_ids(ids, view, "node", view.ids().nodes);

@@ -9,6 +9,7 @@
 #include "app/cli/progress.h"
 #include "app/query/count_table.h"
 #include "app/query/output_guard.h"
+#include "app/query/poses_json.h"
 #include "app/query/scene_query.h"
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
@@ -98,6 +99,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     result["max_pairs"] = query.options.max_pairs;
     const int level = query.options.stop_level;
     result["level"] = level >= 0 ? Json(level) : Json();
+    result["poses"] = poses_json(query.scene, query.frames);
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "app/query/poses_json.h"
 #include "core/base/text_format.h"
 #include "core/collide/pairs_hash.h"
 
@@ -43,14 +44,10 @@ std::string count_table_row(int frame, const Collision& c, const std::vector<Sta
 
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& c,
                                   const std::vector<Stage>& stages) {
-    nlohmann::ordered_json counts, pose = nlohmann::ordered_json::array();
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) pose.push_back(b_to_a.rotation(row, column));
-        pose.push_back(b_to_a.translation[row]);
-    }
+    nlohmann::ordered_json counts;
     for (const Stage stage : stages) counts[std::string(stage_name(stage))] = tests_at(c, stage);
     return {{"frame", frame},
-            {"pose", pose},
+            {"pose", pose_json(b_to_a)},
             {"pairs", c.pairs.size()},
             {"pairs_hash", hash_text(pairs_hash(c.pairs))},
             {"n_v", c.n_v},

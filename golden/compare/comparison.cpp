@@ -8,6 +8,7 @@
 #include "golden/suite/files_equal.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
+#include "render/overlay/figure_layout.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/json_reader.h"
@@ -30,6 +31,14 @@ std::string size_words(const render::Image& image) {
 
 bool same_size(const render::Image& a, const render::Image& b) {
     return a.width == b.width && a.height == b.height;
+}
+
+/// Where the picture shows the scene: without the title and the panel of numbers, in which a digit
+/// changes whatever changed. All of it where the picture is a plot.
+PixelBox scene_part(GoldenRun run, const render::Image& image) {
+    if (!has_ids(run)) return {0, 0, image.width, image.height};
+    const render::PixelRect view = render::figure_layout(image.width, image.height).view;
+    return {view.x, view.y, view.x + view.width, view.y + view.height};
 }
 
 /// One comparison after the other; one that cannot be made does not hide what others find.
@@ -184,6 +193,8 @@ class Comparison {
         said_.push_back("the colors of " + pixels_words(closest->pixels, closest->box) +
                         ", by up to " + std::to_string(closest->largest) + " of 255");
         result_.colors = closest;
+        result_.focus = changed_box(closest_image, after, scene_part(golden_.run, after));
+        if (result_.focus.empty()) result_.focus = closest->box;
         copy_pictures(&closest_image, after);
     }
 

@@ -1,8 +1,10 @@
 #include "golden/compare/counts_difference.h"
 
-#include <iterator>
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace scb::golden {
@@ -47,6 +49,30 @@ std::string below(const std::string& place, const std::string& key) {
     return path;
 }
 
+/// Frames and depths as numbers, "2" before "10", and before what are none.
+struct NumbersFirst {
+    bool operator()(const std::string& a, const std::string& b) const {
+        const bool a_counts = is_number(a), b_counts = is_number(b);
+        if (a_counts != b_counts) return a_counts;
+        if (a_counts && a.size() != b.size()) return a.size() < b.size();
+        return a < b;
+    }
+
+  private:
+    /// As counts write it: without zeros in front.
+    static bool is_number(const std::string& key) {
+        return !key.empty() && (key[0] != '0' || key.size() == 1) &&
+               std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+    }
+};
+
+std::set<std::string, NumbersFirst> keys_of(const json& a, const json& b) {
+    std::set<std::string, NumbersFirst> keys;
+    for (const json* object : {&a, &b})
+        for (const auto& member : object->items()) keys.insert(member.key());
+    return keys;
+}
+
 class Walk {
   public:
     /// `before` and `after` stand at `place`; null where that side has nothing there.
@@ -57,25 +83,21 @@ class Walk {
         if (alike) return compare_lists(*before, *after, place);
         const bool leaves = before && after && !is_branch(*before) && !is_branch(*after);
         if (leaves && equal_leaves(*before, *after)) return;
-        if (leaves) return add(changed_, place, before, after);
+        if (leaves) return add(place, before, after);
         if (before) add_leaves(*before, place, true);
         if (after) add_leaves(*after, place, false);
     }
 
-    std::vector<CountChange> result() && {
-        changed_.insert(changed_.end(), std::make_move_iterator(appeared_.begin()),
-                        std::make_move_iterator(appeared_.end()));
-        return std::move(changed_);
-    }
+    std::vector<CountChange> result() && { return std::move(changes_); }
 
   private:
     void compare_objects(const json& before, const json& after, const std::string& place) {
-        for (const auto& [key, value] : before.items()) {
-            const auto other = after.find(key);
-            compare(&value, other == after.end() ? nullptr : &*other, below(place, key));
-        }
-        for (const auto& [key, value] : after.items())
-            if (!before.contains(key)) compare(nullptr, &value, below(place, key));
+        const auto in = [](const json& object, const std::string& key) {
+            const auto found = object.find(key);
+            return found == object.end() ? nullptr : &*found;
+        };
+        for (const std::string& key : keys_of(before, after))
+            compare(in(before, key), in(after, key), below(place, key));
     }
 
     void compare_lists(const json& before, const json& after, const std::string& place) {
@@ -87,25 +109,31 @@ class Walk {
     /// Everything at or below a value that the other side does not have.
     void add_leaves(const json& value, const std::string& place, bool is_before) {
         if (!is_branch(value))
-            return is_before ? add(changed_, place, &value, nullptr)
-                             : add(appeared_, place, nullptr, &value);
-        // items() numbers the elements of a list.
-        for (const auto& [key, child] : value.items())
-            add_leaves(child, below(place, key), is_before);
+            return is_before ? add(place, &value, nullptr) : add(place, nullptr, &value);
+        if (value.is_object())
+            for (const std::string& key : keys_of(value, json::object()))
+                add_leaves(value[key], below(place, key), is_before);
+        else
+            for (std::size_t i = 0; i < value.size(); ++i)
+                add_leaves(value[i], below(place, std::to_string(i)), is_before);
     }
 
-    static void add(std::vector<CountChange>& to, const std::string& place, const json* before,
-                    const json* after) {
+    void add(const std::string& place, const json* before, const json* after) {
         CountChange change{place, {}, {}};
         if (before && !(change.before = integer_in(*before))) change.before_text = text_of(*before);
         if (after && !(change.after = integer_in(*after))) change.after_text = text_of(*after);
-        to.push_back(std::move(change));
+        changes_.push_back(std::move(change));
     }
 
-    std::vector<CountChange> changed_, appeared_;
+    std::vector<CountChange> changes_;
 };
 
 }  // namespace
+
+bool is_hash(const CountChange& change) {
+    constexpr std::string_view name = "pairs_hash";
+    return std::string_view(change.place).ends_with(name);
+}
 
 std::vector<CountChange> counts_difference(const json& before, const json& after) {
     Walk walk;

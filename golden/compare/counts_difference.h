@@ -20,12 +20,15 @@ struct CountChange {
     friend bool operator==(const CountChange&, const CountChange&) = default;
 };
 
-/// Every count that differs, in the order of the places in `before`, then those that only `after`
-/// has. Both are trees of objects whose leaves are integers; objects and lists are walked by key
-/// and by index. Leaves of other kinds are compared as JSON text: 1.0 is not 1. An object or list
-/// without entries is such a leaf, unless the other side has one of its kind with entries. Where
-/// an object stands against a list or a leaf, everything in either has gone or come. Keys with '/'
-/// or '~' have these as "~1" and "~0" in places, as in a JSON pointer (RFC 6901).
+/// Whether it is of a hash: that it changed says something, and by how much does not.
+bool is_hash(const CountChange& change);
+
+/// Every count that differs, in the order of their places, with frames and depths as numbers: "2"
+/// before "10". Both are trees of objects whose leaves are integers; objects and lists are walked
+/// by key and by index. Leaves of other kinds are compared as JSON text: 1.0 is not 1. An object or
+/// list without entries is such a leaf, unless the other side has one of its kind with entries.
+/// Where an object stands against a list or a leaf, everything in either has gone or come. Keys
+/// with '/' or '~' have these as "~1" and "~0" in places, as in a JSON pointer (RFC 6901).
 ///
 /// The result is empty if and only if the trees are equal.
 std::vector<CountChange> counts_difference(const nlohmann::json& before,

@@ -63,6 +63,16 @@ ImageDifference image_difference(const render::Image& a, const render::Image& b)
     return difference;
 }
 
+PixelBox changed_box(const render::Image& a, const render::Image& b, const PixelBox& part) {
+    assert(a.width == b.width && a.height == b.height &&
+           "pictures of different sizes cannot be compared pixel by pixel");
+    PixelBox box;
+    for (int y = part.top; y < part.bottom; ++y)
+        for (int x = part.left; x < part.right; ++x)
+            if (!(render::pixel(a, x, y) == render::pixel(b, x, y))) box.add(x, y);
+    return box;
+}
+
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance) {
     if (tolerance.max_channel_delta >= 255) return true;
     const int delta = std::max(0, tolerance.max_channel_delta);

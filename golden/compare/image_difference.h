@@ -25,6 +25,10 @@ struct ImageDifference {
 /// Compares all channels of all pixels. The sizes must be equal.
 ImageDifference image_difference(const render::Image& a, const render::Image& b);
 
+/// About the pixels of a part of the pictures that differ; empty where none does. The sizes must be
+/// equal, and the part lie within.
+PixelBox changed_box(const render::Image& a, const render::Image& b, const PixelBox& part);
+
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 
 /// A picture of the difference: where they agree, `b` in pale grey; where they do not, the accent

@@ -65,12 +65,14 @@ Json pictures_json(const ResultPictures& pictures) {
 Json case_json(const CaseResult& result) {
     return {{"name", result.name},
             {"verdict", verdict_names[result.verdict]},
+            {"cause", result.cause},
             {"message", result.message},
             {"lines", result.lines},
             {"counts", list_json(result.counts, count_json)},
             {"ids", result.ids ? ids_json(*result.ids) : Json()},
             {"owners", result.owners},
             {"colors", result.colors ? colors_json(*result.colors) : Json()},
+            {"focus", box_json(result.focus)},
             {"tolerance",
              {{"max_channel_delta", result.tolerance.max_channel_delta},
               {"max_pixels", result.tolerance.max_pixels}}},
@@ -89,6 +91,11 @@ Json case_json(const CaseResult& result) {
 
 bool is_of_trace(const CountChange& change) {
     return change.place.find("/" + std::string(tests_by_depth_key) + "/") != std::string::npos;
+}
+
+std::string first_words(const CaseResult& result) {
+    if (result.cause.empty() || result.message.empty()) return result.cause + result.message;
+    return result.cause + " " + result.message;
 }
 
 bool is_tolerated(const CaseResult& result) {

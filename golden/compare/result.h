@@ -30,6 +30,7 @@ bool is_of_trace(const CountChange& change);
 struct CaseResult {
     std::string name;
     Verdict verdict = Verdict::same;
+    std::string cause;                ///< sentences: why it may differ, see Cause; empty: unknown
     std::string message;              ///< a sentence: what differs, or why it could not run
     std::vector<std::string> lines;   ///< what changed in the terms of the field, a sentence each
     std::vector<CountChange> counts;  ///< of the baseline, then those that only traces have
@@ -37,6 +38,9 @@ struct CaseResult {
     std::vector<std::string> owners;  ///< "node 412 of A, level 7", ... of the ids' changes
     std::optional<ImageDifference> colors;  ///< where colors were compared and differ; of a case
                                             ///< that is the same: within the tolerance
+    /// What to look at: about the pixels of the scene that have other colors, or, where only text
+    /// and panels beside it have, about these.
+    PixelBox focus;
     ColorTolerance tolerance;
     int variant = 0;  ///< which accepted picture it was compared with: the first is 1; 0: none
     ResultPictures picture, id_picture;
@@ -49,6 +53,9 @@ struct CaseResult {
 
     friend bool operator==(const CaseResult&, const CaseResult&) = default;
 };
+
+/// What it has to say first, on one line: the cause, then the message.
+std::string first_words(const CaseResult& result);
 
 /// Whether its colors differ, but not beyond the tolerance that the case declares.
 bool is_tolerated(const CaseResult& result);

@@ -104,18 +104,21 @@ Verdict verdict_at(const scenes::JsonPlace& place) {
 
 CaseResult case_at(const scenes::JsonPlace& place) {
     scenes::check_fields(
-        place, {"name", "verdict", "message", "lines", "counts", "ids", "owners", "colors",
-                "tolerance", "variant", "picture", "id_picture", "reproduce", "update", "traces",
-                "trace_difference", "diff", "seconds"});
+        place,
+        {"name",      "verdict", "cause",  "message",          "lines",   "counts",  "ids",
+         "owners",    "colors",  "focus",  "tolerance",        "variant", "picture", "id_picture",
+         "reproduce", "update",  "traces", "trace_difference", "diff",    "seconds"});
     CaseResult result;
     result.name = scenes::read_text(scenes::field(place, "name"));
     result.verdict = verdict_at(scenes::field(place, "verdict"));
+    result.cause = scenes::read_text(scenes::field(place, "cause"));
     result.message = scenes::read_text(scenes::field(place, "message"));
     result.lines = list_at(scenes::field(place, "lines"), scenes::read_text);
     result.counts = list_at(scenes::field(place, "counts"), count_change_at);
     result.ids = optional_at(scenes::field(place, "ids"), ids_at);
     result.owners = list_at(scenes::field(place, "owners"), scenes::read_text);
     result.colors = optional_at(scenes::field(place, "colors"), colors_at);
+    result.focus = box_at(scenes::field(place, "focus"));
     result.tolerance = tolerance_at(scenes::field(place, "tolerance"));
     result.variant = integer_at<int>(scenes::field(place, "variant"));
     result.picture = pictures_at(scenes::field(place, "picture"));

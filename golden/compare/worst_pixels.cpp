@@ -17,13 +17,13 @@ int PixelChange::most() const {
 }
 
 std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
-                                      std::size_t listed) {
+                                      const PixelBox& part, std::size_t listed) {
     assert(before.width == after.width && before.height == after.height &&
            "pictures of two sizes have no pixels in common");
     std::vector<PixelChange> worst;
     if (listed == 0) return worst;
-    for (int y = 0; y < after.height; ++y)
-        for (int x = 0; x < after.width; ++x) {
+    for (int y = part.top; y < std::min(part.bottom, after.height); ++y)
+        for (int x = part.left; x < std::min(part.right, after.width); ++x) {
             const PixelChange change{x, y, render::pixel(before, x, y), render::pixel(after, x, y)};
             const int most = change.most();
             if (most == 0 || (worst.size() == listed && most <= worst.back().most())) continue;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "golden/compare/pixel_box.h"
 #include "render/files/image.h"
 
 namespace scb::golden {
@@ -19,9 +20,9 @@ struct PixelChange {
     int most() const;
 };
 
-/// The pixels that differ most, at most `listed`; ties in the order of rows from the top. Both
-/// pictures of one size.
+/// The pixels of a part of the pictures that differ most, at most `listed`; ties in the order of
+/// rows from the top. Both pictures of one size; of a part beyond them, what is within.
 std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
-                                      std::size_t listed);
+                                      const PixelBox& part, std::size_t listed);
 
 }  // namespace scb::golden

@@ -74,7 +74,7 @@ std::string lines_text(const CaseResult& result, std::size_t most) {
 std::string annotation_of(const CaseResult& result) {
     return annotation(
         result.name + " (" + std::string(verdict_names[result.verdict]) + ")",
-        shortened(plain_text(result.message)) + lines_text(result, most_annotated_lines));
+        shortened(plain_text(first_words(result))) + lines_text(result, most_annotated_lines));
 }
 
 /// Text that Markdown shows as it is, on one line, cut where it is long.
@@ -101,7 +101,7 @@ std::string code_block(std::string_view language, std::string_view text) {
 std::string section_of(const CaseResult& result) {
     std::string section = "### " + markdown(result.name, longest_name) + "\n\n**" +
                           std::string(verdict_names[result.verdict]) +
-                          "**: " + markdown(result.message, longest_sentence) + "\n\n";
+                          "**: " + markdown(first_words(result), longest_sentence) + "\n\n";
     const std::string lines = lines_text(result, most_summary_lines);
     if (!lines.empty()) section += code_block("", lines.substr(1) + "\n");
     std::string commands;

@@ -65,6 +65,22 @@ std::string seconds_text(double seconds) {
     return text.data();
 }
 
+/// What the traces say is first; many things of which each has some other pixels are folded away.
+void set_lines(data& values, const std::vector<std::string>& all) {
+    data lines(data::type::list), more(data::type::list);
+    const std::size_t open = all.size() <= most_open_lines + 2 ? all.size() : most_open_lines;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        data entry;
+        entry["line"] = all[i];
+        (i < open ? lines : more) << entry;
+    }
+    values["has_lines"] = flag(!all.empty());
+    values.set("lines", lines);
+    values["has_more_lines"] = flag(all.size() > open);
+    values["more_lines_words"] = counted(all.size() - open, "more line", "more lines");
+    values.set("more_lines", more);
+}
+
 void set_commands(data& values, const CaseResult& result) {
     data commands(data::type::list);
     const auto add = [&](const char* title, const std::string& text) {
@@ -86,19 +102,14 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     values["name"] = result.name;
     values["anchor"] = anchor_of(result.name, anchors);
     values["verdict"] = std::string(verdict_names[result.verdict]);
+    values["cause"] = result.cause;
+    values["has_cause"] = flag(!result.cause.empty());
     values["message"] = result.message;
     values["has_message"] = flag(!result.message.empty());
     values["seconds"] = seconds_text(result.seconds);
     values["variant"] = std::to_string(result.variant);
     values["has_variant"] = flag(result.variant > 1);
-    data lines(data::type::list);
-    for (const std::string& line : result.lines) {
-        data entry;
-        entry["line"] = line;
-        lines << entry;
-    }
-    values["has_lines"] = flag(!result.lines.empty());
-    values.set("lines", lines);
+    set_lines(values, result.lines);
 
     const auto trace_lines = static_cast<std::size_t>(
         std::count(result.trace_difference.begin(), result.trace_difference.end(), '\n'));

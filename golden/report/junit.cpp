@@ -50,7 +50,7 @@ data case_of(const CaseResult& result) {
     }
     data outcome;
     outcome["element"] = element_of(result.verdict);
-    outcome["message"] = xml_text(result.message);
+    outcome["message"] = xml_text(first_words(result));
     outcome["verdict"] = std::string(verdict_names[result.verdict]);
     outcome["lines"] = xml_text(lines_of(result));
     values.set("outcome", outcome);

@@ -313,7 +313,7 @@
   const texts = new Map();
   function textOf(article) {
     if (!texts.has(article)) {
-      const parts = all('h2, .message, .lines, tbody th, .commands code', article);
+      const parts = all('h2, .cause, .message, .lines, tbody th, .commands code', article);
       texts.set(article, parts.map((p) => p.textContent).join(' '));
     }
     return texts.get(article);

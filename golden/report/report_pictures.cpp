@@ -148,10 +148,7 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
 
 data pictures_of(const CaseResult& result, const fs::path& folder) {
     data sets(data::type::list);
-    append_pictures(
-        sets,
-        {"colors", "picture", result.picture, result.colors ? result.colors->box : PixelBox{}},
-        result, folder);
+    append_pictures(sets, {"colors", "picture", result.picture, result.focus}, result, folder);
     append_pictures(sets,
                     {"ids", "ids", result.id_picture, result.ids ? result.ids->box : PixelBox{}},
                     result, folder);

@@ -72,12 +72,14 @@ void fill_count(const CountChange& change, data& row) {
         at = end + 1;
     }
     row.set("parts", parts);
-    row["before"] = value(change.before, change.before_text);
-    row["after"] = value(change.after, change.after_text);
-    row["change"] = change.before && change.after ? change_of(*change.before, *change.after)
-                    : was && is                   ? std::string("changed")
-                    : is                          ? std::string("new")
-                                                  : std::string("gone");
+    const bool hash = is_hash(change);
+    row["before"] = hash ? std::string() : value(change.before, change.before_text);
+    row["after"] = hash ? std::string() : value(change.after, change.after_text);
+    row["change"] = change.before && change.after && !hash
+                        ? change_of(*change.before, *change.after)
+                    : was && is ? std::string("changed")
+                    : is        ? std::string("new")
+                                : std::string("gone");
 }
 
 void fill_id(const IdChange& change, const std::string& owner, data& row) {
@@ -164,7 +166,7 @@ std::vector<PixelChange> worst_pixels_of(const CaseResult& result, const fs::pat
         const render::Image before = render::read_png(folder / picture.baseline);
         const render::Image after = render::read_png(folder / picture.candidate);
         if (before.width != after.width || before.height != after.height) return {};
-        return worst_pixels(before, after, shown_pixels);
+        return worst_pixels(before, after, result.focus, shown_pixels);
     } catch (const InputError&) {
         return {};
     }

@@ -14,6 +14,7 @@ std::string value_of(const std::optional<std::int64_t>& count, const std::string
 }
 
 std::string line_of(const CountChange& change) {
+    if (is_hash(change) && change.before && change.after) return change.place + ": changed";
     std::string line = change.place + ": " + value_of(change.before, change.before_text) + " -> " +
                        value_of(change.after, change.after_text);
     if (change.before && change.after)

@@ -72,9 +72,9 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
                                    : "";
         if (!trouble.empty())
             result.lines.push_back("The trace of this run could not be recorded: " + trouble);
-        add_lines(result, golden, check.settings, check.folders);
         if (check.traces && !check.folders.report.empty()) keep_traces(result, check.folders);
     }
+    add_lines(result, golden, check.settings, check.folders);
     return checked;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "golden/compare/mesh_difference.h"
+#include "golden/compare/cause.h"
 #include "golden/compare/number_words.h"
 #include "golden/run/pixel_owners.h"
 #include "golden/run/trace_lines.h"
@@ -79,18 +79,17 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
                                               "more things have other colors."));
 }
 
-/// Says in front which meshes are others; false where none is.
-bool says_meshes(CaseResult& result, const ComparisonFolders& folders) {
+/// Finds out why it may differ, by what is recorded of both.
+Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
     try {
-        const std::string meshes = mesh_sentences(case_files(folders.baselines, result.name).meta,
-                                                  case_files(folders.candidates, result.name).meta);
-        if (meshes.empty()) return false;
-        result.message = meshes + " " + result.message;
-        return true;
+        Cause cause = cause_of(read_record(case_files(folders.baselines, result.name).meta),
+                               read_record(case_files(folders.candidates, result.name).meta));
+        result.cause = cause.sentences;
+        return cause;
     } catch (const InputError& error) {
         // Of a file that is not compared: the others still tell.
         result.lines.push_back(error.what());
-        return false;
+        return {};
     }
 }
 
@@ -98,10 +97,11 @@ bool says_meshes(CaseResult& result, const ComparisonFolders& folders) {
 
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders) {
+    if (result.verdict != Verdict::different && result.verdict != Verdict::size_differs) return;
+    const Cause cause = find_cause(result, folders);
     if (result.verdict != Verdict::different) return;
-    const bool other_meshes = says_meshes(result, folders);
     try {
-        const bool same_meshes = add_trace_lines(result, folders, !other_meshes) && !other_meshes;
+        const bool same_meshes = add_trace_lines(result, folders, cause) && !cause.other_meshes;
         if (!result.ids && !(result.colors && golden.ids)) return;
         const Owners owners(golden, settings, folders.candidates / (result.name + ".index.json"),
                             same_meshes);

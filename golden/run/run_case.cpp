@@ -5,6 +5,7 @@
 #include "core/base/exit_status.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/case_counts.h"
+#include "golden/suite/case_record.h"
 #include "golden/suite/shell_word.h"
 #include "render/files/child_process.h"
 #include "render/files/output_file.h"
@@ -86,13 +87,6 @@ bool lacks_meshes(const GoldenCase& golden, const GoldenRunSettings& settings) {
     return scene != nullptr && !scenes::missing_mesh_file(*scene, settings.models).empty();
 }
 
-std::string meta_text(const GoldenCase& golden, const Json& document) {
-    Json meta = {{"command", typed(command_of(in_own_folder(golden), "DIR"))}};
-    for (const char* key : {"bodies", "versions"})
-        if (document.contains(key)) meta[key] = document[key];
-    return meta.dump(2) + "\n";
-}
-
 void move_file(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
@@ -133,7 +127,8 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
         document = scenes::parse_json(child.printed, "the output of the case");
     }
     render::write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
-    render::write_file_whole(files.meta, meta_text(golden, document));
+    const std::string command = typed(command_of(in_own_folder(golden), "DIR"));
+    render::write_file_whole(files.meta, record_json(command, document).dump(2) + "\n");
 }
 
 /// The option must win over SCB_MODELS, which a run would find in its environment.

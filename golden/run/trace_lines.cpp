@@ -39,10 +39,10 @@ std::string joined(const std::string& text) {
     return line;
 }
 
-std::vector<std::string> conclusions(const TraceDiff& d, bool names_meshes) {
+std::vector<std::string> conclusions(const TraceDiff& d, const Cause& cause) {
     std::vector<std::string> lines;
     for (const FieldDifference& field : d.asked)
-        if (names_meshes || !field.name.starts_with("mesh of "))
+        if (field.name.starts_with("mesh of ") ? !cause.other_meshes : !cause.has_settings)
             lines.push_back("Another " + field.name + ": " + field.a + " before, " + field.b +
                             " now.");
     if (const std::string lost = scenes::lost_pairs_text(d, trace_names); !lost.empty())
@@ -54,7 +54,7 @@ std::vector<std::string> conclusions(const TraceDiff& d, bool names_meshes) {
 
 }  // namespace
 
-bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool names_meshes) {
+bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, const Cause& cause) {
     const std::filesystem::path before = case_files(folders.baselines, result.name).trace,
                                 after = case_files(folders.candidates, result.name).trace;
     std::error_code ignored;
@@ -67,7 +67,7 @@ bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, bool 
     for (CountChange& change : counts_difference(tests_by_depth(before), tests_by_depth(after)))
         result.counts.push_back(std::move(change));
     if (d.equal()) return true;
-    for (std::string& line : conclusions(d, names_meshes)) result.lines.push_back(std::move(line));
+    for (std::string& line : conclusions(d, cause)) result.lines.push_back(std::move(line));
     result.trace_difference = scenes::trace_diff_text(d, trace_names);
     return d.nodes_comparable;
 }

@@ -316,6 +316,20 @@ test('a missing baseline, a picture that is gone, a case that did not run', () =
     assert.match(await broken.textContent(), /cannot be read: it ends after 412 bytes/);
   }));
 
+test('the cause is first, then pictures, then findings', () =>
+  onPage({}, async (page) => {
+    const root = article(page, 'spheres-scb-pairs');
+    const top = async (selector) => (await root.locator(selector).first().boundingBox()).y;
+    const tops = [];
+    for (const part of ['.title', '.cause', '.viewer', '.message', '.lines', '.details', '.commands'])
+      tops.push(await top(part));
+    assert.deepEqual(tops, [...tops].sort((a, b) => a - b));
+    assert.equal(await root.locator('.cause').textContent(), 'Body B moved: 0.02 along x, 1.5 degrees.');
+    assert.equal(await article(page, 'one-pixel').locator('.cause').count(), 0);
+    await page.locator('#filter').fill('moved 1.5');
+    assert.deepEqual(await names(page), ['spheres-scb-pairs']);
+  }));
+
 test('what the traces conclude is said first, and the whole keeps its columns', () =>
   onPage({}, async (page) => {
     const root = article(page, 'spheres-scb-pairs');

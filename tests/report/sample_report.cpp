@@ -154,6 +154,7 @@ class Sample {
         if (a.width != b.width || a.height != b.height) return;
         c.picture.difference = write(c.name + ".difference.png", marked(a, b));
         c.colors = colors_between(a, b);
+        c.focus = c.colors->box;
         const render::IdImage i = ids_of(before), j = ids_of(after);
         c.id_picture = {write(c.name + ".ids.baseline.png", i), write(c.name + ".ids.png", j), ""};
         if (golden::IdDifference ids = owners_between(i, j); ids.pixels > 0) c.ids = ids;
@@ -200,6 +201,7 @@ golden::SuiteResult sample(const fs::path& folder) {
     {
         golden::CaseResult& c = s.add("spheres-scb-pairs", golden::Verdict::different,
                                       "These differ: 49 counts; the owners of 1,080 pixels.");
+        c.cause = "Body B moved: 0.02 along x, 1.5 degrees.";
         c.lines = {"11 pairs only in the baseline, 0 pairs only in the new run.",
                    "They part first at frame 100, test 3, where the baseline tested the nodes (21, "
                    "97) at depths (3, 4): rejected at cylinder-slab, the new run tested the nodes "
@@ -258,6 +260,7 @@ golden::SuiteResult sample(const fs::path& folder) {
         c.picture = {s.write("one.baseline.png", before), s.write("one.png", after),
                      s.write("one.difference.png", marked(before, after))};
         c.colors = colors_between(before, after);
+        c.focus = c.colors->box;
     }
     {
         golden::CaseResult& c =

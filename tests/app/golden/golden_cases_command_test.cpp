@@ -101,11 +101,11 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
             run.out,
             std::regex(
                 std::string(name) +
-                ": different\\. The mesh of A is another: 2 triangles, 6 vertices, hash "
-                "[0-9a-f]{16} instead of 2 triangles, 6 vertices, hash [0-9a-f]{16}\\. These "
-                "differ: ")))
+                ": different\\. The mesh of body A changed: as many triangles and vertices, but "
+                "not the same\\. These differ: ")))
             << run.out;
-    EXPECT_EQ(run.out.find("The mesh of B"), std::string::npos);
+    EXPECT_EQ(run.out.find("The mesh of body B"), std::string::npos);
+    EXPECT_EQ(run.out.find(" moved"), std::string::npos);
     EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
     const ProgramRun inspected =
         run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
@@ -117,6 +117,31 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
                                  "a baseline, see what `scb golden check` says."),
               std::string::npos)
         << inspected.err;
+}
+
+TEST_F(GoldenCommandCases, SayFirstWhichBodyMoved) {
+    write_text(folder / "my/a.obj", two_triangles(false));
+    write_text(folder / "my/b.obj", cutting_triangle);
+    const auto write_pose = [&](const std::string& pose) {
+        json cases;
+        for (const char* run : {"levels", "rejections", "traversal", "inspect", "collide"})
+            cases.push_back({{"name", run},
+                             {"run", run},
+                             {"scene", {"a.obj", "b.obj"}},
+                             {"arguments", {"--pose=" + pose}}});
+        cases[0]["arguments"].push_back("--levels=0");
+        write_cases(cases);
+    };
+    write_pose("1,0,0,0,0,1,0,0,0,0,1,0");
+    ASSERT_EQ(golden("update --all").status, 0);
+    // A quarter turn, and up by half of the distance of the triangles.
+    write_pose("0,-1,0,0,1,0,0,0,0,0,1,0.5");
+    const ProgramRun run = golden("check");
+    for (const char* name : {"levels", "rejections", "traversal", "inspect", "collide"})
+        EXPECT_NE(run.out.find(std::string(name) +
+                               ": different. Body B moved: 0.5 along z, 90 degrees. "),
+                  std::string::npos)
+            << run.out;
 }
 
 TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {

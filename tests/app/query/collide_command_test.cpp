@@ -158,8 +158,8 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
 
 TEST(CollideCommand, TellsThePosesInJson) {
     const scenes::Scene scene = scenes::load_scene({"spheres-l1"});
-    const json frame =
-        json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0];
+    const json all = json::parse(run_scb("collide spheres-l1 --frames 100:300:100 --json").out),
+               frame = all["frames"][0];
     const Pose pose = relative_pose(scenes::pose_at(scene.bodies[0].motion, 100),
                                     scenes::pose_at(scene.bodies[1].motion, 100));
     ASSERT_EQ(frame["pose"].size(), 12u);
@@ -169,6 +169,12 @@ TEST(CollideCommand, TellsThePosesInJson) {
                       pose.rotation(row, column));
         EXPECT_EQ(frame["pose"][static_cast<std::size_t>(4 * row + 3)], pose.translation[row]);
     }
+    // In the world, of the first and the last frame.
+    ASSERT_EQ(all["poses"].size(), 2u);
+    const Pose b = scenes::pose_at(scene.bodies[1].motion, 300);
+    EXPECT_EQ(all["poses"]["300"]["B"][3], b.translation[0]);
+    EXPECT_EQ(all["poses"]["300"]["B"][4], b.rotation(1, 0));
+    EXPECT_EQ(all["poses"]["100"].size(), 2u);
 }
 
 TEST(CollideCommand, SaysWhichOptionsHaveNoEffect) {

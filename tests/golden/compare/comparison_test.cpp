@@ -5,6 +5,7 @@
 #include "golden/suite/baseline.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
+#include "render/overlay/figure_layout.h"
 #include "scenes/text/file_bytes.h"
 #include "tests/temporary_folder.h"
 
@@ -81,6 +82,26 @@ TEST_F(CaseComparison, SaysWhatDiffersInEach) {
               "colors of 1 pixel at (1, 2), by up to 1 of 255.");
     EXPECT_TRUE(in_report(result.picture.baseline) && in_report(result.picture.candidate) &&
                 in_report(result.picture.difference) && in_report(result.id_picture.candidate));
+}
+
+TEST_F(CaseComparison, LooksAtTheSceneAndNotAtThePanelUnlessOnlyThatChanged) {
+    golden.counts = golden.ids = false;
+    const render::Image before{320, 240, std::vector<std::uint8_t>(320 * 240 * 4, 255)};
+    render::Image after = before;
+    const render::PixelRect panel = render::figure_layout(320, 240).panel;
+    render::set_pixel(after, panel.x + 5, panel.y + 5, {0, 0, 0, 255});
+    draw(baselines, "case.png", before);
+    draw(candidates, "case.png", after);
+    const PixelBox digit{panel.x + 5, panel.y + 5, panel.x + 6, panel.y + 6};
+    EXPECT_EQ(compare().focus, digit);
+    render::set_pixel(after, 60, 100, {254, 255, 255, 255});
+    draw(candidates, "case.png", after);
+    const CaseResult result = compare();
+    EXPECT_EQ(result.focus, (PixelBox{60, 100, 61, 101}));
+    EXPECT_EQ(result.colors->pixels, 2u);
+    // A plot is all of its picture.
+    golden.run = GoldenRun::traversal;
+    EXPECT_EQ(compare().focus, compare().colors->box);
 }
 
 TEST_F(CaseComparison, AnUnreadableFileHidesNoOtherDifference) {

@@ -42,10 +42,29 @@ TEST(CountsDifference, NamesAChangedCountByItsPlace) {
     EXPECT_EQ(difference(before, after), (Changes{{"frames/100/stages/ball-slab", 4, 5}}));
 }
 
-TEST(CountsDifference, ListsWhatAppearedAfterWhatChangedOrVanished) {
+TEST(CountsDifference, ListsWhatAppearedWhereItBelongs) {
     EXPECT_EQ(
         difference(R"({"b": 1, "c": 2, "d": {"x": 3}})", R"({"a": 7, "b": 8, "d": {"y": 9}})"),
-        (Changes{{"b", 1, 8}, {"c", 2, {}}, {"d/x", 3, {}}, {"d/y", {}, 9}, {"a", {}, 7}}));
+        (Changes{{"a", {}, 7}, {"b", 1, 8}, {"c", 2, {}}, {"d/x", 3, {}}, {"d/y", {}, 9}}));
+}
+
+TEST(CountsDifference, SortsFramesAndDepthsAsNumbers) {
+    EXPECT_EQ(difference(R"({"n_v": 1, "10": {"2": 1, "10": 2}, "9": 3, "01": 4})",
+                         R"({"n_v": 2, "10": {"2": 2, "10": 3, "9": 4}, "9": 4, "01": 5,
+                             "11": {"10": 1, "7": 2}})"),
+              (Changes{{"9", 3, 4},
+                       {"10/2", 1, 2},
+                       {"10/9", {}, 4},
+                       {"10/10", 2, 3},
+                       {"11/7", {}, 2},
+                       {"11/10", {}, 1},
+                       {"01", 4, 5},
+                       {"n_v", 1, 2}}));
+}
+
+TEST(CountsDifference, TellsAHashFromACount) {
+    EXPECT_TRUE(is_hash({"frames/0/pairs_hash", 1, 2}));
+    EXPECT_FALSE(is_hash({"frames/0/pairs", 1, 2}));
 }
 
 TEST(CountsDifference, WalksListsByIndex) {

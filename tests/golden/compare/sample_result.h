@@ -11,6 +11,7 @@ inline SuiteResult sample_result() {
     CaseResult full;
     full.name = "levels-spheres-scb";
     full.verdict = Verdict::different;
+    full.cause = "Body B moved: 0.02 along x.";
     full.message = "1 count and 19 pixels differ.";
     full.lines = {"node 412, level 7, is missing: 19 pixels", "n_v of frame 100: 812, was 811"};
     full.counts = {{"frames/100/n_v", 811, 812},
@@ -25,6 +26,7 @@ inline SuiteResult sample_result() {
     full.colors->box = {3, 4, 10, 12};
     full.colors->largest = 3;
     full.colors->beyond = {21, 17, 1};
+    full.focus = {3, 4, 9, 11};
     full.tolerance = {2, 15};
     full.variant = 2;
     full.picture = {"a/baseline.png", "a/candidate.png", "a/difference.png"};

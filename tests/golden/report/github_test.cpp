@@ -36,7 +36,8 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 TEST(GithubAnnotations, HaveOneLineForEachFailingCase) {
     EXPECT_EQ(github_annotations(sample_result()),
               "::error title=incomplete::Interrupted.\n"
-              "::error title=levels-spheres-scb (different)::1 count and 19 pixels differ."
+              "::error title=levels-spheres-scb (different)::Body B moved: 0.02 along x. 1 count "
+              "and 19 pixels differ."
               "%0Aframes/100/n_v: 811 -> 812 (+1)"
               "%0Agone: -9,223,372,036,854,775,808 -> none"
               "%0Acome: none -> 9,223,372,036,854,775,807"
@@ -104,7 +105,7 @@ TEST(GithubSummary, HasVerdictsAndFailingCases) {
               "\n"
               "### levels-spheres-scb\n"
               "\n"
-              "**different**: 1 count and 19 pixels differ.\n"
+              "**different**: Body B moved: 0.02 along x. 1 count and 19 pixels differ.\n"
               "\n"
               "```\n"
               "frames/100/n_v: 811 -> 812 (+1)\n"
