@@ -72,6 +72,16 @@ void clear(const Gl& gl, Rgba8 background) {
     gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
+bool has_translucent(const Pane& pane) {
+    return std::any_of(pane.volumes.begin(), pane.volumes.end(),
+                       [](const VolumeInstance& v) { return v.color.a > 0 && v.color.a < 255; });
+}
+
+bool has_meeting_lines(const Pane& pane) {
+    return std::any_of(pane.segments.begin(), pane.segments.end(),
+                       [](const Segment& segment) { return segment.hidden_color.has_value(); });
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -111,10 +121,21 @@ struct Renderer::Parts {
             clear(gl, background);
         for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
         volumes.draw_opaque(pane.volumes, view);
-        segments.draw(pane.segments, view, false);
+        segments.draw_opaque(pane.segments, view);
         for (const MeshDraw& mesh : pane.meshes) meshes.draw_shown_through(mesh, view, background);
         volumes.draw_translucent(pane.volumes, view);
-        segments.draw(pane.segments, view, true);
+        // Lines in which surfaces meet are hidden by what is opaque, whatever else is nearer.
+        if (has_translucent(pane) && has_meeting_lines(pane)) {
+            const float far_depth = 1;
+            gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+            for (const GLuint buffer : {0u, 1u})
+                gl.ColorMaski(buffer, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
+            volumes.draw_opaque(pane.volumes, view);
+            for (const GLuint buffer : {0u, 1u})
+                gl.ColorMaski(buffer, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        }
+        segments.draw_over(pane.segments, view);
     }
 
     /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. Not

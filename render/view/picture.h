@@ -57,6 +57,10 @@ struct Segment {
     std::uint32_t id = 0;
     double width = 2;     ///< pixels
     bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
+    /// Of a line in which surfaces meet: it is drawn over what is translucent; and where something
+    /// opaque is more than three pixels in front of it, which is more than the surfaces that meet
+    /// there are as a rule, it is one pixel wide and has this color.
+    std::optional<Rgba8> hidden_color = std::nullopt;
 };
 
 /// Pixels of a picture, (x, y) being the top left one.
@@ -80,8 +84,8 @@ struct Outline {
 /// order: opaque meshes, volumes and segments by depth; what shows through these of meshes, in the
 /// order of the list; then translucent volumes from far to near
 /// (by the distance of their centers along the view axis, ties by id, then by position in the
-/// list), their back sides before their fronts; then the segments that are on top; then the
-/// outline.
+/// list), their back sides before their fronts; then the segments that have a color where they are
+/// hidden; then those that are on top; then the outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;

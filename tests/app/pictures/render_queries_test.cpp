@@ -92,9 +92,13 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
     EXPECT_EQ(pair_ids["count"], pairs["files"][0]["pairs"]);
     EXPECT_EQ(pair_ids["first"],
               ranges[3]["first"].get<std::uint32_t>() + ranges[3]["count"].get<std::uint32_t>());
-    std::set<std::string> of_pairs = seen(pairs);
-    EXPECT_EQ(of_pairs.erase("node A") + of_pairs.erase("node B") > 0, true);
-    EXPECT_EQ(of_pairs, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    EXPECT_EQ(seen(pairs), (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    std::set<std::string> with_leaves =
+        seen(index_of("pairs spheres-l1 --frames 100 --ids --leaves"));
+    EXPECT_EQ(with_leaves.erase("node A") + with_leaves.erase("node B") > 0, true);
+    EXPECT_EQ(with_leaves, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    // Once the way to do without them, and still taken.
+    EXPECT_EQ(index_of("pairs spheres-l1 --frames 100 --ids --no-leaves"), pairs);
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
               (std::set<std::string>{"nothing", "node A", "node B"}));
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),

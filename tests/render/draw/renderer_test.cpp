@@ -1,6 +1,7 @@
 #include "render/draw/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -171,6 +172,50 @@ TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
     pane.segments[0].on_top = false;
     rendering = drawing.renderer.draw(picture, nullptr, true);
     EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+}
+
+TEST(Renderer, LinesInWhichSurfacesMeetAreThinWhereTheyAreHidden) {
+    Drawing drawing;
+    // Behind the ball but for its ends, which are seen through a translucent one.
+    Picture picture =
+        picture_of({Ball{Vec3(0, 0, 0), 1}, Ball{Vec3(0, -0.2, 0), 1.9}}, 201, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.volumes[1].color.a = 60;
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 2.2}}),
+                   {2, 0.04, true, 30});
+    const Rgba8 red{255, 0, 0}, gray{90, 90, 90};
+    pane.segments = {{Vec3(-1.6, 0, 0), Vec3(1.6, 0, 0), red, 9, 3, false, gray}};
+    const Image image = drawing.renderer.draw(picture).image;
+    const auto rows_of = [&](int x, Rgba8 color) {
+        int rows = 0;
+        for (int y = 0; y < 101; ++y) rows += pixel(image, x, y) == color;
+        return rows;
+    };
+    EXPECT_EQ(rows_of(100, gray), 1);
+    EXPECT_EQ(rows_of(100, red), 0);
+    EXPECT_EQ(rows_of(70, gray), 0);
+    EXPECT_EQ(rows_of(70, red), 3);
+}
+
+// The sides of a line in a narrow valley lie behind its slopes.
+TEST(Renderer, LinesInWhichSurfacesMeetAreSeenBetweenSteepSlopes) {
+    Drawing drawing;
+    for (const double step : {0.5, 0.8}) {
+        Picture picture =
+            picture_of({Ball{Vec3(-step, 0, 0), 1}, Ball{Vec3(step, 0, 0), 1}}, 101, 101, 1);
+        Pane& pane = picture.panes[0];
+        pane.camera =
+            fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 2}}),
+                       {1, 0.04, true, 30});
+        const double y = -std::sqrt(1 - step * step);
+        const Rgba8 red{255, 0, 0};
+        pane.segments = {{Vec3(0, y, -0.1), Vec3(0, y, 0.1), red, 9, 3, false, Rgba8{90, 90, 90}}};
+        const Image image = drawing.renderer.draw(picture).image;
+        int columns = 0;
+        for (int x = 0; x < 101; ++x) columns += pixel(image, x, 50) == red;
+        EXPECT_EQ(columns, 3) << step;
+    }
 }
 
 TEST(Renderer, PanesAreClippedToTheirRectangles) {
