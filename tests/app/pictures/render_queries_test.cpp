@@ -94,7 +94,7 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
               ranges[3]["first"].get<std::uint32_t>() + ranges[3]["count"].get<std::uint32_t>());
     EXPECT_EQ(seen(pairs), (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
     std::set<std::string> with_leaves =
-        seen(index_of("pairs spheres-l1 --frames 100 --ids --leaves"));
+        seen(index_of("pairs spheres-l1 --frames 100 --ids --volume ball --leaves"));
     EXPECT_EQ(with_leaves.erase("node A") + with_leaves.erase("node B") > 0, true);
     EXPECT_EQ(with_leaves, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
     // Once the way to do without them, and still taken.
