@@ -131,7 +131,7 @@ TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
 
 TEST_F(RenderQueries, StepThroughATraversal) {
     const json index = index_of("rejections spheres-l1 --frames 100 --steps 4000");
-    const json whole = index_of("rejections spheres-l1 --frames 100")["files"][0];
+    const json whole = index_of("rejections spheres-l1 --frames 100 --focus 1")["files"][0];
     const std::size_t n_v = whole["n_v"];
     ASSERT_EQ(index["files"].size(), (n_v + 3999) / 4000);
     std::size_t tests = 0;
@@ -242,6 +242,8 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("rejections spheres-l1 --body C", "the bodies are A and B");
     refused("rejections spheres-l1 --by mean", "--by mean");
     refused("rejections spheres-l1 --opacity 0", "--opacity");
+    refused("rejections spheres-l1 --focus 0", "--focus: give a share");
+    refused("rejections spheres-l1 --focus 1.5", "--focus: give a share");
     refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");

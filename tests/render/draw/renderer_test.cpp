@@ -1,6 +1,7 @@
 #include "render/draw/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -216,6 +217,49 @@ TEST(Renderer, LinesInWhichSurfacesMeetAreSeenBetweenSteepSlopes) {
         for (int x = 0; x < 101; ++x) columns += pixel(image, x, 50) == red;
         EXPECT_EQ(columns, 3) << step;
     }
+}
+
+TEST(Renderer, HatchedVolumesHaveTwoTonesAndTheirIds) {
+    Drawing drawing;
+    for (const AnyVolume& volume : std::vector<AnyVolume>{
+             Ball{Vec3(0, 0, 0), 1}, Obb{Vec3(0, 0, 0), Mat3::Identity(), Vec3(1, 1, 1)},
+             two_slabs(Vec3(0, 0, 0), 1, Mat3::Identity(), 0.5, -0.5, 0.5, -0.5)}) {
+        Picture picture = picture_of({volume}, 101, 101, 1);
+        picture.panes[0].volumes[0].color = {200, 200, 200};
+        const Rendering plain = drawing.renderer.draw(picture, nullptr, true);
+        picture.panes[0].volumes[0].hatched = true;
+        const Rendering hatched = drawing.renderer.draw(picture, nullptr, true);
+        EXPECT_EQ(plain.ids, hatched.ids);
+        int darker = 0;
+        for (int x = 40; x < 61; ++x) {
+            const int light = pixel(plain.image, x, 50).g, after = pixel(hatched.image, x, 50).g;
+            EXPECT_LE(after, light);
+            darker += after < light - 20;
+        }
+        // Two pixels of seven.
+        EXPECT_EQ(darker, 6);
+    }
+}
+
+TEST(Renderer, ABackdropHidesNothing) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 3, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    MeshDraw mesh;
+    mesh.mesh = drawing.renderer.upload(quad());
+    mesh.first_id = 1000;
+    pane.meshes = {mesh};
+    // Seen from the side of the quad.
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 1.5, 0), 3}}),
+                   {1, 0.04, true, 30});
+    EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50), 1000u);
+    pane.meshes[0].backdrop = true;
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+    // Beside the ball it is seen, without its ids.
+    EXPECT_EQ(pixel(*rendering.ids, 36, 36), 0u);
+    EXPECT_NE(pixel(rendering.image, 36, 36), picture.background);
 }
 
 TEST(Renderer, PanesAreClippedToTheirRectangles) {
