@@ -106,11 +106,11 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
 }
 
 TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
-    const json index = index_of("rejections spheres-l1 --frames 100 --ids"), ranges = index["ids"];
+    const json index = index_of("rejections spheres-l1 --frames 100 --focus 1 --ids"), ranges = index["ids"];
     const render::IdImage ids = render::unpack_ids(
         render::read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
     const std::string start =
-        "render rejections spheres-l1 --frames 100 --size 320x240 --samples 1 -o " + out +
+        "render rejections spheres-l1 --frames 100 --focus 1 --size 320x240 --samples 1 -o " + out +
         " --pick ";
     for (const auto& [x, y] : {std::pair{0, 0}, {60, 120}, {120, 120}, {200, 100}}) {
         const std::uint32_t id = ids.ids[static_cast<std::size_t>(y * 320 + x)];
