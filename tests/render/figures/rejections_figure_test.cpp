@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
@@ -118,6 +119,13 @@ TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
         sum += bar[0].amount;
     }
     EXPECT_EQ(sum, of_balls);
+    // Several endings of boxes are one group.
+    EndingCounts counts;
+    counts.fill(3);
+    style.filter.endings = {rejected_at(Stage::axis_a1)};
+    const EndingCounts shown = shown_counts(counts, style);
+    EXPECT_EQ(std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}), 3u);
+    EXPECT_EQ(shown[static_cast<std::size_t>(rejected_at(Stage::axis_a1))], 3u);
 }
 
 TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
