@@ -15,7 +15,7 @@ namespace scb::app {
 namespace {
 
 struct PairsOptions : QueryViewOptions {
-    bool no_leaves = false;
+    bool leaves = false;
     std::optional<HeatOf> heat;
     std::optional<int> heat_end;
 };
@@ -84,7 +84,7 @@ int run(PairsOptions& options, const Console& console) {
     const QueryView view(options, sources, pictures.renderer(), layout);
 
     render::PairsStyle style;
-    style.leaves = !options.no_leaves;
+    style.leaves = options.leaves;
     style.theme = options.picture.theme();
     const std::string what =
         !options.heat ? "pairs" : "heat-" + std::string(render::heat_names[*options.heat]);
@@ -134,12 +134,12 @@ int run(PairsOptions& options, const Console& console) {
 }  // namespace
 
 void add_render_pairs(const Command& render_command, const Console& console, Action& action) {
-    const Command command = render_command.add_subcommand(
-        "pairs", "Draw the triangles that intersect, and the leaves that overlap");
+    const Command command =
+        render_command.add_subcommand("pairs", "Draw the triangles that intersect");
     const auto options = std::make_shared<PairsOptions>();
     add_query_view_options(command, *options, Shown::meshes);
-    command.add_flag("--no-leaves", options->no_leaves,
-                     "Without the volumes of leaves that overlap while their triangles do not");
+    command.add_flag("--leaves,!--no-leaves", options->leaves,
+                     "Also the volumes of leaves that overlap while their triangles do not");
     add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "
                "of the triangle itself, or wasted ones of volumes, which led to no pair")
@@ -152,7 +152,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         .type_name("N");
     command.footer(
         "Strong colors are triangles that intersect, black lines where they meet; a line is thin "
-        "where a body hides it.\n"
+        "and gray where a body hides it.\n"
         "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"

@@ -26,8 +26,13 @@ struct RejectionsOptions : QueryViewOptions {
     std::string stages, depths, body;
     double opacity = 1;
     bool nested = false;
+    std::optional<double> focus;
     std::optional<std::int64_t> steps;
 };
+
+/// Of the ended paths, unless told otherwise: without the volumes at which the others ended, most
+/// of a CAD model can be seen.
+constexpr double default_focus = 0.5;
 
 std::string names_of(const std::vector<Outcome>& endings) {
     std::string names;
@@ -84,6 +89,11 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
         throw InputError("--opacity: give a number above 0 (clear) up to 1 (opaque).");
     style.opacity = options.opacity;
     style.nested = options.nested;
+    if (options.focus && !(*options.focus > 0 && *options.focus <= 1))
+        throw InputError("--focus: give a share of the ended paths, above 0 up to 1 (all).");
+    // Of two queries other volumes would be left out, and animations show every test.
+    const bool whole = sources.size() == 2 || options.steps || options.nested;
+    style.focus = options.focus.value_or(whole ? 1 : default_focus);
     style.theme = options.picture.theme();
     return style;
 }
@@ -122,7 +132,7 @@ struct Shot {
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
         figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
-        figure.chart = render::endings_chart(source.header(), frame, tree, *style.theme);
+        figure.chart = render::endings_chart(source.header(), frame, tree, style);
         figure.theme = style.theme;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
@@ -186,12 +196,13 @@ struct Shot {
 
 /// How the paths of each frame ended: a picture for each query.
 void draw_stages(std::vector<render::StagesFigure>& stages, const QuerySources& sources,
-                 const QueryView& view, const RejectionsOptions& options, PictureRun& pictures) {
+                 const QueryView& view, const render::RejectionsStyle& style,
+                 const RejectionsOptions& options, PictureRun& pictures) {
     double most = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const TraceHeader& header = sources[i].header();
-        stages[i].groups = render::ending_groups(endings_of(header.volume, header.options),
-                                                 *options.picture.theme());
+        stages[i].groups = render::shown_groups(header, style);
+        for (EndingCounts& counts : stages[i].counts) counts = render::shown_counts(counts, style);
         most = std::max(most, render::most_paths(stages[i]));
     }
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -272,7 +283,8 @@ int run(RejectionsOptions& options, const Console& console) {
             }
         },
         [&] {
-            if (stages[0].frames.size() > 1) draw_stages(stages, sources, view, options, pictures);
+            if (stages[0].frames.size() > 1)
+                draw_stages(stages, sources, view, style, options, pictures);
             nlohmann::ordered_json head = query_index_head(view, "render rejections");
             head["options"]["by"] = render::node_color_names[options.by];
             if (!options.stages.empty())
@@ -282,6 +294,7 @@ int run(RejectionsOptions& options, const Console& console) {
             if (!options.body.empty()) head["options"]["body"] = options.body;
             head["options"]["opacity"] = options.opacity;
             head["options"]["nested"] = options.nested;
+            head["options"]["focus"] = style.focus;
             if (options.steps) head["options"]["steps"] = *options.steps;
             return head;
         });
@@ -310,6 +323,13 @@ void add_render_rejections(const Command& render_command, const Console& console
     command.add_option("--opacity", options->opacity, "Opacity of the volumes, above 0 to 1")
         .check(real_number)
         .show_default();
+    command
+        .add_option("--focus", options->focus,
+                    "Leave out the volumes that are large for their paths, as long as this share "
+                    "of paths is "
+                    "seen; 1: none. Default: 0.5, and 1 with --nested, --steps or two queries")
+        .check(real_number)
+        .type_name("SHARE");
     command.add_flag(
         "--nested", options->nested,
         "Also draw nodes that contain other drawn nodes (use --opacity below 1 to see both)");
@@ -320,9 +340,9 @@ void add_render_rejections(const Command& render_command, const Console& console
         .check(decimal_number)
         .type_name("N");
     command.footer(
-        "Draws each node at which paths of the traversal ended as its exact volume. The counts "
-        "include all paths, also those\n"
-        "that --stages, --depth or --body leave out of the view.\n\n"
+        "Draws each node at which paths of the traversal ended as its exact volume, in front of "
+        "the meshes. The counts include\n"
+        "all paths, also those that --focus, --depth or --body leave out of the view.\n\n"
         "Examples:\n"
         "  scb render rejections spheres-l1 --frames 100 -o out/\n"
         "  scb render rejections spheres-l1 --frames 100 --body A --stages "

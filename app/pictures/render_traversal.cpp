@@ -5,9 +5,11 @@
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_index.h"
+#include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
 #include "render/figures/traversal_figure.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -19,10 +21,62 @@ constexpr EnumNames<Diagrams, 3> diagram_names = {"matrix", "icicle", "both"};
 struct TraversalOptions : QueryViewOptions {
     render::MatrixMeasure by = render::MatrixMeasure::tests;
     Diagrams show = Diagrams::both;
+    std::string root;
 };
+
+/// So many of a query's largest parts are in index.json.
+constexpr std::size_t most_parts = 8;
+
+std::string nodes_text(IndexPair nodes) {
+    return std::to_string(nodes.a) + "," + std::to_string(nodes.b);
+}
+
+/// "I,J".
+std::optional<IndexPair> root_of(const TraversalOptions& options) {
+    if (options.root.empty()) return std::nullopt;
+    const std::string option = "--root " + options.root;
+    const std::string hint = "; give the nodes I,J of A and of B, such as 5,7.";
+    const std::vector<std::string> parts = scenes::split_list(options.root);
+    if (parts.size() != 2) throw InputError(option + ": this is not a pair of nodes" + hint);
+    const auto node = [&](const std::string& text) {
+        const int number = scenes::whole_number(text, option, hint);
+        if (number < 0) throw InputError(option + ": nodes are counted from 0" + hint);
+        return static_cast<std::uint32_t>(number);
+    };
+    return IndexPair{node(parts[0]), node(parts[1])};
+}
+
+std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 3); ++i)
+        text += (i == 0 ? "" : " or ") + nodes_text(frame.events.volume_tests[parts[i]].nodes);
+    return text;
+}
+
+/// The part of the frame that begins with the test of these nodes.
+TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+                   IndexPair root) {
+    if (const std::optional<std::uint32_t> test = test_of(frame.events, root))
+        return traversal_part(header, frame, tree, *test);
+    const std::string parts = parts_text(frame, largest_parts(tree, most_parts));
+    throw InputError(
+        "--root " + nodes_text(root) + ": frame " + std::to_string(frame.frame) +
+        " has no test of these nodes; " +
+        (parts.empty() ? "leave out --root." : "try " + parts + ", its largest parts."));
+}
+
+/// The largest parts by their roots, with their tests: {"5,7": 1234}.
+nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& tree) {
+    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const std::uint32_t part : largest_parts(tree, most_parts))
+        json[nodes_text(frame.events.volume_tests[part].nodes)] = sizes[part];
+    return json;
+}
 
 int run(TraversalOptions& options, const Console& console) {
     options.check();
+    const std::optional<IndexPair> root = root_of(options);
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
         throw InputError("a picture of a traversal is of one query; give one trace.");
@@ -35,22 +89,40 @@ int run(TraversalOptions& options, const Console& console) {
     figure.matrix = options.show != Diagrams::icicle;
     figure.icicle = options.show != Diagrams::matrix;
     figure.theme = options.picture.theme();
+    figure.part = root.has_value();
+    const TraceHeader& header = sources.front().header();
+    const std::string name =
+        "traversal" +
+        (root ? "_root-" + std::to_string(root->a) + "-" + std::to_string(root->b) : "");
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames, const InterruptWatch&) {
-            const TraceFrame& frame = *frames.front();
+            const TraceFrame& whole = *frames.front();
+            const TraversalTree tree = traversal_tree(header, whole);
+            std::optional<TraceFrame> part;
+            if (root) part = part_of(header, whole, tree, *root);
+            const TraceFrame& frame = root ? *part : whole;
             figure.subtitle = view.subtitle(frame.frame);
+            if (root)
+                figure.subtitle +=
+                    (figure.subtitle.empty() ? "only below nodes " : ", only below nodes ") +
+                    nodes_text(*root) + ": " +
+                    render::share_text(static_cast<double>(frame.found.n_v),
+                                       static_cast<double>(whole.found.n_v)) +
+                    " of the tests";
             const render::Picture picture =
-                render::compose(figure, sources.front().header(), frame, options.picture.width(),
+                render::compose(figure, header, frame, options.picture.width(),
                                 options.picture.height(), pictures.overlay());
-            pictures.draw(view.picture_name("traversal", frame.frame), picture,
-                          query_index_entry(view, frames));
+            nlohmann::ordered_json entry = query_index_entry(view, {&frame});
+            entry["parts"] = parts_json(frame, root ? traversal_tree(header, frame) : tree);
+            pictures.draw(view.picture_name(name, frame.frame), picture, std::move(entry));
             return true;
         },
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render traversal");
             head["options"]["by"] = render::matrix_measure_names[options.by];
             head["options"]["show"] = diagram_names[options.show];
+            if (root) head["options"]["root"] = {root->a, root->b};
             return head;
         });
 }
@@ -66,11 +138,18 @@ void add_render_traversal(const Command& render_command, const Console& console,
                "Colors of the matrix. tests: how many; share: how many of them rejected");
     add_choice(command, "--show", options->show, choices_of(diagram_names),
                "matrix, icicle or both");
+    command
+        .add_option("--root", options->root,
+                    "Only the part of the traversal below the test of these nodes of A and of B; "
+                    "index.json names the largest parts")
+        .type_name("I,J");
     command.footer(
         "Left: the volume tests by depth of A's node and of B's. Right: the recursion as an "
         "icicle, with the roots at the top.\n"
         "Below a pair are its children. The width of a pair is its number of tests: its own and "
         "all that follow from it.\n"
+        "Where tests are too narrow, the shares of their outcomes are stacked; --root I,J enlarges "
+        "a part.\n"
         "Beside the pictures, index.json has their counts, which are those of `scb collide`.\n\n"
         "Examples:\n"
         "  scb render traversal spheres-l1 --frames 250 -o out/\n"

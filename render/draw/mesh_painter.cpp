@@ -154,7 +154,7 @@ void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 backgrou
 
 void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
     if (draw.shown_through.empty()) return;
-    constexpr double opacity = 0.6;
+    constexpr double opacity = 0.4;
     prepare(draw, view, background, opacity);
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t triangle : draw.shown_through)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace scb::render {
@@ -83,6 +84,8 @@ double rim_radius(double r, double k) {
     const double rim = std::sqrt(std::max(0.0, r * r - k * k));
     return rim > 1e-3 * r ? rim : 0;
 }
+
+constexpr std::uint32_t hatched_bit = 0x80000000;
 
 struct Words {
     std::array<std::uint32_t, 20>& words;
@@ -175,7 +178,8 @@ std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& 
     packed.words[16] = color.r | static_cast<std::uint32_t>(color.g) << 8 |
                        static_cast<std::uint32_t>(color.b) << 16 |
                        static_cast<std::uint32_t>(color.a) << 24;
-    packed.words[17] = instance.id;
+    assert(instance.id < hatched_bit && "the highest bit is the hatching's");
+    packed.words[17] = instance.id | (instance.hatched ? hatched_bit : 0);
     return packed;
 }
 

@@ -72,6 +72,16 @@ void clear(const Gl& gl, Rgba8 background) {
     gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
+bool has_translucent(const Pane& pane) {
+    return std::any_of(pane.volumes.begin(), pane.volumes.end(),
+                       [](const VolumeInstance& v) { return v.color.a > 0 && v.color.a < 255; });
+}
+
+bool has_meeting_lines(const Pane& pane) {
+    return std::any_of(pane.segments.begin(), pane.segments.end(),
+                       [](const Segment& segment) { return segment.hidden_color.has_value(); });
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -100,6 +110,26 @@ struct Renderer::Parts {
         target.emplace(gl, width, height, with_depth);
     }
 
+    void clear_depth() {
+        const float far_depth = 1;
+        gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+    }
+
+    void draw_meshes(const Pane& pane, const EyeView& view, Rgba8 background, bool backdrop) {
+        for (const MeshDraw& mesh : pane.meshes)
+            if (mesh.backdrop == backdrop) meshes.draw(mesh, view, background);
+    }
+
+    void draw_backdrop(const Pane& pane, const EyeView& view, Rgba8 background) {
+        if (std::none_of(pane.meshes.begin(), pane.meshes.end(),
+                         [](const MeshDraw& mesh) { return mesh.backdrop; }))
+            return;
+        gl.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        draw_meshes(pane, view, background, true);
+        gl.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        clear_depth();
+    }
+
     void draw_pane(const Pane& pane, const Picture& picture, int scale) {
         const EyeView view = make_eye_view(pane, picture.height, scale);
         const Rgba8 background = pane.background.value_or(picture.background);
@@ -109,12 +139,23 @@ struct Renderer::Parts {
         // for nothing: quads are drawn.)
         if (&pane != &picture.panes.front() || background != picture.background)
             clear(gl, background);
-        for (const MeshDraw& mesh : pane.meshes) meshes.draw(mesh, view, background);
+        draw_backdrop(pane, view, background);
+        draw_meshes(pane, view, background, false);
         volumes.draw_opaque(pane.volumes, view);
-        segments.draw(pane.segments, view, false);
+        segments.draw_opaque(pane.segments, view);
         for (const MeshDraw& mesh : pane.meshes) meshes.draw_shown_through(mesh, view, background);
         volumes.draw_translucent(pane.volumes, view);
-        segments.draw(pane.segments, view, true);
+        // Lines in which surfaces meet are hidden by what is opaque, whatever else is nearer.
+        if (has_translucent(pane) && has_meeting_lines(pane)) {
+            clear_depth();
+            for (const GLuint buffer : {0u, 1u})
+                gl.ColorMaski(buffer, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            draw_meshes(pane, view, background, false);
+            volumes.draw_opaque(pane.volumes, view);
+            for (const GLuint buffer : {0u, 1u})
+                gl.ColorMaski(buffer, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        }
+        segments.draw_over(pane.segments, view);
     }
 
     /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. Not

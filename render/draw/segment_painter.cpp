@@ -1,5 +1,6 @@
 #include "render/draw/segment_painter.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +14,10 @@ SCB_DECLARE_EMBEDDED(segment_frag)
 namespace scb::render {
 
 namespace {
+
+/// By how many pixels lines in which surfaces meet are drawn nearer: at the foot of two steep
+/// surfaces, both are in front of the sides of a line.
+constexpr double lift_of_meeting_lines = 3;
 
 struct SegmentCorner {
     std::array<float, 3> position;
@@ -40,7 +45,11 @@ void append(std::vector<SegmentCorner>& corners, const Segment& segment, const E
     if (a[2] > limit) return;
     if (b[2] > limit) b = a + (limit - a[2]) / (b[2] - a[2]) * (b - a);
 
-    const ScreenPoint p = to_screen(a, view), q = to_screen(b, view);
+    ScreenPoint p = to_screen(a, view), q = to_screen(b, view);
+    if (segment.hidden_color)
+        for (ScreenPoint* end : {&p, &q})
+            end->depth -= lift_of_meeting_lines * view.scale * view.half_height * 2 /
+                          view.target.height * (view.camera.orthographic ? 1 : end->depth);
     const double half = segment.width * view.scale / 2;
     double dx = q.x - p.x, dy = q.y - p.y;
     const double length = std::sqrt(dx * dx + dy * dy);
@@ -78,10 +87,9 @@ SegmentPainter::SegmentPainter(const Gl& gl)
     for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
 }
 
-void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& view, bool on_top) {
+void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& view) {
     std::vector<SegmentCorner> corners;
-    for (const Segment& segment : segments)
-        if (segment.on_top == on_top) append(corners, segment, view);
+    for (const Segment& segment : segments) append(corners, segment, view);
     if (corners.empty()) return;
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(SegmentCorner)),
@@ -89,9 +97,38 @@ void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& v
     program_.use();
     set_eye_uniforms(program_, view);
     gl_.BindVertexArray(attributes_.name());
-    if (on_top) gl_.Disable(GL_DEPTH_TEST);
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
-    if (on_top) gl_.Enable(GL_DEPTH_TEST);
+}
+
+void SegmentPainter::draw_opaque(const std::vector<Segment>& segments, const EyeView& view) {
+    std::vector<Segment> opaque;
+    for (const Segment& segment : segments)
+        if (!segment.on_top && !segment.hidden_color) opaque.push_back(segment);
+    draw(opaque, view);
+}
+
+void SegmentPainter::draw_over(const std::vector<Segment>& segments, const EyeView& view) {
+    std::vector<Segment> seen, hidden, on_top;
+    for (const Segment& segment : segments) {
+        if (segment.on_top) {
+            on_top.push_back(segment);
+        } else if (segment.hidden_color) {
+            seen.push_back(segment);
+            hidden.push_back(segment);
+            hidden.back().color = *segment.hidden_color;
+            hidden.back().width = std::min(segment.width, 1.0);
+        }
+    }
+    // What is hidden comes first and leaves the depths as they are: it covers nothing that is seen.
+    gl_.DepthMask(GL_FALSE);
+    gl_.DepthFunc(GL_GREATER);
+    draw(hidden, view);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
+    draw(seen, view);
+    gl_.Disable(GL_DEPTH_TEST);
+    draw(on_top, view);
+    gl_.Enable(GL_DEPTH_TEST);
 }
 
 }  // namespace scb::render

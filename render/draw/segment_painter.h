@@ -12,10 +12,14 @@ class SegmentPainter {
   public:
     explicit SegmentPainter(const Gl& gl);
 
-    /// Those whose on_top is as given, in their order.
-    void draw(const std::vector<Segment>& segments, const EyeView& view, bool on_top);
+    /// Those that stand among opaque things, by depth.
+    void draw_opaque(const std::vector<Segment>& segments, const EyeView& view);
+    /// Those that come after what is translucent: see Segment::hidden_color, Segment::on_top.
+    void draw_over(const std::vector<Segment>& segments, const EyeView& view);
 
   private:
+    void draw(const std::vector<Segment>& segments, const EyeView& view);
+
     const Gl& gl_;
     GlProgram program_;
     GlVertexArray attributes_;

@@ -10,6 +10,8 @@ namespace scb::render {
 namespace {
 
 constexpr double leaf_opacity = 0.3;
+/// Of both sides of a volume, one behind the other: what one sees.
+constexpr double seen_opacity = 1 - (1 - leaf_opacity) * (1 - leaf_opacity);
 
 bool stops_at_level(const TraceHeader& header) { return header.options.stop_level >= 0; }
 
@@ -36,11 +38,19 @@ void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint3
         pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
 }
 
-void add_keys(std::vector<PanelItem>& items, const PairsStyle& style) {
-    items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
+/// As a translucent volume of this color looks.
+Rgba8 seen_color(Rgba8 color, const Theme& theme) {
+    return mix(theme.background, color, seen_opacity);
+}
+
+/// Of lines in which triangles meet, where a body hides them.
+Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.35); }
+
+void add_leaves_key(std::vector<PanelItem>& items, const PairsStyle& style) {
     if (style.leaves)
         items.emplace_back(
-            PanelKey{ending_color(Outcome::triangles_apart, *style.theme), "leaves that overlap"});
+            PanelKey{seen_color(ending_color(Outcome::triangles_apart, *style.theme), *style.theme),
+                     "leaves that overlap"});
 }
 
 }  // namespace
@@ -84,14 +94,11 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
                 with_opacity(ending_color(Outcome::triangles_apart, *style.theme), leaf_opacity));
     }
     if (stops_at_level(header)) return pane;
-    // A thin line where a body hides it, a strong one where it can be seen.
-    for (Segment& segment : contact_segments(bodies, frame, first_pair_id)) {
+    pane.segments = contact_segments(bodies, frame, first_pair_id);
+    for (Segment& segment : pane.segments) {
         segment.color = style.theme->text;
+        segment.hidden_color = hidden_color(*style.theme);
         segment.width = 3;
-        pane.segments.push_back(segment);
-        segment.width = 1;
-        segment.on_top = true;
-        pane.segments.push_back(segment);
     }
     return pane;
 }
@@ -100,30 +107,39 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
                                    const TraceFrame& frame, const PairsStyle& style) {
     const Collision& found = frame.found;
     std::vector<PanelItem> items;
-    items.emplace_back(
-        PanelRow{"body", {bodies[0].name, bodies[1].name}, {body_color(0), body_color(1)}, true});
+    const Theme& theme = *style.theme;
+    items.emplace_back(PanelRow{"body",
+                                {bodies[0].name, bodies[1].name},
+                                {dimmed_body_color(0, theme), dimmed_body_color(1, theme)},
+                                true});
     items.emplace_back(PanelRow{"triangles",
                                 {count_text(bodies[0].mesh->triangles.size()),
                                  count_text(bodies[1].mesh->triangles.size())}});
     const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
-    items.emplace_back(PanelRow{stops_at_level(header) ? "nodes" : "in pairs",
-                                {count_text(of_a.size()), count_text(of_b.size())}});
+    const bool nodes = stops_at_level(header);
+    const auto shown = [&](std::size_t side) {
+        return nodes ? seen_color(body_color(side), theme) : body_color(side);
+    };
+    items.emplace_back(PanelRow{nodes ? "nodes" : "in pairs",
+                                {count_text(of_a.size()), count_text(of_b.size())},
+                                {shown(0), shown(1)}});
     items.emplace_back(PanelHeading{""});
     items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(found.n_p)}});
     items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});
     items.emplace_back(PanelHeading{""});
-    if (stops_at_level(header)) {
+    if (nodes) {
         items.emplace_back(PanelNote{"volumes of level " +
                                      std::to_string(header.options.stop_level) + " that overlap"});
         return items;
     }
-    add_keys(items, style);
-    items.emplace_back(
-        PanelNote{"strong: triangles that intersect; " +
-                  std::string(style.leaves ? "leaves are shown where their triangles do not"
-                                           : "leaf volumes are left out")});
+    items.emplace_back(PanelKey{theme.text, "where triangles meet"});
+    items.emplace_back(PanelKey{hidden_color(theme), "hidden by a body"});
+    add_leaves_key(items, style);
+    items.emplace_back(PanelNote{
+        "strong: triangles that intersect, fainter where hidden" +
+        std::string(style.leaves ? "; leaves are shown where their triangles do not" : "")});
     return items;
 }
 
@@ -132,7 +148,9 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
     std::vector<PanelItem> items;
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
-    if (!stops_at_level(header)) add_keys(items, style);
+    if (stops_at_level(header)) return items;
+    items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
+    add_leaves_key(items, style);
     return items;
 }
 

@@ -8,7 +8,7 @@ namespace scb::render {
 
 /// What pictures of a query's result show.
 struct PairsStyle {
-    bool leaves = true;  ///< the leaf volumes that overlapped
+    bool leaves = false;  ///< the leaf volumes that overlapped
     const Theme* theme = &light_theme;
 };
 
@@ -17,9 +17,10 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
                                       std::uint32_t first_id);
 
 /// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
-/// the segments in which they meet; and, translucent, the volumes of leaves that overlapped though
-/// their triangles do not intersect. Of a query that stopped at a level: the volumes of the pairs
-/// of nodes. `first_pair_id` is the id of the first pair's segment.
+/// the segments in which they meet, thin and gray where a body hides them; and, if asked for,
+/// translucent, the volumes of leaves that overlapped though their triangles do not intersect. Of a
+/// query that stopped at a level: the volumes of the pairs of nodes. `first_pair_id` is the id of
+/// the first pair's segment.
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
                 const PairsStyle& style, std::uint32_t first_pair_id);
 

@@ -55,7 +55,10 @@ void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
     const std::uint32_t first_id = nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id;
     std::optional<std::size_t> outlined = outline_differences(views, first_id, theme);
     // Nodes alone.
-    if (!nodes_comparable(queries) && views[0].pane.meshes.empty()) outlined.reset();
+    const std::vector<MeshDraw>& meshes = views[0].pane.meshes;
+    if (!nodes_comparable(queries) &&
+        std::all_of(meshes.begin(), meshes.end(), [](const MeshDraw& m) { return m.backdrop; }))
+        outlined.reset();
     for (ComparedView& view : views) view.outlined = outlined;
     add_numbers(views, queries, only_here);
 }
@@ -110,7 +113,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         const TraversalTree tree = traversal_tree(*query.header, *query.frame);
         const EndedNodes ended = ended_nodes(query.bodies, *query.frame, tree, style);
         views[side].pane = rejections_pane(query.bodies, ended, style);
-        views[side].legend = endings_legend(*query.header, *query.frame, tree, *style.theme);
+        views[side].legend = endings_legend(*query.header, *query.frame, tree, style);
         if (style.by == NodeColor::share) views[side].legend.push_back(node_color_key(style));
     }
     compare(views, queries, only_here, *style.theme);
@@ -141,9 +144,9 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
                                         const RejectionsStyle& style) {
     std::size_t groups = 0;
     for (const TraceHeader* header : {&a, &b})
-        groups = std::max(
-            groups,
-            ending_groups(endings_of(header->volume, header->options), *style.theme).size());
+        groups =
+            std::max(groups, style.by == NodeColor::share ? std::size_t{2}
+                                                          : shown_groups(*header, style).size());
     // The heading, which stands off.
     const int key = style.by == NodeColor::share ? scale_rows : 0;
     return {number_rows, static_cast<int>(groups) + 2 + key};

@@ -1,5 +1,6 @@
 #include "render/figures/rejections_figure.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "render/plots/ending_colors.h"
@@ -27,6 +28,53 @@ double opacity_of(Rgba8 color, const RejectionsStyle& style) {
                                                                    : style.opacity;
 }
 
+/// Leaves out volumes that are large for their paths: see RejectionsStyle::focus.
+void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, double focus) {
+    struct Volume {
+        double paths_per_area;
+        std::size_t side, index;
+    };
+    std::vector<Volume> volumes;
+    double left = 0;  // paths that may still be left out
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < ended[side].size(); ++i) {
+            const AnyVolume volume = volume_of(bodies[side], ended[side][i].node);
+            const double size = std::visit([](const auto& v) { return diameter(v); }, volume);
+            // A point hides nothing.
+            volumes.push_back({ended[side][i].tests / std::max(size * size, 1e-300), side, i});
+            left += (1 - focus) * ended[side][i].tests;
+        }
+    std::stable_sort(volumes.begin(), volumes.end(), [](const Volume& x, const Volume& y) {
+        return x.paths_per_area < y.paths_per_area;
+    });
+    std::array<std::vector<char>, 2> out = {std::vector<char>(ended[0].size()),
+                                            std::vector<char>(ended[1].size())};
+    for (const Volume& volume : volumes) {
+        left -= ended[volume.side][volume.index].tests;
+        if (left < 0) break;
+        out[volume.side][volume.index] = 1;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        std::vector<EndedPaths> kept;
+        for (std::size_t i = 0; i < ended[side].size(); ++i)
+            if (!out[side][i]) kept.push_back(ended[side][i]);
+        ended[side] = std::move(kept);
+    }
+}
+
+bool is_shown(Outcome ending, const RejectionsStyle& style) {
+    const std::vector<Outcome>& endings = style.filter.endings;
+    return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+/// Meshes that are only to be guessed.
+constexpr double backdrop_dim = 0.5;
+
+std::string volumes_text(std::size_t side, const std::string& name) {
+    const std::string letter = side == 0 ? "A" : "B";
+    return (name == letter ? letter : letter + ": " + name) + (side == 1 ? ", hatched" : "");
+}
+
 }  // namespace
 
 EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
@@ -38,6 +86,7 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
         if (!style.nested)
             ended[side] = innermost(ended[side], topology_of(*bodies[side].hierarchy));
     }
+    if (style.focus < 1) leave_out_large(ended, bodies, style.focus);
     return ended;
 }
 
@@ -49,8 +98,15 @@ Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
             const Rgba8 color = color_of(node, style.by, *style.theme);
             pane.volumes.push_back({volume_of(bodies[side], node.node),
                                     with_opacity(color, opacity_of(color, style)),
-                                    bodies[side].first_node_id + node.node});
+                                    bodies[side].first_node_id + node.node, side == 1});
         }
+    for (std::size_t side = 0; side < 2; ++side) {
+        MeshDraw mesh = mesh_draw(bodies[side], dimmed_body_color(side, *style.theme));
+        mesh.first_id = 0;
+        mesh.dim = backdrop_dim;
+        mesh.backdrop = true;
+        pane.meshes.push_back(std::move(mesh));
+    }
     return pane;
 }
 
@@ -61,18 +117,46 @@ PanelItem node_color_key(const RejectionsStyle& style) {
     return PanelNote{"a node's " +
                      std::string(style.by == NodeColor::dominant ? "most frequent"
                                                                  : node_color_names[style.by]) +
-                     " ending" + (style.nested ? "" : "; those that hold others are left out")};
+                     " ending" + (style.nested ? "" : "; those that hold others are left out") +
+                     (style.focus < 1 ? "; so are large ones, at which " +
+                                            share_text(1 - style.focus, 1) + " of the paths ended"
+                                      : "")};
+}
+
+EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style) {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (!is_shown(static_cast<Outcome>(i), style)) counts[i] = 0;
+    return counts;
+}
+
+std::vector<EndingGroup> shown_groups(const TraceHeader& header, const RejectionsStyle& style) {
+    std::vector<EndingGroup> groups =
+        ending_groups(endings_of(header.volume, header.options), *style.theme);
+    std::erase_if(groups, [&](const EndingGroup& group) {
+        return std::none_of(group.endings.begin(), group.endings.end(),
+                            [&](Outcome ending) { return is_shown(ending, style); });
+    });
+    return groups;
 }
 
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TraversalTree& tree, const Theme& theme) {
-    const EndingCounts counts = ending_counts(frame, tree);
+                                      const TraversalTree& tree, const RejectionsStyle& style) {
+    const EndingCounts all = ending_counts(frame, tree), counts = shown_counts(all, style);
     const auto ended =
-        static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+        static_cast<double>(std::accumulate(all.begin(), all.end(), std::uint64_t{0}));
     std::vector<PanelItem> items;
     items.emplace_back(PanelHeading{"paths that ended"});
-    for (const EndingGroup& group :
-         ending_groups(endings_of(header.volume, header.options), theme)) {
+    if (style.by == NodeColor::share) {
+        std::uint64_t rejected = 0, passed = 0;
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            (is_rejection(static_cast<Outcome>(i)) ? rejected : passed) += counts[i];
+        for (const auto& [label, count] :
+             {std::pair("rejected", rejected), std::pair("not rejected", passed)})
+            items.emplace_back(PanelRow{
+                label, {count_text(count), share_text(static_cast<double>(count), ended)}});
+        return items;
+    }
+    for (const EndingGroup& group : shown_groups(header, style)) {
         const std::uint64_t count = count_of(group, counts);
         if (count == 0 && group.endings.front() == Outcome::left_over) continue;
         items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
@@ -91,27 +175,28 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
-    for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
+    for (PanelItem& item : endings_legend(header, frame, tree, style))
         items.push_back(std::move(item));
-    items.emplace_back(PanelHeading{""});
+    items.emplace_back(PanelHeading{"volumes drawn"});
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(
-            PanelRow{"volumes of " + bodies[side].name,
+            PanelRow{volumes_text(side, bodies[side].name),
                      {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
     items.push_back(node_color_key(style));
     return items;
 }
 
 PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
-                         const TraversalTree& tree, const Theme& theme) {
+                         const TraversalTree& tree, const RejectionsStyle& style) {
     PanelChart chart;
     chart.title = "by depth of the pair";
-    const std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options), theme);
-    for (const EndingCounts& counts : endings_by_depth(frame, tree)) {
+    const std::vector<EndingGroup> groups = shown_groups(header, style);
+    for (const EndingCounts& of_depth : endings_by_depth(frame, tree)) {
+        const EndingCounts counts = shown_counts(of_depth, style);
         std::vector<BarPart>& row = chart.rows.emplace_back();
         for (const EndingGroup& group : groups)
-            row.push_back({group.color, static_cast<double>(count_of(group, counts))});
+            row.push_back({style.by == NodeColor::share ? style.theme->mesh : group.color,
+                           static_cast<double>(count_of(group, counts))});
     }
     return chart;
 }

@@ -6,6 +6,7 @@
 #include "core/base/enum_names.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
+#include "render/plots/ending_colors.h"
 
 namespace scb::render {
 
@@ -21,7 +22,11 @@ struct RejectionsStyle {
     EndedPathsFilter filter;
     std::array<bool, 2> sides = {true, true};  ///< which bodies
     bool nested = false;                       ///< also nodes that hold other drawn nodes
-    double opacity = 1;                        ///< of the volumes
+    /// Which share of the ended paths has to be seen: those volumes are left out that have the
+    /// fewest paths for their size, squared, as long as no more than the other paths ended there.
+    /// Large volumes end few paths, and hide many.
+    double focus = 1;
+    double opacity = 1;  ///< of the volumes
     const Theme* theme = &light_theme;
 };
 
@@ -30,25 +35,31 @@ using EndedNodes = std::array<std::vector<EndedPaths>, 2>;
 EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
                        const TraversalTree& tree, const RejectionsStyle& style);
 
-/// Each node at which paths ended as its exact volume, with its ending's color.
+/// Each node at which paths ended as its exact volume, with its ending's color, those of B
+/// hatched; behind them faintly the meshes.
 Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
                      const RejectionsStyle& style);
 
-/// The query's endings with their counts and shares.
+/// Of the counts those that the filter lets through, and of the query's groups of endings those
+/// that have such.
+EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style);
+std::vector<EndingGroup> shown_groups(const TraceHeader& header, const RejectionsStyle& style);
+
+/// The endings that are shown with their counts, and their shares of all. Without their colors
+/// where colors are a scale.
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TraversalTree& tree, const Theme& theme);
+                                      const TraversalTree& tree, const RejectionsStyle& style);
 
 /// What the color of a node tells.
 PanelItem node_color_key(const RejectionsStyle& style);
 
-/// Its numbers and legend: every ending of the query with its count and share, whatever the filter
-/// shows.
+/// Its numbers and legend.
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
                                         const TraceFrame& frame, const TraversalTree& tree,
                                         const EndedNodes& ended, const RejectionsStyle& style);
 
-/// How the tests of each depth of pairs ended, as stacked bars.
+/// How the tests of each depth of pairs ended, as stacked bars of what is shown.
 PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
-                         const TraversalTree& tree, const Theme& theme);
+                         const TraversalTree& tree, const RejectionsStyle& style);
 
 }  // namespace scb::render

@@ -16,7 +16,8 @@ namespace {
 constexpr int least_body = 14;
 
 /// What a reader would otherwise miss; empty where there is nothing.
-std::string remark_of(const TraceHeader& header, const Collision& found) {
+std::string remark_of(const TraceHeader& header, const Collision& found, bool part) {
+    if (part) return found.pairs.empty() ? "no pairs below it" : "";
     if (!found.complete)
         return "stopped at " + count_text(found.pairs.size()) +
                (found.pairs.size() == 1 ? " pair" : " pairs");
@@ -185,9 +186,13 @@ std::string body_text(const std::string& side, const std::string& name) {
     return name == side ? side : side + " (" + name + ")";
 }
 
-/// Returns the rectangle below it.
-PixelRect draw_caption(Overlay& overlay, const PixelRect& rect, const Caption& caption, int height,
-                       const FigureStyle& style) {
+/// What is left below a caption of that height.
+PixelRect below(const PixelRect& rect, int height) {
+    return {rect.x, rect.y + height, rect.width, std::max(1, rect.height - height)};
+}
+
+void draw_caption(Overlay& overlay, const PixelRect& rect, const Caption& caption,
+                  const FigureStyle& style) {
     const TextStyle bold{style.unit, FontWeight::bold, style.theme.text};
     overlay.text(rect.x, rect.y, fitted_text(overlay, caption.title, bold, rect.width), bold);
     const int small = small_size(style.unit);
@@ -197,7 +202,11 @@ PixelRect draw_caption(Overlay& overlay, const PixelRect& rect, const Caption& c
         overlay.text(rect.x, y, line, note);
         y += small * 5 / 4;
     }
-    return {rect.x, rect.y + height, rect.width, std::max(1, rect.height - height)};
+}
+
+std::string icicle_note(bool numbers, bool stacks) {
+    return std::string("rows: depth of A + B") + (numbers ? "; numbers: tests" : "") +
+           (stacks ? "; narrow tests: their shares, stacked" : "");
 }
 
 }  // namespace
@@ -217,7 +226,7 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     int top = layout.heading.y + layout.heading.height;
     top = draw_numbers(overlay, {margin, top, inside, unit}, numbers_of(frame.found, matrix),
-                       remark_of(header, frame.found), style) +
+                       remark_of(header, frame.found, figure.part), style) +
           unit / 2;
     int bottom = height - margin;
     if (figure.icicle) {
@@ -237,9 +246,9 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
                                   body_text("B", names[1]) +
                                   (figure.measure == MatrixMeasure::share ? "; numbers in %" : "")};
     Caption icicle_caption = {"Recursion: width is tests below, color is outcome",
-                              "rows: depth of A + B; numbers: tests; pixels that tests share "
-                              "show outcomes in proportion"};
-    if (bottom - top < least_body * unit) matrix_caption.note = icicle_caption.note = "";
+                              icicle_note(true, true)};
+    const bool notes = bottom - top >= least_body * unit;
+    if (!notes) matrix_caption.note = icicle_caption.note = "";
     PixelRect left{margin, top, inside, bottom - top}, right = left;
     const bool both = figure.matrix && figure.icicle;
     const bool stacked = layout.portrait;
@@ -256,12 +265,16 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     int of_icicle = caption_height(overlay, icicle_caption, right.width, style);
     // Side by side, the roots of both are at one height.
     if (both && !stacked) of_matrix = of_icicle = std::max(of_matrix, of_icicle);
-    if (figure.matrix)
-        draw_depth_matrix(overlay, draw_caption(overlay, left, matrix_caption, of_matrix, style),
-                          matrix, figure.measure, style);
-    if (figure.icicle)
-        draw_icicle(overlay, draw_caption(overlay, right, icicle_caption, of_icicle, style),
-                    frame.events, tree, groups, style);
+    if (figure.matrix) {
+        draw_caption(overlay, left, matrix_caption, style);
+        draw_depth_matrix(overlay, below(left, of_matrix), matrix, figure.measure, style);
+    }
+    if (figure.icicle) {
+        const DrawnIcicle drawn =
+            draw_icicle(overlay, below(right, of_icicle), frame.events, tree, groups, style);
+        if (notes) icicle_caption.note = icicle_note(drawn.numbers, drawn.stacks);
+        draw_caption(overlay, right, icicle_caption, style);
+    }
     return Picture{width, height, 1, theme.background, {}};
 }
 

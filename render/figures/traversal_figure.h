@@ -16,6 +16,7 @@ struct TraversalFigure {
     MatrixMeasure measure = MatrixMeasure::tests;
     bool matrix = true;  ///< volume tests by depth of A and depth of B
     bool icicle = true;  ///< the recursion: width is tests, color is outcome
+    bool part = false;   ///< the frame is a part of a query, see traversal_part
     const Theme* theme = &light_theme;
 };
 

@@ -29,10 +29,11 @@ std::vector<std::uint32_t> begins_of(const TraversalTree& tree,
 
 /// The tests of each row, in their order.
 std::vector<std::vector<std::uint32_t>> rows_of(const std::vector<VolumeTest>& tests,
+                                                std::size_t first_depth,
                                                 std::size_t depths_per_row) {
     std::vector<std::vector<std::uint32_t>> rows;
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
-        const std::size_t row = depth_of(tests[i]) / depths_per_row;
+        const std::size_t row = (depth_of(tests[i]) - first_depth) / depths_per_row;
         if (row >= rows.size()) rows.resize(row + 1);
         rows[row].push_back(i);
     }
@@ -58,51 +59,77 @@ class GroupIndex {
     std::array<std::uint32_t, ending_count> of_{};
 };
 
-/// One column of a row.
+/// One column of a row. Areas are exact: a column is as wide as there are tests, and a test as wide
+/// as there are columns.
 struct Column {
-    std::array<std::uint32_t, ending_count + 1> tests{};  ///< per group that touch it
-    std::uint32_t touched = 0;                            ///< their sum
-    std::uint32_t last = 0;                               ///< the last one that touches it
+    std::array<std::uint64_t, ending_count + 1> covered{};   ///< by each group
+    std::uint32_t touched = 0;                               ///< tests that touch it
+    std::uint32_t begins = 0;                                ///< tests whose first column it is
+    std::array<std::uint32_t, ending_count + 1> begin_in{};  ///< of these, those of each group
+    std::uint32_t last = 0;                                  ///< the last one that touches it
 };
 
-/// Picks the outcomes of the columns of a row, from left to right.
-class Picker {
-  public:
-    std::uint32_t operator()(const Column& column) {
-        std::size_t best = credit_.size();
-        for (std::size_t g = 0; g < credit_.size(); ++g) {
-            if (column.tests[g] == 0) continue;
-            credit_[g] += one * column.tests[g] / column.touched;
-            if (best == credit_.size() || credit_[g] > credit_[best]) best = g;
+std::uint32_t largest_group(const Column& column) {
+    const auto most = std::max_element(column.covered.begin(), column.covered.end());
+    return static_cast<std::uint32_t>(most - column.covered.begin());
+}
+
+/// Adds these columns, which are drawn test by test.
+void add_runs(Icicle& icicle, int row, const std::vector<Column>& line, int begin, int end,
+              std::uint32_t divided) {
+    for (int x = begin; x < end; ++x) {
+        const Column& column = line[static_cast<std::size_t>(x)];
+        if (column.touched == 0) continue;
+        std::uint32_t group = largest_group(column);
+        if (group == divided) group = IcicleRun::divided;
+        const std::uint32_t test = column.touched == 1 ? column.last : IcicleRun::several;
+        if (!icicle.runs.empty()) {
+            IcicleRun& before = icicle.runs.back();
+            if (before.row == row && before.end == x && before.group == group &&
+                before.test == test) {
+                ++before.end;
+                continue;
+            }
         }
-        credit_[best] -= one;
-        return static_cast<std::uint32_t>(best);
+        icicle.runs.push_back({row, x, x + 1, group, test});
     }
+}
 
-  private:
-    static constexpr std::int64_t one = 1 << 24;  // a column
-    std::array<std::int64_t, ending_count + 1> credit_{};
-};
+/// Adds these columns as one stack.
+void add_stack(Icicle& icicle, int row, const std::vector<Column>& line, int begin, int end,
+               std::uint32_t divided) {
+    IcicleStack stack{row, begin, end, 0, 0, {}};
+    for (int x = begin; x < end; ++x) {
+        const Column& column = line[static_cast<std::size_t>(x)];
+        stack.tests += column.begins;
+        stack.divided += column.begin_in[divided];
+        for (std::uint32_t g = 0; g < divided; ++g) stack.groups[g] += column.begin_in[g];
+    }
+    icicle.stacks.push_back(stack);
+}
 
 }  // namespace
 
 Icicle icicle(const Events& events, const TraversalTree& tree,
-              const std::vector<EndingGroup>& groups, int columns, int most_rows) {
-    assert(columns > 0 && most_rows > 0 && "an icicle has pixels");
+              const std::vector<EndingGroup>& groups, int columns, int most_rows, int block) {
+    assert(columns > 0 && most_rows > 0 && block > 0 && "an icicle has pixels");
     assert(groups.size() <= ending_count && "each ending is in one group");
     const std::vector<VolumeTest>& tests = events.volume_tests;
     Icicle result;
     result.columns = columns;
     if (tests.empty()) return result;
 
+    const std::size_t first_depth = depth_of(tests[0]);
     std::size_t depths = 0;
-    for (const VolumeTest& test : tests) depths = std::max(depths, depth_of(test) + 1);
+    for (const VolumeTest& test : tests)
+        depths = std::max(depths, depth_of(test) - first_depth + 1);
     const auto most = static_cast<std::size_t>(most_rows);
     const std::size_t per_row = (depths + most - 1) / most;
+    result.first_depth = static_cast<int>(first_depth);
     result.depths_per_row = static_cast<int>(per_row);
     const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
     const std::vector<std::uint32_t> begins = begins_of(tree, sizes);
-    const std::vector<std::vector<std::uint32_t>> rows = rows_of(tests, per_row);
+    const std::vector<std::vector<std::uint32_t>> rows = rows_of(tests, first_depth, per_row);
     result.rows = static_cast<int>(rows.size());
     const GroupIndex group_of(groups);
 
@@ -113,32 +140,25 @@ Icicle icicle(const Events& events, const TraversalTree& tree,
         std::fill(line.begin(), line.end(), Column{});
         for (const std::uint32_t i : rows[row]) {
             const std::uint32_t group = group_of(tree.outcomes[i]);
-            const std::uint64_t first = begins[i] * width / all;
-            const std::uint64_t behind =
-                ((begins[i] + std::uint64_t{sizes[i]}) * width + all - 1) / all;
-            for (std::uint64_t x = first; x < behind; ++x) {
-                ++line[x].tests[group];
+            const std::uint64_t begin = std::uint64_t{begins[i]} * width;
+            const std::uint64_t end = begin + std::uint64_t{sizes[i]} * width;
+            ++line[begin / all].begins;
+            ++line[begin / all].begin_in[group];
+            for (std::uint64_t x = begin / all; x * all < end; ++x) {
+                line[x].covered[group] += std::min(end, (x + 1) * all) - std::max(begin, x * all);
                 ++line[x].touched;
                 line[x].last = i;
             }
         }
-        Picker picker;
-        for (int x = 0; x < columns; ++x) {
-            const Column& column = line[static_cast<std::size_t>(x)];
-            if (column.touched == 0) continue;
-            const bool alone = column.touched == 1;
-            std::uint32_t group = alone ? group_of(tree.outcomes[column.last]) : picker(column);
-            if (group == group_of.divided()) group = IcicleRun::divided;
-            const std::uint32_t test = alone ? column.last : IcicleRun::several;
-            if (!result.runs.empty()) {
-                IcicleRun& before = result.runs.back();
-                if (before.row == static_cast<int>(row) && before.end == x &&
-                    before.group == group && before.test == test) {
-                    ++before.end;
-                    continue;
-                }
-            }
-            result.runs.push_back({static_cast<int>(row), x, x + 1, group, test});
+        for (int begin = 0; begin < columns; begin += block) {
+            const int end = std::min(begin + block, columns);
+            std::uint32_t in_block = 0;
+            for (int x = begin; x < end; ++x) in_block += line[static_cast<std::size_t>(x)].begins;
+            const int at = static_cast<int>(row);
+            if (2 * in_block > static_cast<std::uint32_t>(end - begin))
+                add_stack(result, at, line, begin, end, group_of.divided());
+            else
+                add_runs(result, at, line, begin, end, group_of.divided());
         }
     }
     return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,28 +21,37 @@ struct IcicleRun {
     std::uint32_t test = 0;   ///< index of the only volume test there, or `several`
 };
 
+/// Columns of one row whose tests are too narrow to be drawn one by one: how many tests that begin
+/// there had which outcome.
+struct IcicleStack {
+    int row = 0;
+    int begin = 0, end = 0;
+    std::uint32_t tests = 0;
+    std::uint32_t divided = 0;
+    std::array<std::uint32_t, ending_count> groups{};  ///< by index of the endings' group
+};
+
 /// The recursion of a traversal as an icicle (Kruskal and Landwehr, "Icicle Plots", The American
 /// Statistician 37, 1983): every volume test is a rectangle one row below that of the pair whose
 /// division led to it. Its width is the share of all tests that begin with it (subtree_sizes), and
 /// the children of a pair lie below its left end, in the order in which they were tested; what is
 /// left at its right end is the pair's own test.
 ///
-/// A column of a row that several tests touch shows the outcome of some of them, such that along
-/// the row the outcomes appear in proportion: every column gives each outcome credit for its share
-/// of the tests that touch the column, takes the one with the most credit among those that occur
-/// there (of equal ones the first in the order of the groups, pairs that were divided last), and
-/// charges it for a column. (The most frequent one would hide what is rejected: half of all pairs
-/// are divided.)
+/// Each row is cut into blocks of columns. A block whose tests are narrower than two columns on
+/// average is a stack: drawn one by one these tests would be noise. In the others a column has the
+/// outcome that covers most of it.
 struct Icicle {
     int columns = 0;
     int rows = 0;
-    int depths_per_row = 1;       ///< more than 1 where there are more depths than rows
-    std::vector<IcicleRun> runs;  ///< row by row, from left to right
+    int first_depth = 0;              ///< of the first row
+    int depths_per_row = 1;           ///< more than 1 where there are more depths than rows
+    std::vector<IcicleRun> runs;      ///< row by row, from left to right
+    std::vector<IcicleStack> stacks;  ///< the same
 };
 
-/// Of a query's events and their tree; `groups` must have all endings that occur. `columns` and
-/// `most_rows` are at least 1.
+/// Of a query's events and their tree, or of a part of a query; `groups` must have all endings that
+/// occur. `columns`, `most_rows` and `block` (columns of a block) are at least 1.
 Icicle icicle(const Events& events, const TraversalTree& tree,
-              const std::vector<EndingGroup>& groups, int columns, int most_rows);
+              const std::vector<EndingGroup>& groups, int columns, int most_rows, int block);
 
 }  // namespace scb::render

@@ -9,11 +9,17 @@ namespace scb::render {
 /// The color of pairs that were divided: pale, so that the endings stand out.
 Rgba8 divided_color(const Theme& theme);
 
+/// What an icicle has of what its caption may explain.
+struct DrawnIcicle {
+    PixelRect covered;
+    bool numbers = false;  ///< at least one
+    bool stacks = false;   ///< at least one
+};
+
 /// Draws a frame's recursion (see Icicle) as wide as the rectangle, the depth of a row's pairs at
 /// its left. Rectangles of divided pairs carry how many tests they cost, where there is room.
-/// Returns what is covered.
-PixelRect draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
-                      const TraversalTree& tree, const std::vector<EndingGroup>& groups,
-                      const FigureStyle& style);
+DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
+                        const TraversalTree& tree, const std::vector<EndingGroup>& groups,
+                        const FigureStyle& style);
 
 }  // namespace scb::render

@@ -29,7 +29,9 @@ struct MeshHandle {
 struct VolumeInstance {
     AnyVolume volume;
     Rgba8 color;
-    std::uint32_t id = 0;  ///< goes into the id buffer; also decides between coplanar surfaces
+    std::uint32_t id = 0;  ///< goes into the id buffer, below 2^31; also decides between coplanar
+                           ///< surfaces
+    bool hatched = false;  ///< with darker stripes: a second kind of things in the same colors
 };
 
 /// A mesh in its place: flat shaded, both sides alike, opaque. Where a volume's surface coincides
@@ -42,6 +44,7 @@ struct MeshDraw {
     bool edges = false;                  ///< draw the triangles' edges, about one pixel wide
     std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
     double dim = 0;              ///< 0 to 1: how far the colors fade into the background
+    bool backdrop = false;       ///< drawn before all else, which it hides nowhere; without ids
     /// Triangles that also show, faintly and without ids, where something opaque hides them. Each
     /// index once, ascending.
     std::vector<std::uint32_t> shown_through;
@@ -57,6 +60,10 @@ struct Segment {
     std::uint32_t id = 0;
     double width = 2;     ///< pixels
     bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
+    /// Of a line in which surfaces meet: it is drawn over what is translucent; and where something
+    /// opaque is more than three pixels in front of it, which is more than the surfaces that meet
+    /// there are as a rule, it is one pixel wide and has this color.
+    std::optional<Rgba8> hidden_color = std::nullopt;
 };
 
 /// Pixels of a picture, (x, y) being the top left one.
@@ -77,11 +84,11 @@ struct Outline {
 };
 
 /// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
-/// order: opaque meshes, volumes and segments by depth; what shows through these of meshes, in the
-/// order of the list; then translucent volumes from far to near
-/// (by the distance of their centers along the view axis, ties by id, then by position in the
-/// list), their back sides before their fronts; then the segments that are on top; then the
-/// outline.
+/// order: meshes that are a backdrop; opaque meshes, volumes and segments by depth; what shows
+/// through these of meshes, in the order of the list; then translucent volumes from far to near (by
+/// the distance of their centers along the view axis, ties by id, then by position in the list),
+/// their back sides before their fronts; then the segments that have a color where they are hidden;
+/// then those that are on top; then the outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;

@@ -101,7 +101,7 @@ void describe(render::SceneFigure& figure, What what, const render::QueryBodies&
     const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
     figure.pane = render::rejections_pane(bodies, ended, style);
     figure.panel = render::rejections_panel(bodies, header, frame, tree, ended, style);
-    figure.chart = render::endings_chart(header, frame, tree, *style.theme);
+    figure.chart = render::endings_chart(header, frame, tree, style);
 }
 
 /// The upper levels of both bodies at all of these frames, which the camera has to hold.

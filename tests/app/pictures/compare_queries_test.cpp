@@ -140,7 +140,7 @@ TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
     const auto outlined = [&](const std::string& options) {
         return index_of("pairs " + options + both)["files"][0]["outlined"];
     };
-    EXPECT_EQ(outlined(""), outlined("--no-leaves "));
+    EXPECT_EQ(outlined(""), outlined("--leaves "));
     EXPECT_GT(outlined("--heat volumes "), 0);
     // A node is that of the view: "node 12 of A, depth 9, 4 triangles".
     const std::string picked = render("rejections " + both + " --pick 220,90").out;

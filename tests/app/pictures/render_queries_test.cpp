@@ -92,9 +92,13 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
     EXPECT_EQ(pair_ids["count"], pairs["files"][0]["pairs"]);
     EXPECT_EQ(pair_ids["first"],
               ranges[3]["first"].get<std::uint32_t>() + ranges[3]["count"].get<std::uint32_t>());
-    std::set<std::string> of_pairs = seen(pairs);
-    EXPECT_EQ(of_pairs.erase("node A") + of_pairs.erase("node B") > 0, true);
-    EXPECT_EQ(of_pairs, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    EXPECT_EQ(seen(pairs), (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    std::set<std::string> with_leaves =
+        seen(index_of("pairs spheres-l1 --frames 100 --ids --volume ball --leaves"));
+    EXPECT_EQ(with_leaves.erase("node A") + with_leaves.erase("node B") > 0, true);
+    EXPECT_EQ(with_leaves, (std::set<std::string>{"nothing", "triangle A", "triangle B", "other"}));
+    // Once the way to do without them, and still taken.
+    EXPECT_EQ(index_of("pairs spheres-l1 --frames 100 --ids --no-leaves"), pairs);
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
               (std::set<std::string>{"nothing", "node A", "node B"}));
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),
@@ -102,11 +106,11 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
 }
 
 TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
-    const json index = index_of("rejections spheres-l1 --frames 100 --ids"), ranges = index["ids"];
+    const json index = index_of("rejections spheres-l1 --frames 100 --focus 1 --ids"), ranges = index["ids"];
     const render::IdImage ids = render::unpack_ids(
         render::read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
     const std::string start =
-        "render rejections spheres-l1 --frames 100 --size 320x240 --samples 1 -o " + out +
+        "render rejections spheres-l1 --frames 100 --focus 1 --size 320x240 --samples 1 -o " + out +
         " --pick ";
     for (const auto& [x, y] : {std::pair{0, 0}, {60, 120}, {120, 120}, {200, 100}}) {
         const std::uint32_t id = ids.ids[static_cast<std::size_t>(y * 320 + x)];
@@ -127,7 +131,7 @@ TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
 
 TEST_F(RenderQueries, StepThroughATraversal) {
     const json index = index_of("rejections spheres-l1 --frames 100 --steps 4000");
-    const json whole = index_of("rejections spheres-l1 --frames 100")["files"][0];
+    const json whole = index_of("rejections spheres-l1 --frames 100 --focus 1")["files"][0];
     const std::size_t n_v = whole["n_v"];
     ASSERT_EQ(index["files"].size(), (n_v + 3999) / 4000);
     std::size_t tests = 0;
@@ -238,6 +242,8 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("rejections spheres-l1 --body C", "the bodies are A and B");
     refused("rejections spheres-l1 --by mean", "--by mean");
     refused("rejections spheres-l1 --opacity 0", "--opacity");
+    refused("rejections spheres-l1 --focus 0", "--focus: give a share");
+    refused("rejections spheres-l1 --focus 1.5", "--focus: give a share");
     refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
@@ -57,9 +58,35 @@ TEST_F(RenderTraversal, IndexHasTheCountsOfCollide) {
             json counts = index["files"][i];
             EXPECT_FALSE(file("out", counts["file"]).empty());
             counts.erase("file");
+            counts.erase("parts");
             EXPECT_EQ(counts, live["frames"][i]) << options;
         }
     }
+}
+
+TEST_F(RenderTraversal, APartIsBelowTheTestOfTwoNodes) {
+    const std::string scene = "spheres-l1 --frames 100";
+    draw(scene, "whole");
+    const json whole = json::parse(file("whole", "index.json"))["files"][0];
+    ASSERT_GE(whole["parts"].size(), 4u);
+    const auto largest = std::max_element(whole["parts"].begin(), whole["parts"].end());
+    const std::string root = largest.key();
+    draw(scene + " --root " + root, "part");
+    const json index = json::parse(file("part", "index.json")), part = index["files"][0];
+    EXPECT_EQ(index["options"]["root"], json::parse("[" + root + "]"));
+    EXPECT_EQ(part["n_v"], *largest);
+    EXPECT_LE(4 * part["n_v"].get<int>(), whole["n_v"].get<int>());
+    EXPECT_NE(part["file"], whole["file"]);
+    // The roots' part is everything.
+    draw(scene + " --root 0,0", "all");
+    json all = json::parse(file("all", "index.json"))["files"][0];
+    EXPECT_EQ(all["n_v"], whole["n_v"]);
+    EXPECT_EQ(all["n_u"], whole["n_u"]);
+    // One that was not made names some that were.
+    const ProgramRun none =
+        run_scb("render traversal " + scene + " --root 1,40000 -o " + (folder / "none"));
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("try " + root), std::string::npos) << none.err;
 }
 
 TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
@@ -67,6 +94,8 @@ TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
         {"--by time", "give tests or share"},
         {"--show all", "give matrix, icicle or both"},
         {"--frames 500", "0 to 499"},
+        {"--root 5", "this is not a pair of nodes"},
+        {"--root 5,-1", "counted from 0"},
         {"--camera fit", "--camera"},
         {"--ids", "--ids"},
         {"--samples 4", "--samples"},

@@ -1,6 +1,8 @@
 #include "render/draw/renderer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -171,6 +173,93 @@ TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
     pane.segments[0].on_top = false;
     rendering = drawing.renderer.draw(picture, nullptr, true);
     EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+}
+
+TEST(Renderer, LinesInWhichSurfacesMeetAreThinWhereTheyAreHidden) {
+    Drawing drawing;
+    // Behind the ball but for its ends, which are seen through a translucent one.
+    Picture picture =
+        picture_of({Ball{Vec3(0, 0, 0), 1}, Ball{Vec3(0, -0.2, 0), 1.9}}, 201, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.volumes[1].color.a = 60;
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 2.2}}),
+                   {2, 0.04, true, 30});
+    const Rgba8 red{255, 0, 0}, gray{90, 90, 90};
+    pane.segments = {{Vec3(-1.6, 0, 0), Vec3(1.6, 0, 0), red, 9, 3, false, gray}};
+    const Image image = drawing.renderer.draw(picture).image;
+    const auto rows_of = [&](int x, Rgba8 color) {
+        int rows = 0;
+        for (int y = 0; y < 101; ++y) rows += pixel(image, x, y) == color;
+        return rows;
+    };
+    EXPECT_EQ(rows_of(100, gray), 1);
+    EXPECT_EQ(rows_of(100, red), 0);
+    EXPECT_EQ(rows_of(70, gray), 0);
+    EXPECT_EQ(rows_of(70, red), 3);
+}
+
+// The sides of a line in a narrow valley lie behind its slopes.
+TEST(Renderer, LinesInWhichSurfacesMeetAreSeenBetweenSteepSlopes) {
+    Drawing drawing;
+    for (const double step : {0.5, 0.8}) {
+        Picture picture =
+            picture_of({Ball{Vec3(-step, 0, 0), 1}, Ball{Vec3(step, 0, 0), 1}}, 101, 101, 1);
+        Pane& pane = picture.panes[0];
+        pane.camera =
+            fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), 2}}),
+                       {1, 0.04, true, 30});
+        const double y = -std::sqrt(1 - step * step);
+        const Rgba8 red{255, 0, 0};
+        pane.segments = {{Vec3(0, y, -0.1), Vec3(0, y, 0.1), red, 9, 3, false, Rgba8{90, 90, 90}}};
+        const Image image = drawing.renderer.draw(picture).image;
+        int columns = 0;
+        for (int x = 0; x < 101; ++x) columns += pixel(image, x, 50) == red;
+        EXPECT_EQ(columns, 3) << step;
+    }
+}
+
+TEST(Renderer, HatchedVolumesHaveTwoTonesAndTheirIds) {
+    Drawing drawing;
+    for (const AnyVolume& volume : std::vector<AnyVolume>{
+             Ball{Vec3(0, 0, 0), 1}, Obb{Vec3(0, 0, 0), Mat3::Identity(), Vec3(1, 1, 1)},
+             two_slabs(Vec3(0, 0, 0), 1, Mat3::Identity(), 0.5, -0.5, 0.5, -0.5)}) {
+        Picture picture = picture_of({volume}, 101, 101, 1);
+        picture.panes[0].volumes[0].color = {200, 200, 200};
+        const Rendering plain = drawing.renderer.draw(picture, nullptr, true);
+        picture.panes[0].volumes[0].hatched = true;
+        const Rendering hatched = drawing.renderer.draw(picture, nullptr, true);
+        EXPECT_EQ(plain.ids, hatched.ids);
+        int darker = 0;
+        for (int x = 40; x < 61; ++x) {
+            const int light = pixel(plain.image, x, 50).g, after = pixel(hatched.image, x, 50).g;
+            EXPECT_LE(after, light);
+            darker += after < light - 20;
+        }
+        // Two pixels of seven.
+        EXPECT_EQ(darker, 6);
+    }
+}
+
+TEST(Renderer, ABackdropHidesNothing) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 3, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    MeshDraw mesh;
+    mesh.mesh = drawing.renderer.upload(quad());
+    mesh.first_id = 1000;
+    pane.meshes = {mesh};
+    // Seen from the side of the quad.
+    pane.camera =
+        fit_camera(orbit_axes(0, 0), support_of(std::vector<AnyVolume>{Ball{Vec3(0, 1.5, 0), 3}}),
+                   {1, 0.04, true, 30});
+    EXPECT_EQ(pixel(*drawing.renderer.draw(picture, nullptr, true).ids, 50, 50), 1000u);
+    pane.meshes[0].backdrop = true;
+    const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
+    // Beside the ball it is seen, without its ids.
+    EXPECT_EQ(pixel(*rendering.ids, 36, 36), 0u);
+    EXPECT_NE(pixel(rendering.image, 36, 36), picture.background);
 }
 
 TEST(Renderer, PanesAreClippedToTheirRectangles) {

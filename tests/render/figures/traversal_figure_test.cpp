@@ -1,5 +1,6 @@
 #include "render/figures/traversal_figure.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -97,7 +98,7 @@ std::vector<EndingGroup> groups_of(const TraceHeader& header) {
 
 Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
     const TraceHeader header = scb_header();
-    return icicle(frame.events, traversal_tree(header, frame), groups_of(header), columns, rows);
+    return icicle(frame.events, traversal_tree(header, frame), groups_of(header), columns, rows, 8);
 }
 
 std::string label_of(const IcicleRun& run) {
@@ -121,38 +122,78 @@ TEST(Icicle, OfASmallQueryByHand) {
     EXPECT_EQ(runs, expected);
 }
 
-TEST(Icicle, RunsOfARowDoNotOverlapAndStayInside) {
+TEST(Icicle, RunsAndStacksOfARowDoNotOverlapAndStayInside) {
     for (const int columns : {1, 7, 100, 683})
         for (const TraceFrame& frame :
              {small_frame(), comb(9, 3), staircase(50, Stage::slab_ball)}) {
             const Icicle icicle = icicle_of(frame, columns, 1000);
-            int row = -1, end = 0;
-            for (const IcicleRun& run : icicle.runs) {
-                if (run.row != row) end = 0;
-                EXPECT_GE(run.row, row);
-                EXPECT_GE(run.begin, end);
-                EXPECT_GT(run.end, run.begin);
-                EXPECT_LE(run.end, columns);
-                row = run.row;
-                end = run.end;
+            std::vector<std::tuple<int, int, int>> parts;
+            for (const IcicleRun& run : icicle.runs)
+                parts.emplace_back(run.row, run.begin, run.end);
+            for (const IcicleStack& stack : icicle.stacks)
+                parts.emplace_back(stack.row, stack.begin, stack.end);
+            std::sort(parts.begin(), parts.end());
+            int before = -1, free = 0;
+            for (const auto& [row, begin, end] : parts) {
+                if (row != before) free = 0;
+                EXPECT_GE(begin, free);
+                EXPECT_GT(end, begin);
+                EXPECT_LE(end, columns);
+                before = row;
+                free = end;
             }
-            EXPECT_EQ(row + 1, icicle.rows);
-            EXPECT_EQ(row, frame.found.depth);
+            EXPECT_EQ(before + 1, icicle.rows);
+            EXPECT_EQ(before, frame.found.depth);
         }
 }
 
-TEST(Icicle, SharedColumnsShowOutcomesInProportion) {
-    // About 20 leaves in a column, so that the less frequent outcome is never the most frequent
-    // one.
+TEST(Icicle, NarrowTestsAreStackedInProportion) {
+    // About 20 leaves in a column.
     for (const std::size_t apart : {1u, 2u, 6u, 7u}) {
-        const Icicle icicle = icicle_of(comb(13, apart), 400, 100);
-        std::map<std::string, int> columns;
-        for (const IcicleRun& run : icicle.runs)
-            if (run.row == 13) columns[label_of(run)] += run.end - run.begin;
-        const int all = columns["ball A, ball B"] + columns["triangles meet"];
-        ASSERT_GT(all, 190);
-        EXPECT_NEAR(8.0 * columns["ball A, ball B"] / all, static_cast<double>(apart), 0.1);
+        const TraceFrame frame = comb(13, apart);
+        const Icicle icicle = icicle_of(frame, 400, 100);
+        std::size_t rejected = 0, meeting = 0;
+        for (const IcicleStack& stack : icicle.stacks) {
+            if (stack.row != 13) continue;
+            EXPECT_EQ(stack.end - stack.begin, 8);
+            EXPECT_EQ(stack.tests, stack.groups[0] + stack.groups[6]);
+            // Every block has what all of them have: no block is a matter of chance.
+            EXPECT_NEAR(8.0 * stack.groups[0] / stack.tests, static_cast<double>(apart), 0.4);
+            rejected += stack.groups[0];
+            meeting += stack.groups[6];
+        }
+        EXPECT_EQ(rejected, 1024 * apart);
+        EXPECT_EQ(meeting, 1024 * (8 - apart));
+        for (const IcicleRun& run : icicle.runs) EXPECT_LT(run.row, 8);
     }
+    EXPECT_EQ(groups_of(scb_header())[0].label, "ball A, ball B");
+    EXPECT_EQ(groups_of(scb_header())[6].label, "triangles meet");
+}
+
+TEST(Icicle, APartBeginsAtItsDepth) {
+    TraceFrame frame = small_frame();
+    for (VolumeTest& test : frame.events.volume_tests) test.depth_a += 5;
+    const Icicle icicle = icicle_of(frame, 500, 100);
+    EXPECT_EQ(icicle.first_depth, 5);
+    EXPECT_EQ(icicle.rows, 3);
+}
+
+TEST(Icicle, SaysWhetherItHasNumbersAndStacks) {
+    const TraceHeader header = scb_header();
+    const auto drawn = [&](const TraceFrame& frame, int height) {
+        Overlay overlay;
+        overlay.begin();
+        FigureStyle style;
+        style.unit = 20;
+        return draw_icicle(overlay, {0, 0, 700, height}, frame.events,
+                           traversal_tree(header, frame), groups_of(header), style);
+    };
+    EXPECT_TRUE(drawn(small_frame(), 400).numbers);
+    EXPECT_FALSE(drawn(small_frame(), 400).stacks);
+    EXPECT_FALSE(drawn(small_frame(), 20).numbers);
+    EXPECT_TRUE(drawn(comb(13, 3), 400).stacks);
+    // As deep as castings go.
+    EXPECT_TRUE(drawn(staircase(41, Stage::ball_ball), 450).numbers);
 }
 
 TEST(Icicle, DepthsShareARowWhereTheyAreTooMany) {

@@ -1,0 +1,67 @@
+#include "core/analysis/traversal_part.h"
+
+#include <algorithm>
+
+namespace scb {
+
+TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+                      const std::vector<std::uint32_t>& chosen) {
+    TraceFrame result{frame.frame, frame.b_to_a, {}, {}};
+    const std::vector<TriangleTest>& triangle_tests = frame.events.triangle_tests;
+    Collision& found = result.found;
+    std::size_t next = 0;
+    for (const std::uint32_t i : chosen) {
+        const VolumeTest& test = frame.events.volume_tests[i];
+        ++found.stages[static_cast<std::size_t>(test.stage)];
+        found.depth = std::max(found.depth, test.depth_a + test.depth_b);
+        if (tree.outcomes[i] == Outcome::found) found.pairs.push_back(test.nodes);
+        while (next < triangle_tests.size() && triangle_tests[next].after < i) ++next;
+        if (next < triangle_tests.size() && triangle_tests[next].after == i) {
+            TriangleTest of_leaves = triangle_tests[next];
+            of_leaves.after = static_cast<std::uint32_t>(result.events.volume_tests.size());
+            result.events.triangle_tests.push_back(of_leaves);
+            ++found.n_p;
+            if (of_leaves.intersect) found.pairs.push_back(of_leaves.triangles);
+        }
+        result.events.volume_tests.push_back(test);
+    }
+    found.n_v = chosen.size();
+    found.n_u = transform_count(header.volume, found.stages, header.options.overlap);
+    found.complete = frame.found.complete;
+    std::sort(found.pairs.begin(), found.pairs.end());
+    return result;
+}
+
+std::optional<std::uint32_t> test_of(const Events& events, IndexPair nodes) {
+    for (std::uint32_t i = 0; i < events.volume_tests.size(); ++i)
+        if (events.volume_tests[i].nodes == nodes) return i;
+    return std::nullopt;
+}
+
+TraceFrame traversal_part(const TraceHeader& header, const TraceFrame& frame,
+                          const TraversalTree& tree, std::uint32_t root) {
+    std::vector<char> below(tree.parents.size());
+    std::vector<std::uint32_t> chosen;
+    // Parents come before their children.
+    for (std::uint32_t i = root; i < tree.parents.size(); ++i) {
+        const std::uint32_t parent = tree.parents[i];
+        below[i] = i == root || (parent != TraversalTree::no_parent && below[parent]);
+        if (below[i]) chosen.push_back(i);
+    }
+    return with_tests(header, frame, tree, chosen);
+}
+
+std::vector<std::uint32_t> largest_parts(const TraversalTree& tree, std::size_t most) {
+    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+    std::vector<std::uint32_t> parts;
+    if (sizes.empty()) return parts;
+    const auto small = [&](std::uint32_t i) { return 4 * std::uint64_t{sizes[i]} <= sizes[0]; };
+    for (std::uint32_t i = 1; i < sizes.size(); ++i)
+        if (small(i) && !small(tree.parents[i])) parts.push_back(i);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](std::uint32_t x, std::uint32_t y) { return sizes[x] > sizes[y]; });
+    parts.resize(std::min(parts.size(), most));
+    return parts;
+}
+
+}  // namespace scb

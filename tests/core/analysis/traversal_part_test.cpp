@@ -1,0 +1,73 @@
+#include "core/analysis/traversal_part.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/analysis/traces.h"
+#include "tests/core/overlap/volume_pairs.h"
+
+namespace scb {
+namespace {
+
+TEST(TraversalPart, IsTheQueryBelowATest) {
+    const BuiltMesh mesh(height_field(9));
+    Pose pose;
+    pose.translation = Vec3(0.3, 0.11, 0.02);
+    TraceHeader to_level = asking(VolumeKind::obb, OverlapTest::symmetric);
+    to_level.options.stop_level = 4;
+    for (const TraceHeader& header : {asking(VolumeKind::scb, OverlapTest::symmetric), to_level}) {
+        const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
+        const TraversalTree tree = traversal_tree(header, whole);
+        const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+        for (std::uint32_t root = 0; root < sizes.size(); root += root < 20 ? 1 : 31) {
+            const TraceFrame part = traversal_part(header, whole, tree, root);
+            EXPECT_EQ(part.found.n_v, sizes[root]);
+            EXPECT_EQ(part.found.n_p, part.events.triangle_tests.size());
+            ASSERT_FALSE(part.events.volume_tests.empty());
+            EXPECT_EQ(part.events.volume_tests[0], whole.events.volume_tests[root]);
+            EXPECT_TRUE(std::includes(whole.found.pairs.begin(), whole.found.pairs.end(),
+                                      part.found.pairs.begin(), part.found.pairs.end()));
+            // As a query of its own it has the same tree.
+            const TraversalTree of_part = traversal_tree(header, part);
+            const std::vector<std::uint32_t> part_sizes = subtree_sizes(of_part);
+            for (std::uint32_t i = 0; i < part_sizes.size(); ++i) {
+                const auto at = test_of(whole.events, part.events.volume_tests[i].nodes);
+                ASSERT_TRUE(at.has_value());
+                EXPECT_EQ(part_sizes[i], sizes[*at]);
+                EXPECT_EQ(of_part.outcomes[i], tree.outcomes[*at]);
+            }
+        }
+        const TraceFrame all = traversal_part(header, whole, tree, 0);
+        EXPECT_EQ(all.events, whole.events);
+        EXPECT_EQ(all.found.pairs, whole.found.pairs);
+        EXPECT_EQ(all.found.n_u, whole.found.n_u);
+        EXPECT_EQ(test_of(whole.events, {100000, 0}), std::nullopt);
+    }
+}
+
+TEST(TraversalPart, TheLargestAreApartAndNotTooLarge) {
+    const BuiltMesh mesh(height_field(9));
+    Pose pose;
+    pose.translation = Vec3(0.3, 0.11, 0.02);
+    const TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+    const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
+    const TraversalTree tree = traversal_tree(header, whole);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+    const std::vector<std::uint32_t> parts = largest_parts(tree, 1000);
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_LE(4 * sizes[parts[i]], sizes[0]);
+        EXPECT_GT(4 * sizes[tree.parents[parts[i]]], sizes[0]);
+        if (i > 0) {
+            EXPECT_LE(sizes[parts[i]], sizes[parts[i - 1]]);
+        }
+        sum += sizes[parts[i]];
+    }
+    // All but the few tests above them.
+    EXPECT_LT(sum, sizes[0]);
+    EXPECT_GT(sum + 20, sizes[0]);
+    EXPECT_EQ(largest_parts(tree, 2), std::vector<std::uint32_t>(parts.begin(), parts.begin() + 2));
+    EXPECT_TRUE(largest_parts({}, 8).empty());
+}
+
+}  // namespace
+}  // namespace scb

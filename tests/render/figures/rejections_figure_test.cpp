@@ -1,0 +1,146 @@
+#include "render/figures/rejections_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/core/analysis/traces.h"
+#include "tests/core/overlap/volume_pairs.h"
+
+namespace scb::render {
+namespace {
+
+/// Two height fields that meet, and a query of them.
+struct Query {
+    BuiltMesh mesh{height_field(9)};
+    TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+    TraceFrame frame;
+    TraversalTree tree;
+    QueryBodies bodies;
+
+    Query() {
+        Pose pose;
+        pose.translation = Vec3(0.3, 0.11, 0.02);
+        frame = record_frame(mesh, mesh, 0, pose, header);
+        tree = traversal_tree(header, frame);
+        for (QueryBody& body : bodies) {
+            body.mesh = &mesh.mesh;
+            body.hierarchy = &mesh.hierarchies[static_cast<std::size_t>(header.volume)];
+        }
+        bodies[0].name = "A";
+        bodies[1].name = "lid";
+        bodies[1].pose = pose;
+    }
+    double paths_per_area(std::size_t side, const EndedPaths& node) const {
+        const double size = std::visit([](const auto& v) { return diameter(v); },
+                                       volume_of(bodies[side], node.node));
+        return node.tests / (size * size);
+    }
+};
+
+TEST(RejectionsFigure, VolumesWithFewPathsForTheirSizeAreLeftOut) {
+    const Query query;
+    RejectionsStyle style;
+    const EndedNodes all = ended_nodes(query.bodies, query.frame, query.tree, style);
+    double paths = 0;
+    for (const auto& side : all)
+        for (const EndedPaths& node : side) paths += node.tests;
+    for (const double focus : {0.9, 0.5, 0.1}) {
+        style.focus = focus;
+        const EndedNodes kept = ended_nodes(query.bodies, query.frame, query.tree, style);
+        double least_kept = 1e99, most_left_out = 0, seen = 0;
+        for (std::size_t side = 0; side < 2; ++side)
+            for (const EndedPaths& node : all[side]) {
+                const bool is_kept =
+                    std::any_of(kept[side].begin(), kept[side].end(),
+                                [&](const EndedPaths& other) { return other.node == node.node; });
+                if (is_kept) {
+                    least_kept = std::min(least_kept, query.paths_per_area(side, node));
+                    seen += node.tests;
+                } else {
+                    most_left_out = std::max(most_left_out, query.paths_per_area(side, node));
+                }
+            }
+        EXPECT_GE(least_kept, most_left_out);
+        EXPECT_LT(kept[0].size() + kept[1].size(), all[0].size() + all[1].size());
+        EXPECT_GE(seen, focus * paths - 1e-9);
+        EXPECT_LT(seen, (focus + 0.1) * paths);
+    }
+}
+
+TEST(RejectionsFigure, BodiesAreToldApart) {
+    const Query query;
+    const RejectionsStyle style;
+    const Pane pane = rejections_pane(
+        query.bodies, ended_nodes(query.bodies, query.frame, query.tree, style), style);
+    const std::uint32_t first_of_b = query.bodies[1].first_node_id;
+    ASSERT_FALSE(pane.volumes.empty());
+    EXPECT_FALSE(pane.volumes.front().hatched);
+    EXPECT_TRUE(pane.volumes.back().hatched);
+    ASSERT_EQ(pane.meshes.size(), 2u);
+    for (const MeshDraw& mesh : pane.meshes) EXPECT_TRUE(mesh.backdrop);
+    EXPECT_GE(pane.volumes.back().id, first_of_b);
+    std::vector<std::string> labels;
+    for (const PanelItem& item :
+         rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style))
+        if (const auto* row = std::get_if<PanelRow>(&item)) labels.push_back(row->label);
+    EXPECT_NE(std::find(labels.begin(), labels.end(), "A"), labels.end());
+    EXPECT_NE(std::find(labels.begin(), labels.end(), "B: lid, hatched"), labels.end());
+}
+
+TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
+    const Query query;
+    RejectionsStyle style;
+    const auto rows = [&] {
+        std::vector<PanelLegendRow> result;
+        for (const PanelItem& item : endings_legend(query.header, query.frame, query.tree, style))
+            if (const auto* row = std::get_if<PanelLegendRow>(&item)) result.push_back(*row);
+        return result;
+    };
+    const auto bars = [&] {
+        return endings_chart(query.header, query.frame, query.tree, style).rows;
+    };
+    EXPECT_EQ(rows().size(), 7u);
+    const PanelLegendRow balls = rows().front();
+    const double of_balls = [&] {
+        double sum = 0;
+        for (const std::vector<BarPart>& bar : bars()) sum += bar.front().amount;
+        return sum;
+    }();
+    style.filter.endings = {rejected_at(Stage::ball_ball)};
+    ASSERT_EQ(rows().size(), 1u);
+    EXPECT_EQ(rows()[0].text, balls.text);
+    EXPECT_EQ(rows()[0].count, balls.count);
+    EXPECT_EQ(rows()[0].share, balls.share);
+    double sum = 0;
+    for (const std::vector<BarPart>& bar : bars()) {
+        ASSERT_EQ(bar.size(), 1u);
+        sum += bar[0].amount;
+    }
+    EXPECT_EQ(sum, of_balls);
+    // Several endings of boxes are one group.
+    EndingCounts counts;
+    counts.fill(3);
+    style.filter.endings = {rejected_at(Stage::axis_a1)};
+    const EndingCounts shown = shown_counts(counts, style);
+    EXPECT_EQ(std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}), 3u);
+    EXPECT_EQ(shown[static_cast<std::size_t>(rejected_at(Stage::axis_a1))], 3u);
+}
+
+TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
+    const Query query;
+    RejectionsStyle style;
+    style.by = NodeColor::share;
+    for (const PanelItem& item :
+         rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style)) {
+        EXPECT_FALSE(std::holds_alternative<PanelLegendRow>(item));
+        EXPECT_FALSE(std::holds_alternative<PanelKey>(item));
+    }
+    for (const std::vector<BarPart>& bar :
+         endings_chart(query.header, query.frame, query.tree, style).rows)
+        for (const BarPart& part : bar) EXPECT_EQ(part.color, light_theme.mesh);
+}
+
+}  // namespace
+}  // namespace scb::render
