@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/hierarchy/level_statistics.h"
+#include "render/figures/body_names.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
@@ -44,6 +45,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         for (const VolumeStatistics* s : columns) r.values.push_back(value_of(*s));
         items.emplace_back(std::move(r));
     };
+    if (figure.bodies.size() == 2) names.values = column_names(items, names.values);
     items.emplace_back(std::move(names));
     items.emplace_back(std::move(triangles));
     row(

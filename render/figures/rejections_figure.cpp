@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "render/figures/body_names.h"
 #include "render/plots/ending_colors.h"
 
 namespace scb::render {
@@ -94,9 +95,10 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
+    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(
-            PanelRow{"volumes of " + bodies[side].name,
+            PanelRow{"volumes of " + names[side],
                      {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
     items.push_back(node_color_key(style));
     return items;
