@@ -175,15 +175,23 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     return text;
 }
 
-std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
+std::string QueryView::picture_name(const std::string& what, std::optional<int> frame,
+                                    std::optional<std::size_t> test) const {
     const SceneQuery& query = sources_.front().query();
     std::string queries(volume_kind_name(query.kind));
     if (compares()) {
         const std::string both = labels_[0].name + "-vs-" + labels_[1].name;
         queries = sources_.back().query().kind == query.kind ? queries + "_" + both : both;
     }
-    return query.scene.name + "_" + queries + "_" + what +
-           (frame ? format("_frame-%04d", *frame) : "");
+    NamedOptions named;
+    name_query(named, sources_.front(), sources_.back());
+    if (options_.shown != Shown::nothing) name_view(named, options_.picture, options_.camera);
+    name_picture(named, options_.picture);
+    const std::vector<int>& frames = sources_.front().frames();
+    if (!frame && frames != std::vector<int>{query.scene.default_frame}) name_frames(named, frames);
+    return app::picture_name(
+        query.scene.name, queries + "_" + what, options_.named + named,
+        (frame ? frame_part(*frame) : "") + (test ? format("_test-%07zu", *test) : ""));
 }
 
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,

@@ -23,10 +23,14 @@ struct TraversalOptions : QueryViewOptions {
 
 int run(TraversalOptions& options, const Console& console) {
     options.check();
+    options.named.add_if(options.by != TraversalOptions{}.by, "by",
+                         std::string(render::matrix_measure_names[options.by]));
+    options.named.add_if(options.show != TraversalOptions{}.show, "show",
+                         std::string(diagram_names[options.show]));
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
         throw InputError("a picture of a traversal is of one query; give one trace.");
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, sources.front().header().scene);
     const QueryView view(options, sources, pictures.renderer());
 
     render::TraversalFigure figure;
