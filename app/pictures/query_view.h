@@ -74,6 +74,7 @@ class QueryView {
 
     const QueryViewOptions& options_;
     const QuerySources& sources_;
+    NamedOptions named_;
     std::optional<render::ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
     std::vector<render::MeshHandle> meshes_;

@@ -23,7 +23,7 @@ std::string level_title(int level) {
     return level == leaf_level ? "leaves" : "level " + std::to_string(level);
 }
 
-NamedOptions named(const LevelOptions& options) {
+NamedOptions named_options(const LevelOptions& options) {
     NamedOptions named;
     if (options.color_by)
         named.add("color-by", std::string(render::color_by_names[*options.color_by]));
@@ -37,21 +37,22 @@ NamedOptions named(const LevelOptions& options) {
     return named;
 }
 
-std::string level_name(const LevelOptions& options, const scenes::Scene& scene, VolumeKind kind,
+std::string level_name(const NamedOptions& named, const scenes::Scene& scene, VolumeKind kind,
                        int level, int frame) {
     const std::string which = level == leaf_level ? "_level-leaves" : format("_level-%02d", level);
-    return picture_name(scene.name, std::string(volume_kind_name(kind)) + which, named(options),
+    return picture_name(scene.name, std::string(volume_kind_name(kind)) + which, named,
                         frame_part(frame));
 }
 
 /// Which volumes and levels a sheet shows is a part of its name, as they are of the others'.
-std::string sheet_name(const LevelOptions& options, const scenes::Scene& scene, int frame) {
+std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
+                       const scenes::Scene& scene, int frame) {
     const LevelOptions usual;
     NamedOptions of_sheet;
     of_sheet.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
                     options.hierarchy.volumes);
     of_sheet.add_if(options.levels != usual.levels, "levels", options.levels);
-    return picture_name(scene.name, "levels_sheet", of_sheet + named(options), frame_part(frame));
+    return picture_name(scene.name, "levels_sheet", of_sheet + named, frame_part(frame));
 }
 
 // The frame, and every option that changes what is drawn but cannot be seen.
@@ -148,6 +149,7 @@ int run(const LevelOptions& options, const Console& console) {
         camera_for(wish, support, render::aspect_of(render::figure_layout(width, height).view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
+    const NamedOptions named = named_options(options);
     const std::size_t total = kinds.size() * levels.size();
     std::size_t done = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -158,7 +160,7 @@ int run(const LevelOptions& options, const Console& console) {
             figure.level = level;
             const render::Picture picture =
                 render::compose(figure, width, height, options.picture.samples, pictures.overlay());
-            const std::string name = level_name(options, scene, kinds[k], level, frame);
+            const std::string name = level_name(named, scene, kinds[k], level, frame);
             pictures.draw(name, picture, level_entry(kinds[k], level, frame, bodies[k]));
             console.progress(name, ++done, total);
         }
@@ -187,7 +189,7 @@ int run(const LevelOptions& options, const Console& console) {
         }
         const render::Picture picture =
             render::compose(sheet, options.picture.samples, pictures.overlay());
-        pictures.draw(sheet_name(options, scene, frame), picture, {{"sheet", true}}, false);
+        pictures.draw(sheet_name(named, options, scene, frame), picture, {{"sheet", true}}, false);
     }
     pictures.finish(level_head(options, scene, frame, levels,
                                exact_camera_view(wish, figure.camera, figure.center)),

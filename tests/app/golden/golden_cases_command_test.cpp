@@ -101,16 +101,16 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
             run.out,
             std::regex(
                 std::string(name) +
-                ": different\\. The mesh of A is another: 2 triangles, 6 vertices, hash "
+                ": different\\. The mesh of a is another: 2 triangles, 6 vertices, hash "
                 "[0-9a-f]{16} instead of 2 triangles, 6 vertices, hash [0-9a-f]{16}\\. These "
                 "differ: ")))
             << run.out;
-    EXPECT_EQ(run.out.find("The mesh of B"), std::string::npos);
+    EXPECT_EQ(run.out.find("The mesh of b"), std::string::npos);
     EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
     const ProgramRun inspected =
         run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
     EXPECT_NE(
-        inspected.err.find("with another mesh of A: it had 2 triangles and 6 vertices as that of "),
+        inspected.err.find("with another mesh of a: it had 2 triangles and 6 vertices as that of "),
         std::string::npos)
         << inspected.err;
     EXPECT_NE(inspected.err.find("other coordinates or indices; record it again, or, where it is "

@@ -320,7 +320,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
     for (const auto& [link, target] : {std::pair<std::string, std::string>{"frames.csv", "m.obj"},
                                        {"index.html", "linked.json"},
-                                       {"linked_scb_inspect.png", "m.obj"},
+                                       {"linked_scb_inspect_size-320x240.png", "m.obj"},
                                        {"index.json", "t.scbtrace"}})
         for (const char* source : {"linked.json", "t.scbtrace"}) {
             const fs::path out = folder.path / "out";
