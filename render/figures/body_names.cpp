@@ -6,14 +6,14 @@
 namespace scb::render {
 
 std::vector<std::string> column_names(std::vector<PanelItem>& items,
-                                      const std::vector<std::string>& names) {
+                                      const std::vector<std::string>& names, bool has_letters) {
     // So many characters have room beside another body's.
     constexpr std::size_t most = 7;
     constexpr std::string_view letters = "AB";
-    if (names.size() > letters.size() ||
-        std::all_of(names.begin(), names.end(),
-                    [](const std::string& name) { return name.size() <= most; }))
-        return names;
+    const bool are_short = std::all_of(names.begin(), names.end(),
+                                       [](const std::string& name) { return name.size() <= most; });
+    const bool are_letters = names == std::vector<std::string>{"A", "B"};
+    if (names.size() > letters.size() || are_letters || (are_short && !has_letters)) return names;
     std::vector<std::string> columns;
     std::string note;
     for (std::size_t b = 0; b < names.size(); ++b) {

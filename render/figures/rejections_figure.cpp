@@ -95,7 +95,8 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (PanelItem& item : endings_legend(header, frame, tree, *style.theme))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{""});
-    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
+    const std::vector<std::string> names =
+        column_names(items, {bodies[0].name, bodies[1].name}, true);
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(
             PanelRow{"volumes of " + names[side],
