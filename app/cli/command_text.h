@@ -12,4 +12,9 @@ namespace scb::app {
 /// space in front.
 std::string given_text(const Command& command, const std::vector<std::string>& options);
 
+/// The command with all that was given but the options `left_out`, in the order of its help: "scb
+/// render pairs spheres-l1 --frames 100". Of a path there is the name of the file only, so that the
+/// text says nothing of the machine.
+std::string told_command(const Command& command, const std::vector<std::string>& left_out);
+
 }  // namespace scb::app

@@ -53,11 +53,14 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
         print_result(options.picture.json ? json_text(Json::array({entry}), 2) + "\n" : text);
         return status;
     }
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, scene.name);
     ExplainPicture picture;
     const auto& [a, b] = *pair.nodes;
-    picture.name =
-        explain_name(scene.name, query.kind, at.frame, {{{a.body, a.index}, {b.body, b.index}}});
+    NamedOptions named;
+    name_query(named, at.source, at.source);
+    name_view(named, options.picture, options.camera);
+    name_picture(named, options.picture);
+    picture.name = explain_name(at.source.header(), named, at.frame, {a.index, b.index});
     picture.title = scene.name + " · " + std::string(render::volume_title(query.kind)) +
                     " · explain · " + node_names(pair);
     picture.subtitle = asked_words(pair);
@@ -70,7 +73,7 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     pictures.say(text);
     entry["file"] = picture.name + ".png";
     if (options.picture.json) pictures.print_instead(json_text(Json::array({entry}), 2) + "\n");
-    pictures.finish(explain_index_head(options));
+    pictures.finish(explain_index_head(options), console);
     return status;
 }
 

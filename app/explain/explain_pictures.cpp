@@ -21,13 +21,14 @@ std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
     return wish;
 }
 
-std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
-                         const std::array<std::pair<std::string, std::uint32_t>, 2>& nodes) {
-    std::string name =
-        scene + "_" + std::string(volume_kind_name(kind)) + format("_explain_frame-%04d", frame);
-    for (const auto& [body, node] : nodes)
-        name += "_" + scenes::file_name_of(body) + "-" + std::to_string(node);
-    return name;
+std::string explain_name(const TraceHeader& header, const NamedOptions& named, int frame,
+                         const std::array<std::uint32_t, 2>& nodes) {
+    std::string which = frame_part(frame);
+    for (std::size_t side = 0; side < 2; ++side)
+        which += "_" + scenes::file_name_of(header.bodies[side].name) + "-" +
+                 std::to_string(nodes[side]);
+    return picture_name(header.scene, std::string(volume_kind_name(header.volume)) + "_explain",
+                        named, which);
 }
 
 void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,

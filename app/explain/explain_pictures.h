@@ -4,6 +4,7 @@
 
 #include "app/explain/explain_options.h"
 #include "app/explain/explained_pair.h"
+#include "app/pictures/picture_name.h"
 #include "app/pictures/picture_run.h"
 #include "render/figures/explain_figure.h"
 #include "scb/mesh.h"
@@ -21,9 +22,10 @@ struct ExplainPicture {
     bool orthographic = false;                       ///< without such a camera
 };
 
-/// The name of such a picture of two nodes: a body's name and a node of each.
-std::string explain_name(const std::string& scene, VolumeKind kind, int frame,
-                         const std::array<std::pair<std::string, std::uint32_t>, 2>& nodes);
+/// The name of such a picture of two nodes: a body's name and a node of each. `named`: the options
+/// of the picture, beside those of the query.
+std::string explain_name(const TraceHeader& header, const NamedOptions& named, int frame,
+                         const std::array<std::uint32_t, 2>& nodes);
 
 /// Places the picture of two nodes at a frame, with the triangles below them.
 void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,

@@ -64,7 +64,7 @@ class VolumesReport {
   public:
     VolumesReport(const ExplainOptions& options, const Console& console, std::size_t pairs)
         : options_(options), console_(console), pairs_(pairs) {
-        if (options.draws()) pictures_.emplace(options.picture);
+        if (options.draws()) pictures_.emplace(options.picture, stem());
         if (json()) out("[");
     }
 
@@ -100,7 +100,7 @@ class VolumesReport {
             pictures_->say(std::move(text_));
         Json head = explain_index_head(options_);
         head["pairs"] = scenes::as_utf8(options_.pairs_file);
-        pictures_->finish(std::move(head));
+        pictures_->finish(std::move(head), console_);
         return summary_;
     }
 
@@ -113,13 +113,23 @@ class VolumesReport {
         else
             out_.add(text);
     }
+    std::string stem() const {
+        return scenes::file_name_of(std::filesystem::path(options_.pairs_file).stem().string());
+    }
     std::string draw(const ExplainedPair& pair, std::size_t i, const Json& entry) {
-        const std::string stem =
-            scenes::file_name_of(std::filesystem::path(options_.pairs_file).stem().string());
+        NamedOptions named;
+        const OverlapOptions usual;
+        named.add_if(pair.options.test != usual.test && pair.kind == VolumeKind::scb, "test",
+                     std::string(overlap_test_name(pair.options.test)));
+        named.add_if(pair.options.threshold != usual.threshold && pair.kind == VolumeKind::scb &&
+                         has_threshold(pair.options.test),
+                     "threshold", exact_number(pair.options.threshold));
+        name_view(named, options_.picture, options_.camera);
+        name_picture(named, options_.picture);
         ExplainPicture picture;
-        picture.name = stem + format("_explain_pair-%03zu", i);
-        picture.title = stem + " · " + std::string(render::volume_title(pair.kind)) + " · explain" +
-                        (pairs_ == 1 ? "" : format(" · pair %zu", i));
+        picture.name = picture_name(stem(), "explain", named, format("pair-%03zu", i));
+        picture.title = stem() + " · " + std::string(render::volume_title(pair.kind)) +
+                        " · explain" + (pairs_ == 1 ? "" : format(" · pair %zu", i));
         picture.subtitle = asked_words(pair);
         picture.camera = asked_camera(options_.camera, nullptr);
         picture.orthographic = options_.camera.orthographic;

@@ -215,7 +215,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Sce
         pictures.write("frames.csv", frames_csv(report));
         pictures.write("pairs.csv", pairs_csv(report));
         pictures.write("index.html", inspect_html(report, page));
-        pictures.finish(std::move(head));
+        pictures.finish(std::move(head), console);
     }
     return whole;
 }
@@ -232,7 +232,7 @@ int run(InspectOptions& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
     std::optional<PictureRun> pictures;
-    if (options.draws()) pictures.emplace(options.picture, tables);
+    if (options.draws()) pictures.emplace(options.picture, query.scene.name, tables);
 
     Progress progress(console, source.frames().size());
     Inspector inspector(source, options.top);
@@ -250,6 +250,10 @@ int run(InspectOptions& options, const Console& console) {
         find_settings(report, options, source, console, watch);
     if (pictures && watch.signal() == 0) {
         report.drawn = true;
+        name_query(report.named, source, source);
+        name_picture(report.named, options.picture);
+        if (source.frames().size() != static_cast<std::size_t>(query.scene.frames))
+            name_frames(report.named_frames, source.frames());
         if (options.picture.json)
             pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
         else

@@ -54,8 +54,9 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
 }  // namespace
 
 std::string inspect_summary_name(const InspectReport& report) {
-    return report.header.scene + "_" + std::string(volume_kind_name(report.header.volume)) +
-           "_inspect";
+    return picture_name(report.header.scene,
+                        std::string(volume_kind_name(report.header.volume)) + "_inspect",
+                        report.named + report.named_frames, "");
 }
 
 bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,

@@ -195,11 +195,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
     if (!report.drawn) return "";
-    const TraceHeader& header = report.header;
-    return explain_name(
-               header.scene, header.volume, frame,
-               {{{header.bodies[0].name, test.nodes.a}, {header.bodies[1].name, test.nodes.b}}}) +
-           ".png";
+    return explain_name(report.header, report.named, frame, {test.nodes.a, test.nodes.b}) + ".png";
 }
 
 std::string settings_words(const InspectReport& report, const std::string& over) {

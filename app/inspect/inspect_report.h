@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pictures/picture_name.h"
 #include "app/timing/tune_run.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
@@ -25,6 +26,8 @@ struct InspectReport {
     std::optional<SceneTuning> settings;  ///< what would have helped; not of parts of queries
     std::string command;                  ///< that makes the queries with the best of these
     bool drawn = false;                   ///< there is a picture of each pair
+    NamedOptions named;                   ///< what the names of pictures say
+    NamedOptions named_frames;            ///< and that of the whole, which frames it is of
 };
 
 /// Tables of frames end here: more rows make a table that nobody reads.

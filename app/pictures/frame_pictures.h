@@ -25,7 +25,7 @@ int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& cons
         if (!draw(queries, watch)) break;
         progress.step("frames");
     }
-    pictures.finish(head());
+    pictures.finish(head(), console);
     if (done == frames.size()) return exit_done;
     console.note("scb: interrupted; " + std::to_string(done) + " of " +
                  std::to_string(frames.size()) + " frames are drawn.");

@@ -40,6 +40,8 @@ void PictureOptions::check() const {
         throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
     theme();
     backend();
+    if (open && output.empty())
+        throw InputError("--open: there is nothing to open; say where pictures go with -o DIR.");
 }
 
 int PictureOptions::width() const { return side_of(size, 0); }
@@ -75,8 +77,12 @@ std::filesystem::path PictureOptions::output_folder() const {
 namespace {
 
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
+    options.command = command;
     const Option output = command.add_option("-o,--output", options.output, files).type_name("DIR");
     if (!options.output.empty()) output.show_default();
+    command.add_flag("--open", options.open,
+                     "Open what was made, with the desktop's own program: the page, the video, the "
+                     "sheet, the picture, or the folder of several");
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")
         .show_default();

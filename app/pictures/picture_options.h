@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/cli/command.h"
@@ -26,9 +27,11 @@ struct PictureOptions {
     int job_count = 0;
     bool ids = false;
     bool json = false;
+    bool open = false;                    ///< what was made is opened, see open_file
     bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};
+    std::optional<Command> command{};  ///< whose options these are
 
     /// Throws InputError where one of them makes no sense.
     void check() const;

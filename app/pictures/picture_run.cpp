@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/open_file.h"
 #include "app/cli/version.h"
+#include "app/pictures/picture_texts.h"
 #include "app/pictures/shifted_colors.h"
 #include "render/files/output_file.h"
 #include "scenes/text/input_files.h"
@@ -14,16 +16,17 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-PictureRun::PictureRun(const PictureOptions& options, const std::vector<std::string>& tables)
+PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
+                       const std::vector<std::string>& tables)
     : options_(options),
       context_(options.backend()),
       renderer_(context_),
       folder_(options.output_folder()),
+      index_(place("index.json")),
       queue_(8, options.jobs()) {
-    std::vector<std::string> stale = tables;
-    stale.emplace_back("index.json");
-    for (const std::string& name : stale) place(name);
-    for (const std::string& name : stale) {
+    queue_.set_texts(picture_texts(options, scene));
+    for (const std::string& name : tables) place(name);
+    for (const std::string& name : tables) {
         std::error_code ignored;
         const std::filesystem::path path = folder_ / name;
         if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
@@ -41,7 +44,7 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
     Json files = {{"file", name + ".png"}};
     if (video_ && of_sequence) video_->push(rendering.image);
     if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
-    queue_.push(place(name + ".png"), std::move(rendering.image));
+    queue_.push(place_picture(name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
     if (rendering.ids && options_.ids) {
@@ -69,6 +72,12 @@ std::filesystem::path PictureRun::place(const std::string& name) const {
     return path;
 }
 
+std::filesystem::path PictureRun::place_picture(const std::string& name) {
+    std::filesystem::path path = place(name);
+    index_.about_to_write(name);
+    return path;
+}
+
 void PictureRun::write(const std::string& name, const std::string& text) {
     render::write_file_whole(place(name), text);
     written_.push_back(name);
@@ -76,12 +85,22 @@ void PictureRun::write(const std::string& name, const std::string& text) {
 
 void PictureRun::draw_sheet() {
     const std::string file = sheet_->name + ".png";
-    queue_.push(place(file), render::draw(sheet_->sheet, renderer_, overlay_));
+    queue_.push(place_picture(file), render::draw(sheet_->sheet, renderer_, overlay_));
     written_.push_back(file);
     files_.push_back({{"file", file}, {"sheet", true}});
 }
 
-void PictureRun::finish(Json head) {
+std::filesystem::path PictureRun::to_open(bool with_video) const {
+    for (const std::string& name : written_)
+        if (name.ends_with(".html")) return folder_ / name;
+    if (with_video) return options_.video.file;
+    for (const Json& file : files_)
+        if (file.contains("sheet") || files_.size() == 1)
+            return folder_ / file["file"].get<std::string>();
+    return folder_;
+}
+
+void PictureRun::finish(Json head, const Console& console) {
     if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
     const bool with_video = video_ && video_->frames() > 0;
@@ -93,15 +112,14 @@ void PictureRun::finish(Json head) {
     const render::GlInfo info = context_.info();
     for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
     head["versions"] = std::move(versions_json);
-    head["files"] = std::move(files_);
-    // File names and names in scene files need not be UTF-8.
-    const std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    render::write_file_whole(place("index.json"), text);
+    head["files"] = files_;
+    index_.write(head);
     written_.push_back("index.json");
     std::string list;
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
     if (with_video) list += options_.video.file + "\n";
-    print_result(instead_ ? *instead_ : options_.json ? text : said_ + list);
+    print_result(instead_ ? *instead_ : options_.json ? index_text(head) : said_ + list);
+    if (options_.open) open_file(to_open(with_video), console);
 }
 
 }  // namespace scb::app

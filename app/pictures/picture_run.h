@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "app/pictures/folder_index.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
 #include "render/draw/renderer.h"
@@ -20,10 +21,13 @@ namespace scb::app {
 class PictureRun {
   public:
     /// Makes the folder and removes from it what would describe other pictures should this run not
-    /// finish: index.json and the `tables` that are written at the end. By then all must have been
+    /// finish: the `tables` that are written at the end. Throws InputError where its index.json is
+    /// not one of scb's, see FolderIndex. The pictures say that they
+    /// are of `scene`, see picture_texts. By then all must have been
     /// read. Nothing that was read is removed or replaced, now or later: that throws InputError.
     /// Also OutputError, GlError.
-    explicit PictureRun(const PictureOptions& options, const std::vector<std::string>& tables = {});
+    PictureRun(const PictureOptions& options, const std::string& scene,
+               const std::vector<std::string>& tables = {});
 
     render::Renderer& renderer() { return renderer_; }
     const render::Context& context() const { return context_; }
@@ -54,19 +58,26 @@ class PictureRun {
     std::uint32_t id_at(int x, int y) const;
 
     /// Draws the sheet, and waits until everything is written, the video too; then writes
-    /// index.json, which is `head` with `files` and the versions at its end, and prints it, or the
-    /// names of all files, as was asked for.
-    void finish(nlohmann::ordered_json head);
+    /// index.json, in which `head` with `files` and the versions at its end is the latest run, and
+    /// prints that run, or the names of all files, as was asked for, and opens what was made where
+    /// that was.
+    void finish(nlohmann::ordered_json head, const Console& console);
 
   private:
     void draw_sheet();
+    /// What a user wants to see first: the page, the video, the sheet, the only picture, or the
+    /// folder.
+    std::filesystem::path to_open(bool with_video) const;
     /// Where a file of that name goes; throws where it must not.
     std::filesystem::path place(const std::string& name) const;
+    /// The same for a picture, of which the index says nothing until the end.
+    std::filesystem::path place_picture(const std::string& name);
 
     const PictureOptions& options_;
     render::Context context_;
     render::Renderer renderer_;
     std::filesystem::path folder_;
+    FolderIndex index_;
     render::EncodeQueue queue_;
     std::optional<render::VideoFile> video_;
     std::optional<SheetRun> sheet_;

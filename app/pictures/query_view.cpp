@@ -39,8 +39,11 @@ std::string stopped_remark(const TraceFrame& frame) {
 
 QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
                      render::Renderer& renderer, std::optional<render::ComparisonLayout> layout)
-    : options_(options), sources_(sources), layout_(layout) {
+    : options_(options), sources_(sources), named_(options.named), layout_(layout) {
     if (compares()) labels_ = query_labels(sources[0].header(), sources[1].header());
+    name_query(named_, sources.front(), sources.back());
+    if (options.shown != Shown::nothing) name_view(named_, options.picture, options.camera);
+    name_picture(named_, options.picture);
     if (options.shown == Shown::nothing) return;
     const SceneQuery& query = sources.front().query();
     for (const scenes::NamedMesh& mesh : query.scene.meshes)
@@ -175,15 +178,20 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     return text;
 }
 
-std::string QueryView::picture_name(const std::string& what, std::optional<int> frame) const {
+std::string QueryView::picture_name(const std::string& what, std::optional<int> frame,
+                                    std::optional<std::size_t> test) const {
     const SceneQuery& query = sources_.front().query();
     std::string queries(volume_kind_name(query.kind));
     if (compares()) {
         const std::string both = labels_[0].name + "-vs-" + labels_[1].name;
         queries = sources_.back().query().kind == query.kind ? queries + "_" + both : both;
     }
-    return query.scene.name + "_" + queries + "_" + what +
-           (frame ? format("_frame-%04d", *frame) : "");
+    NamedOptions named = named_;
+    const std::vector<int>& frames = sources_.front().frames();
+    if (!frame && frames != std::vector<int>{query.scene.default_frame}) name_frames(named, frames);
+    return app::picture_name(
+        query.scene.name, queries + "_" + what, named,
+        (frame ? frame_part(*frame) : "") + (test ? format("_test-%07zu", *test) : ""));
 }
 
 void QueryView::tell_pick(PictureRun& pictures, const std::string& name,

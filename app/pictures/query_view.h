@@ -52,10 +52,11 @@ class QueryView {
     std::string title(const std::string& what) const;
     /// The frame, and every option that changes what is drawn but cannot be seen.
     std::string subtitle(std::optional<int> frame = std::nullopt) const;
-    /// SCENE_VOLUME_WHAT_frame-0250, or without a frame. Where two queries are compared, their
-    /// labels are a part of it: SCENE_scb_corrected-vs-printed_WHAT_frame-0250.
-    std::string picture_name(const std::string& what,
-                             std::optional<int> frame = std::nullopt) const;
+    /// SCENE_VOLUME_WHAT_OPTIONS_frame-0250; or, of what shows all frames, with these among the
+    /// options. Where two queries are compared, their labels are a part of it:
+    /// SCENE_scb_corrected-vs-printed_WHAT_frame-0250. `test`: how many tests of it are shown.
+    std::string picture_name(const std::string& what, std::optional<int> frame = std::nullopt,
+                             std::optional<std::size_t> test = std::nullopt) const;
 
     /// Where a pixel is to be picked of the picture that was drawn last: adds it to what is
     /// printed, as one line.
@@ -73,6 +74,7 @@ class QueryView {
 
     const QueryViewOptions& options_;
     const QuerySources& sources_;
+    NamedOptions named_;
     std::optional<render::ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
     std::vector<render::MeshHandle> meshes_;

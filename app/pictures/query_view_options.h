@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
 #include "app/query/query_sources.h"
@@ -30,6 +31,7 @@ struct QueryViewOptions {
     std::vector<std::string> recording;
     std::string compare;  ///< see CompareOptions::names
     Shown shown = Shown::meshes;
+    NamedOptions named;  ///< what of the command's own options changes its pictures
 
     /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
     void check();

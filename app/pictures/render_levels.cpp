@@ -1,15 +1,16 @@
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
 #include "app/pictures/level_index.h"
 #include "app/pictures/level_options.h"
+#include "app/pictures/picture_name.h"
 #include "app/pictures/picture_run.h"
 #include "app/pictures/scene_camera.h"
 #include "app/query/level_list.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "render/figures/level_sheet.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
@@ -22,20 +23,36 @@ std::string level_title(int level) {
     return level == leaf_level ? "leaves" : "level " + std::to_string(level);
 }
 
-// SCENE_VOLUME_level-07_frame-0250, without the extension.
-std::string picture_name(const scenes::Scene& scene, VolumeKind kind, int level, int frame) {
-    char numbers[64];
-    if (level == leaf_level)
-        std::snprintf(numbers, sizeof numbers, "_level-leaves_frame-%04d", frame);
-    else
-        std::snprintf(numbers, sizeof numbers, "_level-%02d_frame-%04d", level, frame);
-    return scene.name + "_" + std::string(volume_kind_name(kind)) + numbers;
+NamedOptions named_options(const LevelOptions& options) {
+    NamedOptions named;
+    if (options.color_by)
+        named.add("color-by", std::string(render::color_by_names[*options.color_by]));
+    if (options.opacity) named.add("opacity", exact_number(*options.opacity));
+    named.add_if(options.mesh, "mesh");
+    named.add_if(options.edges, "edges");
+    name_build(named, options.hierarchy.build());
+    name_pose(named, options.scene.pose);
+    name_view(named, options.picture, options.camera);
+    name_picture(named, options.picture);
+    return named;
 }
 
-std::string sheet_name(const scenes::Scene& scene, int frame) {
-    char numbers[32];
-    std::snprintf(numbers, sizeof numbers, "_frame-%04d", frame);
-    return scene.name + "_levels_sheet" + numbers;
+std::string level_name(const NamedOptions& named, const scenes::Scene& scene, VolumeKind kind,
+                       int level, int frame) {
+    const std::string which = level == leaf_level ? "_level-leaves" : format("_level-%02d", level);
+    return picture_name(scene.name, std::string(volume_kind_name(kind)) + which, named,
+                        frame_part(frame));
+}
+
+/// Which volumes and levels a sheet shows is a part of its name, as they are of the others'.
+std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
+                       const scenes::Scene& scene, int frame) {
+    const LevelOptions usual;
+    NamedOptions of_sheet;
+    of_sheet.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
+                    options.hierarchy.volumes);
+    of_sheet.add_if(options.levels != usual.levels, "levels", options.levels);
+    return picture_name(scene.name, "levels_sheet", of_sheet + named, frame_part(frame));
 }
 
 // The frame, and every option that changes what is drawn but cannot be seen.
@@ -104,7 +121,7 @@ int run(const LevelOptions& options, const Console& console) {
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
 
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, scene.name);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
         for (AnyHierarchy& fitted : hierarchies.emplace_back(scenes::fit_meshes(
@@ -132,6 +149,7 @@ int run(const LevelOptions& options, const Console& console) {
         camera_for(wish, support, render::aspect_of(render::figure_layout(width, height).view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
+    const NamedOptions named = named_options(options);
     const std::size_t total = kinds.size() * levels.size();
     std::size_t done = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -142,7 +160,7 @@ int run(const LevelOptions& options, const Console& console) {
             figure.level = level;
             const render::Picture picture =
                 render::compose(figure, width, height, options.picture.samples, pictures.overlay());
-            const std::string name = picture_name(scene, kinds[k], level, frame);
+            const std::string name = level_name(named, scene, kinds[k], level, frame);
             pictures.draw(name, picture, level_entry(kinds[k], level, frame, bodies[k]));
             console.progress(name, ++done, total);
         }
@@ -171,10 +189,11 @@ int run(const LevelOptions& options, const Console& console) {
         }
         const render::Picture picture =
             render::compose(sheet, options.picture.samples, pictures.overlay());
-        pictures.draw(sheet_name(scene, frame), picture, {{"sheet", true}}, false);
+        pictures.draw(sheet_name(named, options, scene, frame), picture, {{"sheet", true}}, false);
     }
     pictures.finish(level_head(options, scene, frame, levels,
-                               exact_camera_view(wish, figure.camera, figure.center)));
+                               exact_camera_view(wish, figure.camera, figure.center)),
+                    console);
     return exit_done;
 }
 

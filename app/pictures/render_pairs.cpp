@@ -76,11 +76,14 @@ int run(PairsOptions& options, const Console& console) {
     if (options.heat_end && (!options.heat || *options.heat_end < 2))
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
+    // Those that have no effect make no other picture.
+    options.named.add_if(options.leaves && !options.heat, "leaves");
+    if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
     QuerySources sources = options.open(console);
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
     std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, sources.front().header().scene);
     const QueryView view(options, sources, pictures.renderer(), layout);
 
     render::PairsStyle style;

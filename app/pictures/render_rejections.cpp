@@ -80,6 +80,9 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
     if (!options.body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
             style.sides[side] = header.bodies[side].name == options.body;
+        // A and B are the first and the second, whatever they are called.
+        if (!style.sides[0] && !style.sides[1])
+            style.sides = {options.body == "A", options.body == "B"};
         if (!style.sides[0] && !style.sides[1])
             throw InputError("--body " + options.body + ": the bodies are " +
                              header.bodies[0].name + " and " + header.bodies[1].name +
@@ -107,6 +110,19 @@ std::string filtered(std::string text, const RejectionsOptions& options) {
     add("levels ", options.depths);
     add("", options.stages);
     return text;
+}
+
+NamedOptions named(const RejectionsOptions& options) {
+    const RejectionsOptions usual;
+    NamedOptions named;
+    named.add_if(options.by != usual.by, "by", std::string(render::node_color_names[options.by]));
+    named.add_if(!options.stages.empty(), "stages", options.stages);
+    named.add_if(!options.depths.empty(), "depth", options.depths);
+    named.add_if(!options.body.empty(), "body", options.body);
+    named.add_if(options.opacity != usual.opacity, "opacity", exact_number(options.opacity));
+    named.add_if(options.nested, "nested");
+    if (options.focus) named.add("focus", exact_number(*options.focus));
+    return named;
 }
 
 /// One picture: a query, or its first tests.
@@ -145,11 +161,8 @@ struct Shot {
         }
         nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
         entry["volumes"] = {ended[0].size(), ended[1].size()};
-        std::string name = view.picture_name("rejections", frame.frame);
-        if (step) {
-            entry["tests"] = *step;
-            name += format("_test-%07zu", *step);
-        }
+        if (step) entry["tests"] = *step;
+        const std::string name = view.picture_name("rejections", frame.frame, step);
         pictures.explain(figure.title, figure.panel);
         const render::Picture picture =
             render::compose(std::move(figure), options.picture.width(), options.picture.height(),
@@ -235,6 +248,7 @@ std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t>
 
 int run(RejectionsOptions& options, const Console& console) {
     options.check();
+    options.named = named(options);
     QuerySources sources = options.open(console);
     const render::RejectionsStyle style = style_of(options, sources);
     if (options.steps && *options.steps < 1)
@@ -249,10 +263,14 @@ int run(RejectionsOptions& options, const Console& console) {
     std::optional<SheetRun> sheet;
     if (options.sheet)
         sheet = options.planned_sheet(picture_count(sources.front(), options.steps), layout);
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, sources.front().header().scene);
     const QueryView view(options, sources, pictures.renderer(), layout);
     const Shot shot{sources, view, style, options, pictures};
-    view.begin_sheet(pictures, "rejections", std::move(sheet));
+    view.begin_sheet(pictures,
+                     options.steps
+                         ? format("rejections_steps-%lld", static_cast<long long>(*options.steps))
+                         : "rejections",
+                     std::move(sheet));
     std::vector<render::StagesFigure> stages(sources.size());
     return draw_frames(
         sources, pictures, console,

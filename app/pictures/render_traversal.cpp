@@ -77,10 +77,15 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& 
 int run(TraversalOptions& options, const Console& console) {
     options.check();
     const std::optional<IndexPair> root = root_of(options);
+    options.named.add_if(options.by != TraversalOptions{}.by, "by",
+                         std::string(render::matrix_measure_names[options.by]));
+    options.named.add_if(options.show != TraversalOptions{}.show, "show",
+                         std::string(diagram_names[options.show]));
+    if (root) options.named.add("root", std::to_string(root->a) + "-" + std::to_string(root->b));
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
         throw InputError("a picture of a traversal is of one query; give one trace.");
-    PictureRun pictures(options.picture);
+    PictureRun pictures(options.picture, sources.front().header().scene);
     const QueryView view(options, sources, pictures.renderer());
 
     render::TraversalFigure figure;
@@ -91,9 +96,6 @@ int run(TraversalOptions& options, const Console& console) {
     figure.theme = options.picture.theme();
     figure.part = root.has_value();
     const TraceHeader& header = sources.front().header();
-    const std::string name =
-        "traversal" +
-        (root ? "_root-" + std::to_string(root->a) + "-" + std::to_string(root->b) : "");
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames, const InterruptWatch&) {
@@ -115,7 +117,7 @@ int run(TraversalOptions& options, const Console& console) {
                                 options.picture.height(), pictures.overlay());
             nlohmann::ordered_json entry = query_index_entry(view, {&frame});
             entry["parts"] = parts_json(frame, root ? traversal_tree(header, frame) : tree);
-            pictures.draw(view.picture_name(name, frame.frame), picture, std::move(entry));
+            pictures.draw(view.picture_name("traversal", frame.frame), picture, std::move(entry));
             return true;
         },
         [&] {

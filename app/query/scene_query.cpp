@@ -58,6 +58,9 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
     for (const std::string& name : scenes::split_list(names)) {
         std::size_t i = 0;
         while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
+        // The only two may also be called so.
+        if (i == 2 && scene.bodies.size() == 2 && name == "A") i = 0;
+        if (i == 2 && scene.bodies.size() == 2 && name == "B") i = 1;
         if (i == scene.bodies.size())
             throw InputError("--bodies " + names + ": '" + name + "' is not a body of the scene '" +
                              scene.name + "'; it has " + known + ".");

@@ -31,8 +31,8 @@ struct SceneQuery {
     CollideOptions mutated_options() const;
 };
 
-/// The bodies that `names` ("A,B") names, or the only two. Throws InputError where that leaves a
-/// choice, or names no body.
+/// The bodies that `names` names ("pin,bracket"; the only two also as A and B), or the only two.
+/// Throws InputError where that leaves a choice, or names no body.
 std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                                                const std::string& names);
 

@@ -7,10 +7,12 @@
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/open_file.h"
 #include "app/cli/progress.h"
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_options.h"
+#include "app/pictures/picture_texts.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_report.h"
 #include "core/base/exit_status.h"
@@ -291,7 +293,8 @@ int run(const BenchCommandOptions& options, const Console& console) {
         const render::Picture picture =
             render::compose(figure, options.picture.width(), options.picture.height(), overlay);
         const std::vector<std::uint8_t> png =
-            render::encode_png(renderer->draw(picture, &overlay).image);
+            render::encode_png(renderer->draw(picture, &overlay).image,
+                               picture_texts(options.picture, entry.scene.name));
         render::write_file_whole(folder / bench_picture_name(entry.scene), png);
         render::write_file_whole(folder / "bench.csv", report.csv);
         render::write_file_whole(folder / "bench.json", json());
@@ -312,6 +315,8 @@ int run(const BenchCommandOptions& options, const Console& console) {
         print_result(report.table + "\n" + report.costs.table() + "\n" +
                      conditions(options, bench_options) + "\n");
     if (failure) std::rethrow_exception(failure);
+    if (options.picture.open && !report.scenes.empty())
+        open_file(all.size() == 1 ? folder / bench_picture_name(all[0].scene) : folder, console);
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");

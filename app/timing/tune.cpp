@@ -6,12 +6,16 @@
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/open_file.h"
 #include "app/cli/progress.h"
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
+#include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
+#include "app/pictures/picture_texts.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -94,7 +98,28 @@ std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuni
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string picture_name(const scenes::Scene& scene) { return scene.name + "_tune.png"; }
+std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
+    const TuneCommandOptions usual;
+    NamedOptions named;
+    named.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
+                 options.hierarchy.volumes);
+    name_build(named, options.hierarchy.build());
+    named.add_if(options.query.test != usual.query.test, "test", options.query.test);
+    named.add_if(options.query.threshold != usual.query.threshold, "threshold",
+                 exact_number(options.query.threshold));
+    named.add_if(options.query.descent != usual.query.descent, "descent",
+                 std::string(descent_rule_name(options.query.descent)));
+    named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
+    name_pose(named, options.scene.pose);
+    if (options.query.frames != usual.query.frames)
+        name_frames(named, chosen_frames(options.query.frames, scene));
+    named.add_if(options.every, "every");
+    named.add_if(options.no_time, "no-time");
+    named.add_if(!options.no_time && options.repeats != usual.repeats, "repeat",
+                 std::to_string(options.repeats));
+    name_picture(named, options.picture);
+    return picture_name(scene.name, "tune", named, "") + ".png";
+}
 
 void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
                  const SceneTuning& tuning, render::Renderer& renderer,
@@ -105,9 +130,9 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
     render::Overlay overlay;
     const render::Picture picture =
         render::compose(figure, options.picture.width(), options.picture.height(), overlay);
-    const std::vector<std::uint8_t> png =
-        render::encode_png(renderer.draw(picture, &overlay).image);
-    render::write_file_whole(folder / picture_name(scene), png);
+    const std::vector<std::uint8_t> png = render::encode_png(
+        renderer.draw(picture, &overlay).image, picture_texts(options.picture, scene.name));
+    render::write_file_whole(folder / picture_file(options, scene), png);
     render::write_file_whole(folder / "tune.csv", tune_csv(tuning));
     render::write_file_whole(folder / "tune.json", json_text(options, tuning));
 }
@@ -118,7 +143,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
     const scenes::Scene scene = options.scene.load();
     if (!options.picture.output.empty())
         for (const std::string& file :
-             {std::string("tune.csv"), std::string("tune.json"), picture_name(scene)})
+             {std::string("tune.csv"), std::string("tune.json"), picture_file(options, scene)})
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
@@ -161,6 +186,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
         text += "\nTo use it: " + command_to_use(options, *tuning) + "\n";
     }
     print_result(text);
+    if (options.picture.open) open_file(folder / picture_file(options, scene), console);
     return exit_done;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/figures/body_names.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
@@ -59,11 +60,10 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
             {count_text(heat.wasted) + ", " +
              share_text(static_cast<double>(heat.wasted), static_cast<double>(frame.found.n_v))}});
     items.emplace_back(PanelHeading{""});
-    PanelRow body{"body", {}, {}, true}, most{"most tests", {}},
-        none{heat.of == HeatOf::wasted ? "none wasted" : "untested", {}};
+    PanelRow body{"body", column_names(items, {bodies[0].name, bodies[1].name}), {}, true},
+        most{"most tests", {}}, none{heat.of == HeatOf::wasted ? "none wasted" : "untested", {}};
     for (std::size_t side = 0; side < 2; ++side) {
         const std::vector<std::uint32_t>& counts = heat.counts[side];
-        body.values.push_back(bodies[side].name);
         most.values.push_back(count_text(*std::max_element(counts.begin(), counts.end())));
         none.values.push_back(
             count_text(static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0u))));

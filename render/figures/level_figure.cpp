@@ -6,6 +6,7 @@
 
 #include "core/hierarchy/level_statistics.h"
 #include "core/volumes/shape.h"
+#include "render/figures/body_names.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
@@ -54,6 +55,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         for (const VolumeStatistics* s : columns) r.values.push_back(value_of(*s));
         items.emplace_back(std::move(r));
     };
+    if (figure.bodies.size() == 2) names.values = column_names(items, names.values);
     items.emplace_back(std::move(names));
     items.emplace_back(std::move(triangles));
     row(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry/triangle_segment.h"
+#include "render/figures/body_names.h"
 #include "render/plots/ending_colors.h"
 #include "scb/triangle_overlap.h"
 
@@ -108,10 +109,9 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     const Collision& found = frame.found;
     std::vector<PanelItem> items;
     const Theme& theme = *style.theme;
-    items.emplace_back(PanelRow{"body",
-                                {bodies[0].name, bodies[1].name},
-                                {dimmed_body_color(0, theme), dimmed_body_color(1, theme)},
-                                true});
+    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
+    items.emplace_back(
+        PanelRow{"body", names, {dimmed_body_color(0, theme), dimmed_body_color(1, theme)}, true});
     items.emplace_back(PanelRow{"triangles",
                                 {count_text(bodies[0].mesh->triangles.size()),
                                  count_text(bodies[1].mesh->triangles.size())}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "render/figures/body_names.h"
 #include "render/plots/ending_colors.h"
 
 namespace scb::render {
@@ -178,9 +179,10 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (PanelItem& item : endings_legend(header, frame, tree, style))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{"volumes drawn"});
+    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(
-            PanelRow{volumes_text(side, bodies[side].name),
+            PanelRow{volumes_text(side, names[side]),
                      {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
     items.push_back(node_color_key(style));
     return items;

@@ -175,30 +175,38 @@ void ChildProcess::kill() {
     ::shutdown(input_, SHUT_RDWR);
 }
 
-std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most,
-                                             const std::function<bool()>& stopped) {
+std::optional<ProcessEnd> ChildProcess::end_of(const std::function<bool()>& is_over, bool kill_it) {
     if (id_ < 0) return std::nullopt;
     ::shutdown(input_, SHUT_WR);
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point end = Clock::now() + most;
-    bool killed = false, forgotten = false;
+    bool over = false, forgotten = false;
     int status = 0;
-    for (pid_t ended = 0; ended != id_ && !forgotten;) {
-        ended = ::waitpid(id_, &status, killed ? 0 : WNOHANG);
+    for (pid_t ended = 0; ended != id_ && !forgotten && !(over && !kill_it);) {
+        ended = ::waitpid(id_, &status, over ? 0 : WNOHANG);
         forgotten = ended < 0 && errno == ECHILD;  // SIGCHLD is ignored
         if (ended != 0) continue;
-        if (Clock::now() < end && !(stopped && stopped())) {
+        over = is_over();
+        if (!over)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        } else {
+        else if (kill_it)
             kill();
-            killed = true;
-        }
     }
     ::close(input_);
     id_ = -1;
-    if (killed || forgotten) return std::nullopt;
+    if (over || forgotten) return std::nullopt;
     if (WIFSIGNALED(status)) return ProcessEnd{true, WTERMSIG(status)};
     return ProcessEnd{false, WEXITSTATUS(status)};
+}
+
+std::optional<ProcessEnd> ChildProcess::wait(std::chrono::milliseconds most,
+                                             const std::function<bool()>& stopped) {
+    const auto end = std::chrono::steady_clock::now() + most;
+    return end_of([&] { return std::chrono::steady_clock::now() >= end || (stopped && stopped()); },
+                  true);
+}
+
+std::optional<ProcessEnd> ChildProcess::wait_or_leave(std::chrono::milliseconds most) {
+    const auto end = std::chrono::steady_clock::now() + most;
+    return end_of([&] { return std::chrono::steady_clock::now() >= end; }, false);
 }
 
 std::string ChildProcess::printed() const { return text_of(output_); }

@@ -59,6 +59,11 @@ class ChildProcess {
     std::optional<ProcessEnd> wait(std::chrono::milliseconds most,
                                    const std::function<bool()>& stopped = {});
 
+    /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
+    /// and is then left to itself: it may outlive this program. Nothing either where SIGCHLD is
+    /// ignored.
+    std::optional<ProcessEnd> wait_or_leave(std::chrono::milliseconds most);
+
     /// Its process, which is its process group too; -1 once it was waited for.
     pid_t id() const { return id_; }
 
@@ -70,6 +75,10 @@ class ChildProcess {
     std::string last_line() const;
 
   private:
+    /// Ends its input and waits until it has ended, or `is_over` says true, after which it is no
+    /// longer this object's.
+    std::optional<ProcessEnd> end_of(const std::function<bool()>& is_over, bool kill_it);
+
     UnnamedFile output_, errors_;
     int input_ = -1;  ///< one of two sockets: unlike a pipe, these need raise no SIGPIPE
     pid_t id_ = -1;   ///< -1 once it was waited for

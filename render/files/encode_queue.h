@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "render/files/image.h"
+#include "render/files/image_file.h"
 #include "render/files/work_queue.h"
 
 namespace scb::render {
@@ -15,6 +18,9 @@ class EncodeQueue {
                          std::size_t byte_capacity = std::size_t{256} << 20)
         : queue_(capacity, threads, byte_capacity) {}
 
+    /// What all files say of themselves; to be called before the first picture.
+    void set_texts(std::vector<PngText> texts) { texts_ = std::move(texts); }
+
     /// Takes the picture over.
     void push(std::filesystem::path path, Image image);
     void push(std::filesystem::path path, IdImage image);
@@ -23,6 +29,7 @@ class EncodeQueue {
     void finish() { queue_.finish(); }
 
   private:
+    std::vector<PngText> texts_;  ///< before the queue, whose threads read it to their end
     WorkQueue queue_;
 };
 

@@ -74,7 +74,29 @@ void append_bytes(void* context, void* data, int size) {
     bytes.insert(bytes.end(), begin, begin + size);
 }
 
-std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int height, int channels) {
+void append_number(std::string& bytes, std::size_t number) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 255);
+}
+
+/// A chunk of a PNG file: tEXt of plain characters, and iTXt of others.
+std::string text_chunk(const PngText& text) {
+    const bool plain = std::all_of(text.text.begin(), text.text.end(),
+                                   [](char c) { return c >= ' ' && c <= '~'; });
+    std::string content = plain ? "tEXt" : "iTXt";
+    content += text.keyword + '\0';
+    // Not compressed, in no stated language, and with no translated keyword.
+    if (!plain) content += std::string(4, '\0');
+    content += text.text;
+    std::string chunk;
+    append_number(chunk, content.size() - std::strlen("tEXt"));
+    chunk += content;
+    append_number(chunk, crc32(0, reinterpret_cast<const Bytef*>(content.data()),
+                               static_cast<uInt>(content.size())));
+    return chunk;
+}
+
+std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int height, int channels,
+                                 const std::vector<PngText>& texts) {
     // stb keeps these in globals, which threads share.
     static const bool configured = [] {
         stbi_write_png_compression_level = compression_level;
@@ -86,28 +108,34 @@ std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int heig
     if (!stbi_write_png_to_func(append_bytes, &bytes, width, height, channels, pixels,
                                 width * channels))
         throw std::bad_alloc();
+    // Texts stand before the pixels, where who only asks for them need not read those: behind the
+    // signature and the header.
+    constexpr std::ptrdiff_t header_end = 8 + 25;
+    std::string chunks;
+    for (const PngText& text : texts) chunks += text_chunk(text);
+    bytes.insert(bytes.begin() + header_end, chunks.begin(), chunks.end());
     return bytes;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encode_png(const Image& image, const std::vector<PngText>& texts) {
     bool opaque = true;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque &= image.rgba[i] == 255;
-    if (!opaque) return encode(image.rgba.data(), image.width, image.height, 4);
+    if (!opaque) return encode(image.rgba.data(), image.width, image.height, 4, texts);
     std::vector<std::uint8_t> rgb(image.rgba.size() / 4 * 3);
     for (std::size_t from = 0, to = 0; from < image.rgba.size(); from += 4, to += 3)
         std::memcpy(&rgb[to], &image.rgba[from], 3);
-    return encode(rgb.data(), image.width, image.height, 3);
+    return encode(rgb.data(), image.width, image.height, 3, texts);
 }
 
-std::vector<std::uint8_t> encode_png(const IdImage& image) {
+std::vector<std::uint8_t> encode_png(const IdImage& image, const std::vector<PngText>& texts) {
     std::vector<std::uint8_t> packed;
     packed.reserve(image.ids.size() * 4);
     for (const std::uint32_t id : image.ids)
         for (int shift = 0; shift < 32; shift += 8)
             packed.push_back(static_cast<std::uint8_t>(id >> shift));
-    return encode(packed.data(), image.width, image.height, 4);
+    return encode(packed.data(), image.width, image.height, 4, texts);
 }
 
 namespace {

@@ -102,8 +102,12 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file), second_file});
     scene.name = file_name_of(stem(first) + "-" + stem(second));
     scene.file.clear();
-    scene.bodies[0].name = "A";
-    scene.bodies.push_back({"B", scene.meshes.size() - 1, {}});
+    scene.bodies.push_back({stem(second), scene.meshes.size() - 1, {}});
+    // Names tell bodies apart.
+    if (scene.bodies[0].name == scene.bodies[1].name) {
+        scene.bodies[0].name += "-A";
+        scene.bodies[1].name += "-B";
+    }
     if (options.pose) {
         check_rigid(*options.pose, "--pose");
         Motion& motion = scene.bodies[1].motion;

@@ -20,10 +20,10 @@ struct LoadOptions {
 /// or two mesh files. A name that is both a built-in scene and a file means the built-in scene.
 ///
 /// One mesh file gives one body; two give two bodies, the first at the identity pose and the second
-/// at `options.pose`, that share one mesh where both are the same file. A relative path that leads
-/// nowhere is also looked for in `options.models_dir`. Such scenes are named after the files (bytes
-/// that are not UTF-8 become '?', so that the names fit into JSON), have one frame and no camera
-/// wish.
+/// at `options.pose`, that share one mesh where both are the same file. Bodies are named after
+/// their files; two of one name are NAME-A and NAME-B. A relative path that leads nowhere is also
+/// looked for in `options.models_dir`. Such scenes are named after the files (bytes that are not
+/// UTF-8 become '?', so that the names fit into JSON), have one frame and no camera wish.
 ///
 /// Throws InputError with one sentence: nothing or too much is named, an unknown name (with what
 /// can be named, and the nearest built-in name where one is close), a pose without two meshes or

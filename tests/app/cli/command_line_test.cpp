@@ -8,6 +8,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/app/program.h"
+#include "tests/png_chunks.h"
 
 namespace scb::app {
 namespace {
@@ -251,8 +252,9 @@ TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
         EXPECT_LT(*met.rbegin(), 1 + stats[0]["nodes"].get<std::uint32_t>() +
                                      stats[1]["nodes"].get<std::uint32_t>());
     }
-    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_frame-0000.png"));
-    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_ball_level-leaves_frame-0000_ids.png"));
+    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_size-320x240_frame-0000.png"));
+    EXPECT_TRUE(
+        fs::exists(folder / "out/knots-l1_ball_level-leaves_size-320x240_frame-0000_ids.png"));
 }
 
 TEST(CommandLine, TheCameraOfAnIndexGivesTheSamePictureAgain) {
@@ -265,8 +267,21 @@ TEST(CommandLine, TheCameraOfAnIndexGivesTheSamePictureAgain) {
         run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
             .status,
         0);
-    const std::string name = index["files"][0]["ids"];
-    EXPECT_EQ(file_text(folder / "a/" + name), file_text(folder / "b/" + name));
+    const json again = json::parse(file_text(folder / "b/index.json"));
+    const auto ids_in = [&](const std::string& run, const json& of) {
+        return png_without_texts(
+            file_text(folder / run + "/" + of["files"][0]["ids"].get<std::string>()));
+    };
+    EXPECT_EQ(ids_in("a", index), ids_in("b", again));
+    // Whatever a camera's file is called, another camera makes another name.
+    const std::string name = again["files"][0]["file"];
+    EXPECT_TRUE(name.starts_with("cone_scb_level-06_camera-camera-")) << name;
+    write_text(folder / "camera.json", R"({"azimuth": 40})");
+    ASSERT_EQ(
+        run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
+            .status,
+        0);
+    EXPECT_NE(json::parse(file_text(folder / "b/index.json"))["files"][0]["file"], name);
 }
 
 TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
@@ -283,20 +298,23 @@ TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
             (folder / "b"))
             .status,
         0);
-    for (const char* name :
-         {"cone_scb_level-02_frame-0000.png", "cone_scb_level-06_frame-0000.png"})
-        EXPECT_EQ(file_text(folder / (std::string("a/") + name)),
-                  file_text(folder / (std::string("b/") + name)))
+    for (const char* name : {"cone_scb_level-02_camera-orbit-20-20-6_size-320x240_frame-0000.png",
+                             "cone_scb_level-06_camera-orbit-20-20-6_size-320x240_frame-0000.png"})
+        EXPECT_EQ(png_without_texts(file_text(folder / (std::string("a/") + name))),
+                  png_without_texts(file_text(folder / (std::string("b/") + name))))
             << name;
 }
 
-TEST(CommandLine, ARunThatFailsLeavesNoIndexOfAnEarlierOne) {
+TEST(CommandLine, ARunThatFailsLeavesNoIndexOfWhatItReplaced) {
     const TemporaryFolder folder;
     const std::string arguments =
         "render levels cone --levels 3 --size 320x240 -o " + (folder / "out");
     ASSERT_EQ(run_scb(arguments).status, 0);
-    EXPECT_TRUE(fs::exists(folder / "out/index.json"));
+    const std::string index = file_text(folder / "out/index.json");
+    // Another picture replaces none.
     EXPECT_EQ(run_scb(arguments + " --background dark", "ulimit -f 8;").status, 3);
+    EXPECT_EQ(file_text(folder / "out/index.json"), index);
+    EXPECT_EQ(run_scb(arguments, "ulimit -f 8;").status, 3);
     EXPECT_FALSE(fs::exists(folder / "out/index.json"));
 }
 

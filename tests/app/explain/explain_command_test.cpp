@@ -196,7 +196,8 @@ TEST_F(ExplainCommand, DrawsAPictureOfEveryPair) {
     const ProgramRun run = run_scb("explain spheres-l1 --frame 50 --pair 412,97" + small);
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_TRUE(run.out.starts_with("spheres-l1, frame 50: A 412, B 97\n"));
-    const std::string name = "spheres-l1_scb_explain_frame-0050_A-412_B-97.png";
+    const std::string name =
+        "spheres-l1_scb_explain_samples-1_size-320x240_frame-0050_A-412_B-97.png";
     const std::string picture = file_text(out + "/" + name);
     EXPECT_TRUE(picture.starts_with("\x89PNG"));
     const json index = json::parse(file_text(out + "/index.json"));
@@ -208,9 +209,10 @@ TEST_F(ExplainCommand, DrawsAPictureOfEveryPair) {
 
     const std::string file = file_of({pair_of(0.75), json::parse(missed_by_line_8)});
     const json found = explained("--test printed --pairs " + file + small, 1);
+    const std::string missed = "pairs_explain_test-printed_samples-1_size-320x240_pair-001.png";
     ASSERT_EQ(found.size(), 2u);
-    EXPECT_EQ(found[1]["file"], "pairs_explain_pair-001.png");
-    EXPECT_TRUE(file_text(out + "/pairs_explain_pair-001.png").starts_with("\x89PNG"));
+    EXPECT_EQ(found[1]["file"], missed);
+    EXPECT_TRUE(file_text(out + "/" + missed).starts_with("\x89PNG"));
     for (const char* camera : {"--camera orbit:30,20", "--ortho", "--up y", "--camera contact"})
         EXPECT_EQ(run_scb("explain --pairs " + file + small + " " + camera).status, 0) << camera;
 }

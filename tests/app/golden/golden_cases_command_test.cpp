@@ -101,16 +101,16 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
             run.out,
             std::regex(
                 std::string(name) +
-                ": different\\. The mesh of body A changed: as many triangles and vertices, but "
+                ": different\\. The mesh of body a changed: as many triangles and vertices, but "
                 "not the same\\. These differ: ")))
             << run.out;
-    EXPECT_EQ(run.out.find("The mesh of body B"), std::string::npos);
+    EXPECT_EQ(run.out.find("The mesh of body b"), std::string::npos);
     EXPECT_EQ(run.out.find(" moved"), std::string::npos);
     EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
     const ProgramRun inspected =
         run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
     EXPECT_NE(
-        inspected.err.find("with another mesh of A: it had 2 triangles and 6 vertices as that of "),
+        inspected.err.find("with another mesh of a: it had 2 triangles and 6 vertices as that of "),
         std::string::npos)
         << inspected.err;
     EXPECT_NE(inspected.err.find("other coordinates or indices; record it again, or, where it is "

@@ -199,16 +199,17 @@ TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     for (json& pair : found["worst"]) {
         const auto frame = pair["frame"].get<int>(), a = pair["nodes"][0].get<int>(),
                    b = pair["nodes"][1].get<int>();
-        char name[100];
-        std::snprintf(name, sizeof name, "spheres-l1_scb_explain_frame-%04d_A-%d_B-%d.png", frame,
-                      a, b);
+        char name[150];
+        std::snprintf(name, sizeof name,
+                      "spheres-l1_scb_explain_test-corrected_size-640x360_frame-%04d_A-%d_B-%d.png",
+                      frame, a, b);
         pair["file"] = name;
         pictures.insert(name);
     }
     ASSERT_EQ(pictures.size(), 4u);
     for (const char* key : {"frames", "sum", "depths", "worst", "other_tests"})
         EXPECT_EQ(index[key], found[key]) << key;
-    pictures.insert("spheres-l1_scb_inspect.png");
+    pictures.insert("spheres-l1_scb_inspect_test-corrected_size-640x360_frames-60-100.png");
     std::set<std::string> listed;
     for (const json& file : index["files"]) listed.insert(file["file"].get<std::string>());
     EXPECT_EQ(listed, pictures);
@@ -319,7 +320,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
     for (const auto& [link, target] : {std::pair<std::string, std::string>{"frames.csv", "m.obj"},
                                        {"index.html", "linked.json"},
-                                       {"linked_scb_inspect.png", "m.obj"},
+                                       {"linked_scb_inspect_size-320x240.png", "m.obj"},
                                        {"index.json", "t.scbtrace"}})
         for (const char* source : {"linked.json", "t.scbtrace"}) {
             const fs::path out = folder.path / "out";

@@ -150,7 +150,8 @@ TEST(TuneCommand, WithoutTimesIsTheSameEachTime) {
     EXPECT_EQ(first.status, 0) << first.err;
     EXPECT_EQ(first.out, second.out);
     EXPECT_EQ(first.out.find("ms"), std::string::npos);
-    for (const char* file : {"tune.csv", "tune.json", "cone_tune.png"})
+    for (const char* file :
+         {"tune.csv", "tune.json", "cone_tune_frames-0-to-160-by-40_no-time.png"})
         EXPECT_EQ(file_text(folder.path / "a" / file), file_text(folder.path / "b" / file)) << file;
 }
 
@@ -172,7 +173,8 @@ TEST(TuneCommand, TimesTheBestSettingsAndWritesFiles) {
     EXPECT_TRUE(found["settings"][found["best"]["time"].get<std::size_t>()].contains("ms"));
     EXPECT_EQ(json::parse(file_text(fs::path(out) / "tune.json")), found);
     EXPECT_EQ(lines_of(file_text(fs::path(out) / "tune.csv")), 1 + found["settings"].size());
-    const render::Image picture = render::read_png(fs::path(out) / "cone_tune.png");
+    const render::Image picture =
+        render::read_png(fs::path(out) / "cone_tune_frames-60-80_repeat-1_size-640x480.png");
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
     const std::string table = run_scb("tune cone --frames 60 --repeat 1").out;

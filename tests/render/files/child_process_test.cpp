@@ -87,6 +87,19 @@ TEST_F(ChildProcessTest, ItsWordsAreKeptApart) {
 }
 
 // By then its group's id may be that of others. Here they are its own child, which can tell.
+TEST_F(ChildProcessTest, IsLeftToItselfWhereItTakesLonger) {
+    EXPECT_EQ(ChildProcess({"sh", "-c", "exit 3"}, output, seconds(60)).wait_or_leave(seconds(60)),
+              (ProcessEnd{false, 3}));
+    {
+        ChildProcess child({"sh", "-c", "sleep 0.3; echo done >&3"}, output, seconds(60));
+        EXPECT_EQ(child.wait_or_leave(std::chrono::milliseconds(1)), std::nullopt);
+        EXPECT_EQ(child.id(), -1);
+    }
+    for (int i = 0; i < 1000 && output.bytes().empty(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_FALSE(output.bytes().empty()) << "it was not killed";
+}
+
 TEST_F(ChildProcessTest, IsNotKilledOnceItIsForgotten) {
     const IgnoredSigchld ignored;
     ChildProcess process({"sh", "-c", "sh -c \"$0\" &",

@@ -20,6 +20,7 @@
 
 #include "render/files/encode_queue.h"
 #include "scb/error.h"
+#include "tests/png_chunks.h"
 
 namespace scb::render {
 namespace {
@@ -62,6 +63,36 @@ TEST_F(ImageFile, IdsSurviveTheRoundTrip) {
     const IdImage ids{3, 2, {0, 1, 0xFFFFFFFF, 0x01020304, 0x80000000, 255}};
     write_file_whole(folder / "ids.png", encode_png(ids));
     EXPECT_EQ(unpack_ids(read_png(folder / "ids.png")), ids);
+}
+
+TEST_F(ImageFile, SaysWhatItIsToldBesideThePixels) {
+    const std::vector<PngText> texts = {{"Software", "scb 1"}, {"Scene", "ärm"}, {"Empty", ""}};
+    const Image image = gradient(false);
+    const IdImage ids{2, 1, {7, 8}};
+    const auto text_of = [](const std::vector<std::uint8_t>& bytes) {
+        return std::string(bytes.begin(), bytes.end());
+    };
+    for (const auto& [with, without] : {std::pair{encode_png(image, texts), encode_png(image)},
+                                        {encode_png(ids, texts), encode_png(ids)}}) {
+        EXPECT_EQ(png_texts(text_of(with)),
+                  (std::map<std::string, std::string>{
+                      {"Software", "scb 1"}, {"Scene", "ärm"}, {"Empty", ""}}));
+        EXPECT_EQ(png_without_texts(text_of(with)), text_of(without));
+        EXPECT_TRUE(png_texts(text_of(without)).empty());
+    }
+    // What is not plain is UTF-8, which tEXt is not.
+    const std::string whole = text_of(encode_png(image, texts));
+    EXPECT_NE(whole.find("tEXtSoftware"), std::string::npos);
+    EXPECT_NE(whole.find("iTXtScene"), std::string::npos);
+    write_file_whole(folder / "picture.png", encode_png(image, texts));
+    EXPECT_EQ(read_png(folder / "picture.png"), image);
+    // As readers compute it that check it: over type and content.
+    const std::string chunk = "tEXtSoftware" + std::string(1, '\0') + "scb 1";
+    const std::size_t at = whole.find(chunk);
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        sum = sum << 8 | static_cast<unsigned char>(whole[at + chunk.size() + i]);
+    EXPECT_EQ(sum, 0xb0bae3a6u);
 }
 
 /// What is said of a file that is refused, after its name.

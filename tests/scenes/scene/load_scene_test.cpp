@@ -39,6 +39,8 @@ TEST(LoadScene, PlacesTheSecondOfTwoMeshes) {
     pose.translation = Vec3(1, 2, 3);
     const Scene scene = load_scene({a, b}, {{}, pose});
     EXPECT_EQ(scene.name, "a-b");
+    EXPECT_EQ(scene.bodies[0].name, "a");
+    EXPECT_EQ(scene.bodies[1].name, "b");
     EXPECT_EQ(scene.meshes.size(), 2u);
     EXPECT_EQ(pose_at(scene.bodies[0].motion, 0).rotation, Mat3(Mat3::Identity()));
     EXPECT_EQ(pose_at(scene.bodies[1].motion, 0).rotation, pose.rotation);
@@ -55,6 +57,8 @@ TEST(LoadScene, SharesTheMeshOfAFileNamedTwice) {
     EXPECT_EQ(scene.bodies.size(), 2u);
     EXPECT_EQ(scene.bodies[1].mesh, 0u);
     EXPECT_EQ(scene.name, "a-a");
+    EXPECT_EQ(scene.bodies[0].name, "a-A");
+    EXPECT_EQ(scene.bodies[1].name, "a-B");
 }
 
 TEST(LoadScene, SaysWhatCanBeNamed) {

@@ -1,0 +1,154 @@
+#include "app/pictures/picture_name.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text_format.h"
+
+namespace scb::app {
+namespace {
+
+// Names of files may have 255 bytes, of which endings take some.
+constexpr std::size_t most_of_options = 100, most_of_name = 220;
+
+/// FNV-1a of 32 bits.
+std::string hash_of(const std::string& text) {
+    std::uint32_t hash = 0x811c9dc5;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
+    return format("%08x", hash);
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+    if (text.size() <= most) return text;
+    const std::string hash = "-" + hash_of(text);
+    return text.substr(0, most - hash.size()) + hash;
+}
+
+/// "0-to-490-by-10".
+std::string list_part(const std::vector<int>& numbers) {
+    const int step = numbers.size() < 3 ? 0 : numbers[1] - numbers[0];
+    const bool even =
+        step > 0 && std::adjacent_find(numbers.begin(), numbers.end(), [step](int a, int b) {
+                        return b - a != step;
+                    }) == numbers.end();
+    if (even)
+        return format("%d-to-%d", numbers.front(), numbers.back()) +
+               (step == 1 ? "" : format("-by-%d", step));
+    std::string list;
+    for (const int number : numbers) list += (list.empty() ? "" : "-") + std::to_string(number);
+    return list;
+}
+
+/// "orbit-40-15"; of a file its name, and what tells its camera from others: that of each
+/// index.json is in a file of the same name.
+std::string camera_part(const std::string& camera) {
+    if (camera == "fit" || camera == "contact" || camera.starts_with("orbit:")) return camera;
+    return std::filesystem::path(camera).stem().string() + "-" +
+           hash_of(scenes::camera_json(scenes::parse_camera(camera)).dump());
+}
+
+}  // namespace
+
+void NamedOptions::add(const std::string& option, const std::string& value) {
+    text_ += "_" + option;
+    if (!value.empty()) text_ += "-" + scenes::file_name_of(shortened(value, most_of_options));
+}
+
+NamedOptions NamedOptions::operator+(const NamedOptions& others) const {
+    NamedOptions all = *this;
+    all.text_ += others.text_;
+    return all;
+}
+
+std::string NamedOptions::text() const { return shortened(text_, most_of_options); }
+
+void name_build(NamedOptions& named, const BuildOptions& options) {
+    const BuildOptions usual;
+    named.add_if(options.split != usual.split, "split",
+                 std::string(split_method_name(options.split)));
+    named.add_if(options.fit.growth != usual.fit.growth, "growth",
+                 std::string(ball_growth_name(options.fit.growth)));
+    named.add_if(options.fit.margin != usual.fit.margin, "margin",
+                 exact_number(options.fit.margin));
+}
+
+void name_pose(NamedOptions& named, const std::vector<double>& pose) {
+    const std::vector<double> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    if (pose.empty() || pose == identity) return;
+    std::string numbers;
+    for (const double number : pose) numbers += exact_number(number + 0.0) + ",";  // -0 is 0
+    named.add("pose", hash_of(numbers));
+}
+
+void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other) {
+    const SceneQuery& asked = query.query();
+    const scenes::Scene& scene = asked.scene;
+    if (scene.bodies.size() > 2 || asked.a > asked.b)
+        named.add("bodies", scene.bodies[asked.a].name + "-" + scene.bodies[asked.b].name);
+    if (query.header().source.size() == 2) {
+        const Pose pose = asked.b_to_a(0);
+        std::vector<double> numbers;
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                numbers.push_back(pose.rotation(row, column));
+            numbers.push_back(pose.translation[row]);
+        }
+        name_pose(named, numbers);
+    }
+    TraceHeader usual = query.header();
+    const BuildOptions build;
+    usual.split = build.split;
+    usual.growth = build.fit.growth;
+    usual.margin = build.fit.margin;
+    // Which test it is decides whether there is a threshold.
+    const OverlapTest test = usual.options.overlap.test;
+    usual.options = {};
+    usual.options.overlap.test = test;
+    usual.options.max_pairs = static_cast<std::size_t>(QueryLimits{}.max_pairs);
+    const std::vector<TraceField> as_usual = fields_of(usual), here = fields_of(query.header()),
+                                  there = fields_of(other.header());
+    const auto has = [](const std::vector<TraceField>& fields, const TraceField& field) {
+        return std::any_of(fields.begin(), fields.end(), [&](const TraceField& f) {
+            return f.name == field.name && f.value == field.value;
+        });
+    };
+    for (const TraceField& field : here) {
+        const bool is_usual =
+            field.name == "test" ? test == OverlapOptions{}.test : has(as_usual, field);
+        if (is_usual || !has(there, field)) continue;
+        std::string option = field.name;
+        std::replace(option.begin(), option.end(), ' ', '-');
+        named.add(option, field.value);
+    }
+}
+
+void name_picture(NamedOptions& named, const PictureOptions& options) {
+    const PictureOptions usual;
+    const bool usual_size = options.width() == usual.width() && options.height() == usual.height();
+    named.add_if(!usual_size, "size", format("%dx%d", options.width(), options.height()));
+    named.add_if(options.background != usual.background, "background", options.background);
+}
+
+void name_view(NamedOptions& named, const PictureOptions& options, const CameraOptions& camera) {
+    if (!camera.camera.empty()) named.add("camera", camera_part(camera.camera));
+    named.add_if(!camera.up.empty(), "up", camera.up);
+    named.add_if(camera.orthographic, "ortho");
+    named.add_if(options.samples != PictureOptions{}.samples, "samples",
+                 std::to_string(options.samples));
+}
+
+void name_frames(NamedOptions& named, const std::vector<int>& frames) {
+    named.add("frames", list_part(frames));
+}
+
+std::string picture_name(const std::string& scene, const std::string& what,
+                         const NamedOptions& options, const std::string& which) {
+    const std::string name = scene + "_" + what + options.text();
+    const std::string end = which.empty() ? "" : "_" + which;
+    return shortened(shortened(name, most_of_name) + end, most_of_name + 8);
+}
+
+std::string frame_part(int frame) { return format("frame-%04d", frame); }
+
+}  // namespace scb::app

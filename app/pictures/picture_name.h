@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pictures/picture_options.h"
+#include "app/query/query_sources.h"
+
+namespace scb::app {
+
+/// The options that a picture is drawn with, as the names of files say them:
+/// "_test-extents_by-share". Only what differs from the default is named, so that what was drawn
+/// with other options never takes the name of another picture, and usual names are short.
+class NamedOptions {
+  public:
+    /// An option; a flag has no value.
+    void add(const std::string& option, const std::string& value = "");
+    void add_if(bool differs, const std::string& option, const std::string& value = "") {
+        if (differs) add(option, value);
+    }
+    /// These, and then others.
+    NamedOptions operator+(const NamedOptions& others) const;
+    /// Empty where nothing differs. A long text ends with a hash in place of the rest.
+    std::string text() const;
+
+  private:
+    std::string text_;
+};
+
+/// How hierarchies are built.
+void name_build(NamedOptions& named, const BuildOptions& options);
+/// The pose of the second of two meshes, [R|t] row by row; empty is the identity.
+void name_pose(NamedOptions& named, const std::vector<double>& pose);
+/// What is asked of a query: which bodies, where the scene leaves a choice, and how. Of two queries
+/// that are compared, what they have in common.
+void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other);
+/// Size and background.
+void name_picture(NamedOptions& named, const PictureOptions& options);
+/// How a scene is looked at.
+void name_view(NamedOptions& named, const PictureOptions& options, const CameraOptions& camera);
+/// The frames of a picture that shows several; `frames` is ascending.
+void name_frames(NamedOptions& named, const std::vector<int>& frames);
+
+/// SCENE_WHAT_OPTIONS_WHICH, without the extension: "spheres-l1_scb_pairs_frame-0250". The only
+/// place where pictures are named.
+std::string picture_name(const std::string& scene, const std::string& what,
+                         const NamedOptions& options, const std::string& which);
+/// "frame-0250".
+std::string frame_part(int frame);
+
+}  // namespace scb::app

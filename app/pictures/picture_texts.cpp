@@ -1,0 +1,25 @@
+#include "app/pictures/picture_texts.h"
+
+#include "app/cli/command_text.h"
+#include "scenes/text/utf8.h"
+
+namespace scb::app {
+namespace {
+
+/// Options that change nothing in a picture.
+const std::vector<std::string> untold = {"--output", "--models", "--jobs", "--json", "--ids",
+                                         "--pick",   "--video",  "--fps",  "--open"};
+
+}  // namespace
+
+std::vector<render::PngText> picture_texts(const PictureOptions& options,
+                                           const std::string& scene) {
+    std::vector<render::PngText> texts = {{"Software", "scb " SCB_VERSION}};
+    // Names of files need not be UTF-8, and a text has no line ends of theirs.
+    if (!scene.empty()) texts.push_back({"Scene", scenes::printable(scene)});
+    if (options.command)
+        texts.push_back({"Command", scenes::printable(told_command(*options.command, untold))});
+    return texts;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace scb::app {
+namespace {
+
+using nlohmann::json;
+
+struct FolderIndex : testing::Test {
+    TemporaryFolder folder;
+    std::string out = folder / "out", file = out + "/index.json";
+
+    json run(const std::string& arguments) {
+        const ProgramRun ended = run_scb(arguments + " --size 320x240 -o " + out);
+        EXPECT_LT(ended.status, 2) << ended.err;
+        return json::parse(file_text(file));
+    }
+    static std::vector<std::string> files_of(const json& of_run) {
+        std::vector<std::string> files;
+        for (const json& entry : of_run["files"]) files.push_back(entry["file"]);
+        return files;
+    }
+};
+
+TEST_F(FolderIndex, CollectsTheRunsOfAFolder) {
+    const std::string levels = "render levels cone --levels 2",
+                      pairs = "render pairs cone --frames 80",
+                      inspect = "inspect cone --frames 80 --top 1";
+    const json first = run(levels);
+    EXPECT_FALSE(first.contains("earlier"));
+    const std::string alone = file_text(file);
+    EXPECT_EQ(run(levels), first) << "a run replaces itself";
+    EXPECT_EQ(file_text(file), alone);
+
+    json second = run(pairs);
+    EXPECT_EQ(second["command"], "render pairs");
+    ASSERT_EQ(second["earlier"].size(), 1u);
+    EXPECT_EQ(second["earlier"][0], first);
+    json third = run(inspect);
+    EXPECT_EQ(third["command"], "inspect");
+    ASSERT_EQ(third["earlier"].size(), 2u);
+    second.erase("earlier");
+    EXPECT_EQ(third["earlier"], (json{second, first})) << "the latest first";
+
+    // A run again is the latest, and there once.
+    const json again = run(levels);
+    ASSERT_EQ(again["earlier"].size(), 2u);
+    EXPECT_EQ(again["earlier"][0]["command"], "inspect");
+    EXPECT_EQ(again["earlier"][1], second);
+    json itself = again;
+    itself.erase("earlier");
+    EXPECT_EQ(itself, first);
+
+    // Each picture in the folder is there once.
+    std::set<std::string> all;
+    std::size_t count = 0;
+    for (const std::string& name : files_of(again)) all.insert(name), ++count;
+    for (const json& earlier : again["earlier"])
+        for (const std::string& name : files_of(earlier)) all.insert(name), ++count;
+    EXPECT_EQ(all.size(), count);
+    for (const std::string& name : all)
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+
+    // What is printed is of the run.
+    const ProgramRun printed = run_scb(levels + " --json --size 320x240 -o " + out);
+    EXPECT_EQ(json::parse(printed.out), first);
+    // A camera is that of the latest run.
+    EXPECT_EQ(run_scb(levels + " --camera " + file + " -o " + (folder / "other")).status, 0);
+}
+
+TEST_F(FolderIndex, KeepsWhatIsLeftOfAnEarlierRun) {
+    const json first = run("render traversal cone --frames 70,80");
+    ASSERT_EQ(first["files"].size(), 2u);
+    const json second = run("render traversal cone --frames 80,90");
+    EXPECT_EQ(second["files"].size(), 2u);
+    ASSERT_EQ(second["earlier"].size(), 1u);
+    EXPECT_EQ(second["earlier"][0]["files"], json{first["files"][0]});
+}
+
+// A run that does not finish must not leave words on pictures that it has replaced.
+TEST_F(FolderIndex, SaysNothingOfAPictureThatARunReplacesBeforeItIsDone) {
+    const std::string scene = folder / "endless.json";
+    write_text(scene, endless_scene);
+    const json other = run("render traversal cone --frames 80");
+    run("render pairs " + scene + " --frames 0:1 --samples 1");
+    const ProgramRun killed = run_scb_interrupted(
+        "render pairs " + scene + " --frames 0:9999 --samples 1 --size 320x240 -o " + out,
+        [&](pid_t) { return files_in(out) > 8; }, SIGKILL);
+    EXPECT_EQ(killed.status, 128 + SIGKILL);
+    EXPECT_EQ(json::parse(file_text(file)), other);
+}
+
+TEST_F(FolderIndex, OfOthersOrDamagedIsLeftAlone) {
+    std::filesystem::create_directory(out);
+    for (const char* text :
+         {"earlier", "", "[]", "{}", R"({"command": "build", "files": []})",
+          R"({"command": "x", "versions": {"scb": "1"}, "files": [{"name": "a"}]})",
+          R"({"command": "x", "versions": {"scb": "1"}, "files": [], "earlier": [1]})",
+          R"({"command": "x", "versions": {"scb": "1"}, "files": [], "earlier": 1})"})
+        for (const char* command :
+             {"render levels cone --levels 2", "explain cone --frames 80 --pair 0,0",
+              "inspect cone --frames 80 --top 1"}) {
+            write_text(file, text);
+            const ProgramRun refused = run_scb(std::string(command) + " -o " + out);
+            EXPECT_EQ(refused.status, 2) << text;
+            EXPECT_EQ(refused.err, "scb: error: " + file +
+                                       ": this is no index of pictures that scb wrote, or a "
+                                       "damaged one; move it away, or name another folder with "
+                                       "-o.\n");
+            EXPECT_EQ(file_text(file), text);
+            EXPECT_EQ(files_in(out), 1u) << text;
+        }
+}
+
+}  // namespace
+}  // namespace scb::app
