@@ -13,7 +13,8 @@ std::string option_text(const CLI::Option& option, const std::string& name, bool
     if (option.count() == 0) return "";
     const bool positional = option.get_positional();
     const std::string text = positional ? "" : " " + name;
-    if (option.get_items_expected_max() == 0) return text;  // a flag
+    // A flag; not one that was taken back.
+    if (option.get_items_expected_max() == 0) return option.results().back() == "false" ? "" : text;
     std::string values;
     for (const std::string& value : option.results()) {
         const std::string told = with_folders ? value : value.substr(value.rfind('/') + 1);

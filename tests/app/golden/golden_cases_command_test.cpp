@@ -139,7 +139,7 @@ TEST_F(GoldenCommandCases, SayFirstWhichBodyMoved) {
     const ProgramRun run = golden("check");
     for (const char* name : {"levels", "rejections", "traversal", "inspect", "collide"})
         EXPECT_NE(run.out.find(std::string(name) +
-                               ": different. Body B moved: 0.5 along z, 90 degrees. "),
+                               ": different. Body b moved: 0.5 along z, 90 degrees. "),
                   std::string::npos)
             << run.out;
 }

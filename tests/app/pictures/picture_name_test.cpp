@@ -73,9 +73,9 @@ TEST_F(PictureNames, SayWhatIsNotAsByDefault) {
     expect("render rejections cone --frames 80", "--test extents --by share --size 400x300",
            "cone_scb_rejections_by-share_test-extents_size-400x300_frame-0080");
     for (const auto& [options, part] :
-         {std::pair{"--no-leaves", "pairs_no-leaves"},
+         {std::pair{"--leaves", "pairs_leaves"},
           {"--heat volumes", "heat-volumes"},
-          {"--heat volumes --no-leaves", "heat-volumes"},
+          {"--heat volumes --leaves", "heat-volumes"},
           {"--heat volumes --heat-end 50", "heat-volumes_heat-end-50"}})
         expect("render pairs cone --frames 80", options,
                std::string("cone_scb_") + part + "_frame-0080");
@@ -159,7 +159,7 @@ TEST_F(PictureNames, AreInTheFilesWithTheCommand) {
             files.push_back(file_text(result + "/" + index["files"][0][key].get<std::string>()));
         return files;
     };
-    const std::vector<std::string> files = draw(there, " --no-leaves --jobs 2");
+    const std::vector<std::string> files = draw(there, " --leaves --jobs 2");
     for (const std::string& file : files) {
         std::map<std::string, std::string> texts = png_texts(file);
         EXPECT_EQ(texts["Software"],
@@ -167,11 +167,11 @@ TEST_F(PictureNames, AreInTheFilesWithTheCommand) {
                                .get<std::string>());
         EXPECT_EQ(texts["Scene"], "pyra-mid-pyra-mid");
         EXPECT_EQ(texts["Command"],
-                  "scb render pairs 'pyra mid.off' 'pyra mid.off' --size 320x240 --no-leaves");
+                  "scb render pairs 'pyra mid.off' 'pyra mid.off' --size 320x240 --leaves");
         EXPECT_EQ(texts.size(), 3u);
     }
     // The same wherever files are, and in whatever order options are given.
-    EXPECT_EQ(draw(elsewhere, " --jobs 1 --no-leaves"), files);
+    EXPECT_EQ(draw(elsewhere, " --jobs 1 --leaves"), files);
     // Every command says what it is.
     EXPECT_EQ(run_scb("tune cone --frames 80 --no-time -o " + elsewhere).status, 0);
     EXPECT_EQ(png_texts(file_text(elsewhere + "/cone_tune_frames-80_no-time.png"))["Command"],

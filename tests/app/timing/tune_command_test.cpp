@@ -44,7 +44,7 @@ TEST(TuneCommand, HasTheCountsOfCollide) {
         volumes.insert(setting["volume"].get<std::string>() + setting["split"].get<std::string>());
         missing += setting["misses_pairs"].get<bool>();
     }
-    EXPECT_EQ(volumes.size(), 10u);
+    EXPECT_EQ(volumes.size(), 14u);
     EXPECT_LE(missing, 1u);
 }
 
