@@ -1,5 +1,6 @@
 #include "app/inspect/inspect_pictures.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/explain/explain_pictures.h"
@@ -18,6 +19,22 @@ using Json = nlohmann::ordered_json;
 
 const std::string loose = "fit too loose";
 
+/// So many have room in the panel.
+constexpr std::size_t most_volumes = 4;
+
+/// The best of each volume, the best first.
+std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning) {
+    std::vector<render::InspectedSetting> settings;
+    for (const std::size_t r : tuning.listed(tuning.rows.size())) {
+        const std::string name(volume_kind_name(tuning.rows[r].setting.volume));
+        const bool has = std::any_of(settings.begin(), settings.end(),
+                                     [&](const auto& s) { return s.name == name; });
+        if (!has && settings.size() < most_volumes)
+            settings.push_back({name, tuning.rows[r].counts});
+    }
+    return settings;
+}
+
 void draw_summary(PictureRun& pictures, const PictureOptions& options,
                   const InspectReport& report) {
     render::InspectFigure figure;
@@ -26,6 +43,10 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     figure.frames = report.frames;
     figure.sum = report.sum;
     figure.others = report.others;
+    if (report.settings) {
+        figure.settings_from = report.settings->base().counts;
+        figure.settings = best_of_volumes(*report.settings);
+    }
     figure.theme = options.theme();
     const render::Picture picture =
         render::compose(figure, options.width(), options.height(), pictures.overlay());

@@ -73,6 +73,24 @@ void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>&
     items.emplace_back(PanelRow{"all", {count_text(all)}, {}, true});
 }
 
+void add_changes_heading(std::vector<PanelItem>& items, const char* words) {
+    items.emplace_back(PanelHeading{words});
+    items.emplace_back(PanelRow{"", {"tests", "operations"}});
+}
+
+void add_changes(std::vector<PanelItem>& items, const std::string& name, const Work& from,
+                 const Work& to) {
+    items.emplace_back(PanelRow{name,
+                                {change_text(from.volume_tests, to.volume_tests),
+                                 change_text(from.operations, to.operations)}});
+}
+
+/// Beside two numbers there is no room for all of "corrected", and thresholds tell these apart.
+std::string short_title(const OverlapOptions& options) {
+    const std::string title = overlap_title(options), name = "corrected ";
+    return title.starts_with(name) ? "corr. " + title.substr(name.size()) : title;
+}
+
 std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     const PassCounts& counts = figure.sum.counts;
     std::vector<PanelItem> items;
@@ -90,13 +108,17 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     add_legend(items, {"true contact", "fit too loose", "test too weak"},
                {counts.passed(reasons[0]), counts.passed(reasons[1]), counts.passed(reasons[2])},
                *figure.theme);
-    if (figure.others.empty()) return items;
-    items.emplace_back(PanelHeading{"with another test"});
-    items.emplace_back(PanelRow{"", {"tests", "operations"}});
-    for (const AlternativeTest& other : figure.others)
-        items.emplace_back(PanelRow{overlap_title(other.overlap),
-                                    {change_text(counts.all.volume_tests, other.all.volume_tests),
-                                     change_text(counts.all.operations, other.all.operations)}});
+    if (!figure.settings.empty()) {
+        add_changes_heading(items, "what would have helped");
+        for (const InspectedSetting& setting : figure.settings)
+            add_changes(items, setting.name, figure.settings_from, setting.counts);
+        items.emplace_back(PanelNote{"each volume with its best split"});
+    }
+    if (!figure.others.empty()) {
+        add_changes_heading(items, "with another test");
+        for (const AlternativeTest& other : figure.others)
+            add_changes(items, short_title(other.overlap), counts.all, other.all);
+    }
     return items;
 }
 

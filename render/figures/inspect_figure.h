@@ -11,14 +11,22 @@
 
 namespace scb::render {
 
+/// What the same queries take with a volume, and the best split, descent and test for it.
+struct InspectedSetting {
+    std::string name;  ///< of the volume
+    Work counts;
+};
+
 /// What the tests of queries wasted and why: per frame, per depth and in all, and what other
-/// overlap tests would have done.
+/// settings and overlap tests would have done.
 struct InspectFigure {
     std::string title;
     std::string subtitle;
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
-    std::vector<AlternativeTest> others;  ///< what others would have done
+    Work settings_from;                      ///< what the settings are compared with
+    std::vector<InspectedSetting> settings;  ///< the best first
+    std::vector<AlternativeTest> others;     ///< what others would have done
     const Theme* theme = &light_theme;
 };
 

@@ -63,6 +63,22 @@ TEST(InspectFigure, StaysWithinItsMargins) {
             }
 }
 
+TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {
+    Drawing drawing;
+    const auto with = [&](double threshold, std::uint64_t n_v_of_setting) {
+        InspectFigure figure = figure_of(1, 100, 50);
+        figure.others.back().overlap.threshold = threshold;
+        figure.settings_from = {1000, 100, 10000};
+        if (n_v_of_setting > 0) figure.settings = {{"scb2", {n_v_of_setting, 10, 1000}}};
+        return drawn(drawing, figure, 1280, 720);
+    };
+    const Image image = with(0.5, 500);
+    EXPECT_EQ(with(0.5, 500), image);
+    EXPECT_NE(with(0.9, 500), image);
+    EXPECT_NE(with(0.5, 400), image);
+    EXPECT_NE(with(0.5, 0), image);
+}
+
 /// How many pixels left of the panel have the colors of the reasons: of what is not wasted, of
 /// fits, of tests.
 std::array<int, 3> bar_pixels(Drawing& drawing, const InspectFigure& figure) {
