@@ -7,13 +7,14 @@
 #include "app/cli/progress.h"
 #include "app/cli/validators.h"
 #include "app/explain/explain_report.h"
+#include "app/inspect/inspect_bodies.h"
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
 #include "app/query/poses_json.h"
-#include "app/query/query_source.h"
+#include "app/query/query_sources.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -192,17 +193,22 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
 }
 
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
-bool write_report(PictureRun& pictures, const InspectOptions& options, const SceneQuery& query,
+bool write_report(PictureRun& pictures, const InspectOptions& options, const QuerySources& sources,
                   const InspectReport& report, const Console& console,
                   const InterruptWatch& watch) {
+    const SceneQuery& query = sources.front().query();
     Progress progress(
-        console, 1 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
+        console, 2 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
     const auto step = [&] {
         progress.step("pictures");
         return watch.signal() == 0;
     };
-    const bool whole = draw_inspection(pictures, options.picture, query, report, step);
+    bool whole = draw_inspection(pictures, options.picture, query, report, step);
+    std::string bodies;
+    if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
+    whole = whole && step();
     const InspectPage page{inspect_summary_name(report) + ".png",
+                           bodies,
                            options.picture.width(),
                            options.picture.height(),
                            options.picture.theme() == &render::light_theme,
@@ -227,7 +233,9 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 
 int run(InspectOptions& options, const Console& console) {
     options.check();
-    QuerySource source(options.scene, options.hierarchy, options.query, options.limits);
+    QuerySources sources;
+    sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits);
+    QuerySource& source = sources.front();
     const SceneQuery& query = source.query();
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
@@ -258,7 +266,7 @@ int run(InspectOptions& options, const Console& console) {
             pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
         else
             pictures->say(inspect_text(report));
-        if (!write_report(*pictures, options, query, report, console, watch)) {
+        if (!write_report(*pictures, options, sources, report, console, watch)) {
             report.drawn = false;
             print_report(options, report);
             console.note("scb: interrupted; not all pictures are drawn, and there is no page.");

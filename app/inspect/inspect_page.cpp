@@ -232,6 +232,10 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     }
     values.set("findings", findings);
     values["summary"] = page.summary;
+    values["bodies"] = page.bodies;
+    values["has_bodies"] =
+        data(page.bodies.empty() ? data::type::bool_false : data::type::bool_true);
+    values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
     values["width"] = std::to_string(page.width);
     values["height"] = std::to_string(page.height);
     values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);

@@ -9,6 +9,7 @@ namespace scb::app {
 /// What the page of `scb inspect -o` needs beside the report.
 struct InspectPage {
     std::string summary;        ///< file name of the picture of the whole
+    std::string bodies;         ///< and of that of the bodies; empty where there is none
     int width = 0, height = 0;  ///< of all pictures, in pixels
     bool light = true;          ///< the background of the pictures, which the page has too
     std::string command;        ///< that made it

@@ -210,6 +210,11 @@ TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     for (const char* key : {"frames", "sum", "depths", "worst", "other_tests"})
         EXPECT_EQ(index[key], found[key]) << key;
     pictures.insert("spheres-l1_scb_inspect_test-corrected_size-640x360_frames-60-100.png");
+    char bodies[100];
+    std::snprintf(bodies, sizeof bodies,
+                  "spheres-l1_scb_inspect_bodies_test-corrected_size-640x360_frame-%04d.png",
+                  found["frames"][0]["frame"].get<int>());
+    pictures.insert(bodies);
     std::set<std::string> listed;
     for (const json& file : index["files"]) listed.insert(file["file"].get<std::string>());
     EXPECT_EQ(listed, pictures);
@@ -218,6 +223,7 @@ TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     const std::string html = file_text(folder / "out/index.html");
     const std::vector<std::string> sources = all_between(html, "<img src=\"", "\"");
     EXPECT_EQ(std::set<std::string>(sources.begin(), sources.end()), pictures);
+    EXPECT_EQ(sources.front(), bodies);
     for (const std::string& file : sources)
         EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + file))) << file;
     EXPECT_EQ(html.find("{{"), std::string::npos);
