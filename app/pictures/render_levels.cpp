@@ -63,6 +63,8 @@ std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene,
         text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
     text += build_text(options.hierarchy.build());
     if (orthographic) text += ", orthographic";
+    const std::string up = up_words(options.camera, scene);
+    if (!up.empty()) text += ", " + up;
     return text;
 }
 

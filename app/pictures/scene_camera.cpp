@@ -1,5 +1,6 @@
 #include "app/pictures/scene_camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scb/error.h"
@@ -20,6 +21,22 @@ double azimuth_for(const scenes::Scene& scene, const Vec3& up) {
     return along_x >= along_y ? azimuth : 90 - azimuth;
 }
 
+/// Whether all meshes are of files whose format says that y points up: glTF 2.0, Section 3.4.
+bool has_y_up(const scenes::Scene& scene) {
+    return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const auto& mesh) {
+        std::string ending = mesh.file.extension().string();
+        for (char& c : ending)
+            if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+        return ending == ".gltf" || ending == ".glb";
+    });
+}
+
+bool guesses_up(const CameraOptions& options, const scenes::Scene& scene) {
+    const bool is_left_open = (options.camera.empty() || options.follows_contact()) &&
+                              options.up.empty() && !scene.camera;
+    return is_left_open && has_y_up(scene);
+}
+
 }  // namespace
 
 void CameraOptions::check() const {
@@ -36,16 +53,22 @@ Vec3 CameraOptions::up_vector() const {
 
 scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene) {
     scenes::CameraView wish;
-    if (!options.camera.empty() && !options.follows_contact())
+    const bool is_asked = !options.camera.empty() && !options.follows_contact(),
+               is_usual = !is_asked && !scene.camera;
+    if (is_asked)
         wish = scenes::parse_camera(options.camera);
     else if (scene.camera)
         wish = *scene.camera;
-    else
-        wish.azimuth = azimuth_for(scene, options.up_vector());
     if (!options.up.empty()) wish.up = options.up_vector();
+    if (guesses_up(options, scene)) wish.up = Vec3::UnitY();
+    if (is_usual) wish.azimuth = azimuth_for(scene, wish.up.value_or(Vec3::UnitZ()));
     if (!wish.inset && scene.camera) wish.inset = scene.camera->inset;
     if (options.orthographic) wish.orthographic = true;
     return wish;
+}
+
+std::string up_words(const CameraOptions& options, const scenes::Scene& scene) {
+    return guesses_up(options, scene) ? "y up as in glTF (--up z turns it)" : "";
 }
 
 render::Camera camera_for(const scenes::CameraView& wish, const render::Support& support,

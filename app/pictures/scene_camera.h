@@ -22,8 +22,12 @@ struct CameraOptions {
     Vec3 up_vector() const;  ///< throws InputError
 };
 
-/// The wish that holds: the command line's, or else the scene's, or else the default angles.
+/// The wish that holds: the command line's, or else the scene's, or else the default angles, with
+/// z up, or y where all meshes are of glTF files.
 scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene);
+
+/// What a picture says of the axis that points up where that was guessed; else empty.
+std::string up_words(const CameraOptions& options, const scenes::Scene& scene);
 
 /// The camera of a wish for a view of this aspect (width / height); what the wish leaves open is
 /// fitted to `support`.

@@ -42,6 +42,31 @@ TEST_F(RenderQueries, ShowTheCountsThatCollideGives) {
         }
 }
 
+// glTF has y up, and others say nothing.
+TEST_F(RenderQueries, ShowGltfFilesWithYUp) {
+    const std::string gltf = folder / "m.gltf", off = folder / "m.off";
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    write_text(folder / "m.bin",
+               std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+    write_text(gltf,
+               R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": "m.bin"}]})");
+    write_text(off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 2 0\n3 0 1 2\n");
+    const auto up_of = [&](const std::string& arguments) {
+        return index_of(arguments)["camera"].value("up", json());
+    };
+    const json y = {0, 1, 0};
+    EXPECT_EQ(up_of("pairs " + gltf + " " + gltf), y);
+    EXPECT_EQ(up_of("levels " + gltf + " --levels 0"), y);
+    EXPECT_NE(up_of("pairs " + gltf + " " + gltf + " --up z"), y);
+    EXPECT_NE(up_of("pairs " + gltf + " " + gltf + " --camera orbit:10,20"), y);
+    EXPECT_NE(up_of("pairs " + off + " " + off), y);
+    EXPECT_NE(up_of("pairs " + off + " " + gltf), y);
+}
+
 TEST_F(RenderQueries, AreTheSameFromATrace) {
     const std::string mesh = folder / "m.off";
     write_text(mesh,
