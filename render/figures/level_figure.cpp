@@ -74,6 +74,8 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
         items.emplace_back(PanelHeading{""});
         items.emplace_back(*scale);
     }
+    if (figure.style.colors.by == ColorBy::subtree)
+        items.emplace_back(PanelNote{"color: the subtree below the third division"});
     const AnyHierarchy& hierarchy = *figure.bodies[0].hierarchy;
     const bool boxes = holds_boxes(hierarchy),
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
@@ -155,7 +157,10 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             pane.meshes.push_back(std::move(mesh));
         }
         if (style.opacity <= 0) continue;
-        const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
+        const Topology& topology = topology_of(*body.hierarchy);
+        const std::vector<std::uint16_t> depths = node_depths(topology);
+        std::vector<std::uint8_t> subtrees;
+        if (style.colors.by == ColorBy::subtree) subtrees = subtrees_of(topology);
         std::visit(
             [&](const auto& h) {
                 const std::uint32_t none = 0xffffffffu;
@@ -166,8 +171,8 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
                     // that can be seen.
                     if (drawn != none && identical(volume, shape_of(h.volumes[drawn]))) continue;
                     drawn = node;
-                    const Rgba8 color =
-                        volume_color(style.colors, h.volumes[node], depths[node], b, node);
+                    const Rgba8 color = volume_color(style.colors, h.volumes[node], depths[node],
+                                                     subtrees.empty() ? b : subtrees[node], node);
                     pane.volumes.push_back({placed(volume, body.pose),
                                             with_opacity(color, style.opacity),
                                             body.first_id + node});

@@ -33,15 +33,17 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
         case ColorBy::thickness:
             return d > 0 ? std::sqrt(thickness(volume) / d) : 0;
         case ColorBy::body:
+        case ColorBy::subtree:
             break;
     }
     return 0;
 }
 
 template <Volume V>
-Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
+Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t category,
                    std::uint32_t node) {
-    if (scale.by == ColorBy::body) return varied(category_color(body), node);
+    if (scale.by == ColorBy::body || scale.by == ColorBy::subtree)
+        return varied(category_color(category), node);
     return viridis(color_magnitude(scale, volume, depth));
 }
 
@@ -73,9 +75,26 @@ std::optional<PanelScale> legend_of(const ColorScale& scale) {
             return legend;
         }
         case ColorBy::body:
+        case ColorBy::subtree:
             break;
     }
     return std::nullopt;
+}
+
+std::vector<std::uint8_t> subtrees_of(const Topology& topology) {
+    constexpr int divisions = 3;
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    std::vector<std::uint8_t> subtrees(topology.nodes.size());
+    // Parents come before their children.
+    for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
+        const TopologyNode& node = topology.nodes[i];
+        if (node.is_leaf()) continue;
+        const bool divides = depths[i] < divisions;
+        for (const std::uint32_t side : {0u, 1u})
+            subtrees[node.left + side] =
+                static_cast<std::uint8_t>(divides ? 2 * subtrees[i] + side : subtrees[i]);
+    }
+    return subtrees;
 }
 
 double largest_root(const std::vector<AnyHierarchy>& hierarchies) {

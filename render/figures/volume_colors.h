@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/base/enum_names.h"
 #include "render/overlay/side_panel.h"
@@ -18,9 +19,11 @@ enum class ColorBy {
     radius,  ///< its diameter against the largest root's, viridis on a scale of halvings
     thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole
                 ///< ball), on a square-root scale
+    subtree,    ///< which of the eight subtrees below the third division it belongs to, as `body`
 };
 
-inline constexpr EnumNames<ColorBy, 4> color_by_names = {"body", "depth", "radius", "thickness"};
+inline constexpr EnumNames<ColorBy, 5> color_by_names = {"body", "depth", "radius", "thickness",
+                                                         "subtree"};
 
 /// The scale that the pictures of a run share.
 struct ColorScale {
@@ -35,9 +38,14 @@ inline constexpr int radius_halvings = 12;
 template <Volume V>
 double color_magnitude(const ColorScale& scale, const V& volume, int depth);
 
+/// `category`: its body, or its subtree, see subtrees_of.
 template <Volume V>
-Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t body,
+Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t category,
                    std::uint32_t node);
+
+/// For each node the subtree that ColorBy::subtree speaks of, 0 to 7. The nodes of a level above
+/// the third have different ones.
+std::vector<std::uint8_t> subtrees_of(const Topology& topology);
 
 /// The largest diameter of the hierarchies' roots.
 double largest_root(const std::vector<AnyHierarchy>& hierarchies);

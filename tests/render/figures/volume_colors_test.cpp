@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "scb/hierarchy.h"
+#include "tests/core/fit/point_sets.h"
 
 namespace scb::render {
 namespace {
 
 TEST(VolumeColors, NamesAreReadBack) {
-    for (const ColorBy by : {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness})
+    for (const ColorBy by :
+         {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness, ColorBy::subtree})
         EXPECT_EQ(color_by_names.find(color_by_names[by]), by);
     EXPECT_FALSE(color_by_names.find("mood"));
 }
@@ -52,6 +58,26 @@ TEST(VolumeColors, LegendsHaveRisingTicks) {
             }
         }
     EXPECT_FALSE(legend_of({ColorBy::body, 3, 1}));
+    EXPECT_FALSE(legend_of({ColorBy::subtree, 3, 1}));
+}
+
+TEST(VolumeColors, ASubtreeKeepsItsCategory) {
+    const Topology topology = *build_hierarchy<Ball>(random_soup(3, 400, 0.1)).topology;
+    const std::vector<std::uint8_t> subtrees = subtrees_of(topology);
+    const std::vector<std::uint16_t> depths = node_depths(topology);
+    std::vector<std::set<int>> of_level(depths.size());
+    for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
+        of_level[depths[i]].insert(subtrees[i]);
+        const TopologyNode& node = topology.nodes[i];
+        if (node.is_leaf()) continue;
+        for (const std::uint32_t child : {node.left, node.left + 1})
+            if (depths[i] >= 3) EXPECT_EQ(subtrees[child], subtrees[i]) << i;
+    }
+    for (std::size_t level = 0; level < 6; ++level)
+        EXPECT_EQ(of_level[level].size(), std::size_t{1} << std::min<std::size_t>(level, 3));
+    const ColorScale scale{ColorBy::subtree, 0, 1};
+    const Ball ball{Vec3::Zero(), 1};
+    EXPECT_FALSE(volume_color(scale, ball, 0, 2, 7) == volume_color(scale, ball, 0, 3, 7));
 }
 
 }  // namespace
