@@ -57,6 +57,11 @@ Json index_of(const std::vector<Json>& runs) {
 }  // namespace
 
 FolderIndex::FolderIndex(std::filesystem::path file) : file_(std::move(file)) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file_, ignored))
+        throw InputError(file_.string() +
+                         ": a folder has the name of the index of pictures; move it away, or name "
+                         "another folder with -o.");
     if (!render::is_there(file_)) return;
     Json index = Json::parse(scenes::read_text_file(file_.string(), largest_index), nullptr, false);
     for (Json& json : runs_of(std::move(index))) {

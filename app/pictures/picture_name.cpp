@@ -12,16 +12,9 @@ namespace {
 // Names of files may have 255 bytes, of which endings take some.
 constexpr std::size_t most_of_options = 100, most_of_name = 220;
 
-/// FNV-1a of 32 bits.
-std::string hash_of(const std::string& text) {
-    std::uint32_t hash = 0x811c9dc5;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
-    return format("%08x", hash);
-}
-
 std::string shortened(const std::string& text, std::size_t most) {
     if (text.size() <= most) return text;
-    const std::string hash = "-" + hash_of(text);
+    const std::string hash = "-" + short_hash(text);
     return text.substr(0, most - hash.size()) + hash;
 }
 
@@ -45,7 +38,7 @@ std::string list_part(const std::vector<int>& numbers) {
 std::string camera_part(const std::string& camera) {
     if (camera == "fit" || camera == "contact" || camera.starts_with("orbit:")) return camera;
     return std::filesystem::path(camera).stem().string() + "-" +
-           hash_of(scenes::camera_json(scenes::parse_camera(camera)).dump());
+           short_hash(scenes::camera_json(scenes::parse_camera(camera)).dump());
 }
 
 }  // namespace
@@ -78,7 +71,7 @@ void name_pose(NamedOptions& named, const std::vector<double>& pose) {
     if (pose.empty() || pose == identity) return;
     std::string numbers;
     for (const double number : pose) numbers += exact_number(number + 0.0) + ",";  // -0 is 0
-    named.add("pose", hash_of(numbers));
+    named.add("pose", short_hash(numbers));
 }
 
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other) {

@@ -110,16 +110,16 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     }
     try {
         query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
-        // A and B may be names for bodies that are called otherwise; those of a trace are not.
-        const std::vector<scenes::Body>& bodies = query_.scene.bodies;
-        const bool same_bodies = header_.source.size() == 2 ||
-                                 (bodies[query_.a].name == header_.bodies[0].name &&
-                                  bodies[query_.b].name == header_.bodies[1].name);
-        if (!same_bodies) throw InputError("the bodies have other names.");
     } catch (const InputError& error) {
         throw InputError(path + ": the query that it recorded cannot be opened from here: " +
                          plain_reason(error, recorded.scene));
     }
+    // A and B may be names for bodies that are called otherwise; those of a trace are not.
+    const std::vector<scenes::Body>& bodies = query_.scene.bodies;
+    if (header_.source.size() != 2 && (bodies[query_.a].name != header_.bodies[0].name ||
+                                       bodies[query_.b].name != header_.bodies[1].name))
+        throw InputError(path + ": " + query_.scene.name +
+                         " has no bodies of the names that it recorded; " + record_again + ".");
     for (std::size_t side = 0; side < 2; ++side) {
         const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));
         const TraceBody& then = header_.bodies[side];

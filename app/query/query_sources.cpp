@@ -51,8 +51,10 @@ std::string text_of(const TraceHeader& header) {
 
 void check_comparable(const QuerySources& sources) {
     const TraceHeader &a = sources[0].header(), &b = sources[1].header();
+    // Bodies of two mesh files are called after these, which may have been renamed.
+    const bool are_named = a.source.size() != 2 || b.source.size() != 2;
     for (std::size_t side = 0; side < 2; ++side)
-        if (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name ||
+        if ((are_named && (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name)) ||
             a.bodies[side].mesh != b.bodies[side].mesh)
             throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
                              "; " + text_of(b) + "); give two of one scene.");

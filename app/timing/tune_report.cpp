@@ -21,7 +21,7 @@ bool has_tests(const TuneSetting& setting) { return setting.volume == VolumeKind
 
 /// The columns that say what a setting is.
 std::string setting_columns(const TuneSetting& s) {
-    return format("  %-6s  %-5s  %-16s  %-11s  %-6s",
+    return format("  %-10s  %-5s  %-16s  %-11s  %-6s",
                   std::string(volume_kind_name(s.volume)).c_str(),
                   std::string(split_method_name(s.split)).c_str(),
                   has_tests(s) ? overlap_title(s.overlap).c_str() : "",
@@ -122,7 +122,7 @@ std::string setting_text(const TuneSetting& s) {
 
 std::string tune_rows_text(const SceneTuning& tuning, std::size_t most) {
     std::string text =
-        "  volume  split  test              descent      growth         N_v  /base        N_p  "
+        "  volume      split  test              descent      growth         N_v  /base        N_p  "
         "/base    operations  /base    B/tri";
     if (tuning.timed()) text += "  build ms        ms [least, most]";
     text += "\n" + table_row(tuning, 0);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 
 namespace scb {
@@ -33,6 +34,12 @@ std::string exact_number(double value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return std::string(buffer.data(), end);
+}
+
+std::string short_hash(std::string_view text) {
+    std::uint32_t hash = 0x811c9dc5;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
+    return format("%08x", hash);
 }
 
 }  // namespace scb

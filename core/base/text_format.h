@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace scb {
 
@@ -31,5 +32,8 @@ std::string name_list(const Range& range, Name name = {}) {
     }
     return text;
 }
+
+/// What tells texts apart in few letters: FNV-1a of 32 bits (Fowler, Noll, Vo), as eight digits.
+std::string short_hash(std::string_view text);
 
 }  // namespace scb

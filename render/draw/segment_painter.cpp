@@ -101,10 +101,10 @@ void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& v
 }
 
 void SegmentPainter::draw_opaque(const std::vector<Segment>& segments, const EyeView& view) {
-    std::vector<Segment> opaque;
+    std::vector<Segment> plain;
     for (const Segment& segment : segments)
-        if (!segment.on_top && !segment.hidden_color) opaque.push_back(segment);
-    draw(opaque, view);
+        if (!segment.on_top && !segment.hidden_color) plain.push_back(segment);
+    draw(plain, view);
 }
 
 void SegmentPainter::draw_over(const std::vector<Segment>& segments, const EyeView& view) {

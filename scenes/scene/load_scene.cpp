@@ -50,10 +50,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
                      name_list(builtin_scenes(), &BuiltinScene::name) + ").");
 }
 
-/// What a mesh from this file is called.
+/// What a mesh from this file is called: in tables and on terminals too.
 std::string stem(const std::string& path) {
     const std::string name = fs::path(path).stem().string();
-    return as_utf8(name.empty() ? path : name);
+    return printable(name.empty() ? path : name);
 }
 
 bool is_scene_file(const std::string& name) { return fs::path(name).extension() == ".json"; }

@@ -1,9 +1,11 @@
 #include "scenes/scene/scene.h"
 
+#include <algorithm>
 #include <string_view>
 
-namespace scb::scenes {
+#include "core/base/text_format.h"
 
+namespace scb::scenes {
 std::string file_name_of(const std::string& text) {
     constexpr std::string_view allowed =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
@@ -17,7 +19,14 @@ std::string file_name_of(const std::string& text) {
     // A leading dot hides files, a leading dash reads as an option, and neither end needs them.
     while (!name.empty() && (name.front() == '.' || name.front() == '-')) name.erase(0, 1);
     while (!name.empty() && (name.back() == '.' || name.back() == '-')) name.pop_back();
-    return name.empty() ? "scene" : name;
+    const bool is_cut = text.size() > longest,
+               has_others = std::any_of(text.begin(), text.end(), [](char c) {
+                   return static_cast<unsigned char>(c) >= 128;
+               });
+    if (name.empty()) name = "scene";
+    if (!is_cut && !has_others) return name;
+    const std::string hash = "-" + short_hash(text);
+    return name.substr(0, longest - hash.size()) + hash;
 }
 
 }  // namespace scb::scenes

@@ -43,7 +43,8 @@ struct Scene {
 };
 
 /// The text with every run of characters that Scene::name does not allow made one '-', cut to 100
-/// characters; "scene" where nothing is left.
+/// characters; "scene" where nothing is left. What tells names apart stays: where letters that are
+/// not ASCII or what is behind the cut are gone, a hash of the text is at the end.
 std::string file_name_of(const std::string& text);
 
 }  // namespace scb::scenes

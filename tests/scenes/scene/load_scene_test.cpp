@@ -119,7 +119,16 @@ TEST(LoadScene, KeepsBytesThatAreNotUtf8OutOfNames) {
 TEST(LoadScene, MakesFileNamesOfAnyText) {
     EXPECT_EQ(file_name_of("a b//c"), "a-b-c");
     EXPECT_EQ(file_name_of("..hidden--"), "hidden");
-    EXPECT_EQ(file_name_of("\xc3\xa9"), "scene");
+    EXPECT_EQ(file_name_of("//"), "scene");
+    // What is lost must not make two names one.
+    const std::string e = "\xc3\xa9", o = "\xc3\xb6";
+    EXPECT_TRUE(file_name_of(e).starts_with("scene-"));
+    EXPECT_TRUE(file_name_of("m" + e + "n").starts_with("m-n-"));
+    EXPECT_NE(file_name_of("m" + e + "n"), file_name_of("m" + o + "n"));
+    const std::string longest(100, 'x');
+    EXPECT_EQ(file_name_of(longest), longest);
+    EXPECT_NE(file_name_of(longest + "a"), file_name_of(longest + "b"));
+    EXPECT_EQ(file_name_of(longest + "a").size(), 100u);
 }
 
 }  // namespace
