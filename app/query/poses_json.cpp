@@ -3,8 +3,11 @@
 #include <nlohmann/json.hpp>
 
 namespace scb::app {
+namespace {
 
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json pose_json(const Pose& pose) {
     Json numbers = Json::array();
