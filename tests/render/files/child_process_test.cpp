@@ -98,6 +98,8 @@ TEST_F(ChildProcessTest, IsLeftToItselfWhereItTakesLonger) {
     for (int i = 0; i < 1000 && output.bytes().empty(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_FALSE(output.bytes().empty()) << "it was not killed";
+    // Nobody else waits for it.
+    EXPECT_TRUE(soon([] { return no_child_is_left(); }));
 }
 
 TEST_F(ChildProcessTest, IsNotKilledOnceItIsForgotten) {
