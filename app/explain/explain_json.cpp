@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/explain/explain_report.h"
+#include "app/query/poses_json.h"
 
 namespace scb::app {
 namespace {
@@ -37,15 +38,6 @@ Json json_of(const Obb& box) {
 }
 Json json_of(const render::AnyVolume& volume) {
     return std::visit([](const auto& v) { return json_of(v); }, volume);
-}
-
-Json json_of(const Pose& pose) {
-    Json rows = Json::array();
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) rows.push_back(pose.rotation(row, column));
-        rows.push_back(pose.translation[row]);
-    }
-    return rows;
 }
 
 Json steps_json(const OverlapSteps& steps) {
@@ -118,7 +110,7 @@ Json explanation_json(const ExplainedPair& pair) {
     result["certificate"] = certificate_json(pair);
     result["a"] = json_of(pair.a);
     result["b"] = json_of(pair.b);
-    result["pose"] = json_of(pair.placed.b_to_a);
+    result["pose"] = pose_json(pair.placed.b_to_a);
     const render::AnyVolume b = b_seen_from_a(pair);
     result["b_in_a"] = json_of(b);
     if (pair.kind == VolumeKind::scb) {

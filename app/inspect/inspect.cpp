@@ -20,6 +20,7 @@
 #include "core/base/text_format.h"
 #include "golden/suite/shell_word.h"
 #include "scb/error.h"
+#include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
 namespace {
@@ -155,13 +156,9 @@ std::string scene_words(const InspectOptions& options, const QuerySource& source
         frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
     if (source.frames().size() <= most_named_frames) words += frames;
     if (source.header().source.size() != 2) return words;
-    const Pose pose = source.query().b_to_a(source.frames()[0]);
     std::string numbers;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            numbers +=
-                (numbers.empty() ? "" : ",") +
-                format("%.17g", column < 3 ? pose.rotation(row, column) : pose.translation[row]);
+    for (const double number : scenes::rows_of(source.query().b_to_a(source.frames()[0])))
+        numbers += (numbers.empty() ? "" : ",") + format("%.17g", number);
     return words + " --pose=" + numbers;
 }
 

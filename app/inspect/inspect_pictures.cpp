@@ -22,16 +22,27 @@ const std::string loose = "fit too loose";
 /// So many have room in the panel.
 constexpr std::size_t most_volumes = 4;
 
-/// The best of each volume, the best first.
+/// The best split of each volume, all else as in the base, so that volumes can be compared; the
+/// best first.
 std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning) {
     std::vector<render::InspectedSetting> settings;
-    for (const std::size_t r : tuning.listed(tuning.rows.size())) {
-        const std::string name(volume_kind_name(tuning.rows[r].setting.volume));
-        const bool has = std::any_of(settings.begin(), settings.end(),
-                                     [&](const auto& s) { return s.name == name; });
-        if (!has && settings.size() < most_volumes)
-            settings.push_back({name, tuning.rows[r].counts});
+    for (std::size_t r = 1; r < tuning.rows.size(); ++r) {
+        const TuneRow& row = tuning.rows[r];
+        TuneSetting as_base = tuning.base().setting;
+        as_base.volume = row.setting.volume;
+        as_base.split = row.setting.split;
+        if (row.misses_pairs || !(row.setting == as_base)) continue;
+        const std::string name(volume_kind_name(row.setting.volume));
+        const auto same = std::find_if(settings.begin(), settings.end(),
+                                       [&](const auto& s) { return s.name == name; });
+        if (same == settings.end())
+            settings.push_back({name, row.counts});
+        else if (row.counts < same->counts)
+            same->counts = row.counts;
     }
+    std::stable_sort(settings.begin(), settings.end(),
+                     [](const auto& x, const auto& y) { return x.counts < y.counts; });
+    settings.resize(std::min(settings.size(), most_volumes));
     return settings;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text_format.h"
+#include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
 namespace {
@@ -80,14 +81,8 @@ void name_query(NamedOptions& named, const QuerySource& query, const QuerySource
     if (scene.bodies.size() > 2 || asked.a > asked.b)
         named.add("bodies", scene.bodies[asked.a].name + "-" + scene.bodies[asked.b].name);
     if (query.header().source.size() == 2) {
-        const Pose pose = asked.b_to_a(0);
-        std::vector<double> numbers;
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column)
-                numbers.push_back(pose.rotation(row, column));
-            numbers.push_back(pose.translation[row]);
-        }
-        name_pose(named, numbers);
+        const scenes::PoseRows rows = scenes::rows_of(asked.b_to_a(0));
+        name_pose(named, {rows.begin(), rows.end()});
     }
     TraceHeader usual = query.header();
     const BuildOptions build;

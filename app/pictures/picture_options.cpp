@@ -94,7 +94,10 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
                     "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
                     "scene's own")
         .type_name("CAMERA");
-    command.add_option("--up", camera.up, "The axis that points up: x, y or z. Default z; y of glTF files").type_name("AXIS");
+    command
+        .add_option("--up", camera.up,
+                    "The axis that points up: x, y or z. Default z; y of glTF files")
+        .type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
         .check(decimal_number)

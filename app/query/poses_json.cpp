@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenes/scene/pose_rows.h"
+
 namespace scb::app {
 namespace {
 
@@ -9,14 +11,7 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-Json pose_json(const Pose& pose) {
-    Json numbers = Json::array();
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) numbers.push_back(pose.rotation(row, column));
-        numbers.push_back(pose.translation[row]);
-    }
-    return numbers;
-}
+Json pose_json(const Pose& pose) { return scenes::rows_of(pose); }
 
 Json poses_json(const scenes::Scene& scene, const std::vector<int>& frames) {
     Json poses = Json::object();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scb/error.h"
+#include "scenes/scene/pose_rows.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
@@ -99,12 +100,8 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     if (header_.source.size() == 2) {
         // Two meshes: the first is at the identity pose, and the second was where the frame says.
         scenes::TraceInput first(path);
-        const Pose pose = first.reader.next()->b_to_a;
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column)
-                recorded.scene.pose.push_back(pose.rotation(row, column));
-            recorded.scene.pose.push_back(pose.translation[row]);
-        }
+        const scenes::PoseRows rows = scenes::rows_of(first.reader.next()->b_to_a);
+        recorded.scene.pose.assign(rows.begin(), rows.end());
     } else {
         recorded.query.bodies = header_.bodies[0].name + "," + header_.bodies[1].name;
     }

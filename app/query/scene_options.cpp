@@ -8,6 +8,7 @@
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/scene/pose_rows.h"
 #include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"
@@ -25,13 +26,9 @@ scenes::Scene SceneOptions::load() const {
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
-        Pose p;
-        for (int row = 0; row < 3; ++row) {
-            const auto first = static_cast<std::size_t>(4 * row);
-            for (int column = 0; column < 3; ++column)
-                p.rotation(row, column) = pose[first + static_cast<std::size_t>(column)];
-            p.translation[row] = pose[first + 3];
-        }
+        scenes::PoseRows rows{};
+        std::copy_n(pose.begin(), rows.size(), rows.begin());
+        const Pose p = scenes::pose_of(rows);
         if (!(p.translation.cwiseAbs().maxCoeff() <= max_coordinate))
             throw InputError(
                 "--pose: its translation is not finite or beyond 1e70; move the "

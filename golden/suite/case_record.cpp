@@ -1,5 +1,6 @@
 #include "golden/suite/case_record.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/scene/pose_rows.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
@@ -63,14 +65,9 @@ Pose pose_at(const JsonPlace& place) {
         else
             scenes::refuse_value(place, "twelve numbers");
     if (numbers.size() != 12) scenes::refuse_value(place, "twelve numbers");
-    Pose pose;
-    for (int row = 0; row < 3; ++row) {
-        const auto first = static_cast<std::size_t>(4 * row);
-        for (int column = 0; column < 3; ++column)
-            pose.rotation(row, column) = numbers[first + static_cast<std::size_t>(column)];
-        pose.translation[row] = numbers[first + 3];
-    }
-    return pose;
+    scenes::PoseRows rows{};
+    std::copy(numbers.begin(), numbers.end(), rows.begin());
+    return scenes::pose_of(rows);
 }
 
 RecordedMesh mesh_at(const JsonPlace& body) {

@@ -11,7 +11,7 @@
 
 namespace scb::render {
 
-/// What the same queries take with a volume, and the best split, descent and test for it.
+/// What the same queries take with a volume and the better split for it.
 struct InspectedSetting {
     std::string name;  ///< of the volume
     Work counts;

@@ -10,12 +10,8 @@ namespace {
 
 TEST(TracePrefix, AreTheQueryUpToThere) {
     const BuiltMesh mesh(height_field(9));
-    Pose pose;
-    pose.translation = Vec3(0.3, 0.11, 0.02);
-    TraceHeader to_level = asking(VolumeKind::obb, OverlapTest::symmetric);
-    to_level.options.stop_level = 4;
-    for (const TraceHeader& header : {asking(VolumeKind::scb, OverlapTest::symmetric), to_level}) {
-        const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
+    for (const TraceHeader& header : queries_to_divide()) {
+        const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
         const TraversalTree of_whole = traversal_tree(header, whole);
         const std::size_t all = whole.found.n_v;
         std::size_t pairs = 0;

@@ -41,4 +41,12 @@ inline TraceHeader asking(VolumeKind volume, OverlapTest test) {
     return header;
 }
 
+/// Queries of which parts are taken: to the triangles, and to a level.
+inline std::vector<TraceHeader> queries_to_divide() {
+    TraceHeader to_level = asking(VolumeKind::obb, OverlapTest::symmetric);
+    to_level.options.stop_level = 4;
+    return {asking(VolumeKind::scb, OverlapTest::symmetric), to_level};
+}
+inline Pose pose_to_divide() { return {Mat3::Identity(), Vec3(0.3, 0.11, 0.02)}; }
+
 }  // namespace scb

@@ -10,12 +10,8 @@ namespace {
 
 TEST(TraversalPart, IsTheQueryBelowATest) {
     const BuiltMesh mesh(height_field(9));
-    Pose pose;
-    pose.translation = Vec3(0.3, 0.11, 0.02);
-    TraceHeader to_level = asking(VolumeKind::obb, OverlapTest::symmetric);
-    to_level.options.stop_level = 4;
-    for (const TraceHeader& header : {asking(VolumeKind::scb, OverlapTest::symmetric), to_level}) {
-        const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
+    for (const TraceHeader& header : queries_to_divide()) {
+        const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
         const TraversalTree tree = traversal_tree(header, whole);
         const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
         for (std::uint32_t root = 0; root < sizes.size(); root += root < 20 ? 1 : 31) {
