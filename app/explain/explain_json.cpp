@@ -36,6 +36,19 @@ Json json_of(const Obb& box) {
               json_of(Vec3(box.axes.col(2)))}},
             {"half", json_of(box.half)}};
 }
+/// Of a convex volume the box along the axes of its frame.
+Json json_of(const ConvexShape& shape) {
+    Json reach = Json::array();
+    for (int i = 0; i < 3; ++i)
+        reach.push_back({-support(shape, Vec3(-shape.axes.col(i))),
+                         support(shape, Vec3(shape.axes.col(i)))});
+    return {{"center", json_of(shape.center)},
+            {"rounding", shape.rounding},
+            {"axes",
+             {json_of(Vec3(shape.axes.col(0))), json_of(Vec3(shape.axes.col(1))),
+              json_of(Vec3(shape.axes.col(2)))}},
+            {"reach", reach}};
+}
 Json json_of(const render::AnyVolume& volume) {
     return std::visit([](const auto& v) { return json_of(v); }, volume);
 }

@@ -53,6 +53,17 @@ std::string volume_text(const Obb& box) {
     return "center " + point(box.center) + ", half lengths " + point(box.half) + "\n     axes " +
            point(box.axes.col(0)) + ", " + point(box.axes.col(1)) + ", " + point(box.axes.col(2));
 }
+/// How far it reaches along the axes of its frame, both ways.
+std::string volume_text(const ConvexShape& shape) {
+    Vec3 up, down;
+    for (int i = 0; i < 3; ++i) {
+        up[i] = support(shape, Vec3(shape.axes.col(i)));
+        down[i] = -support(shape, Vec3(-shape.axes.col(i)));
+    }
+    return "center " + point(shape.center) +
+           (shape.rounding > 0 ? ", radius " + number(shape.rounding) : std::string()) +
+           "\n     from there " + point(down) + " to " + point(up);
+}
 
 /// Where B is, where that is not where it is in its own frame.
 std::string place_text(const Scb& s) { return "center " + point(s.c) + ", normal " + point(s.n); }
@@ -61,6 +72,7 @@ std::string place_text(const Scb2& s) {
 }
 std::string place_text(const Ball& ball) { return "center " + point(ball.center); }
 std::string place_text(const Obb& box) { return "center " + point(box.center); }
+std::string place_text(const ConvexShape& shape) { return "center " + point(shape.center); }
 
 std::string volumes_text(const ExplainedPair& pair) {
     std::string text;

@@ -27,11 +27,14 @@ std::size_t node_at(const Topology& topology, int depth) {
 void mutate(Mutation mutation, AnyHierarchy& hierarchy) {
     if (mutation != Mutation::drop_node && mutation != Mutation::nudge_radius) return;
     std::visit(
-        [mutation](auto& of) {
-            if (mutation == Mutation::drop_node)
-                grow(of.volumes[node_at(*of.topology, 7)], 0);
+        [mutation]<class V>(Hierarchy<V>& of) {
+            const bool drops = mutation == Mutation::drop_node;
+            V& volume = of.volumes[node_at(*of.topology, drops ? 7 : 5)];
+            // Of a convex volume no more is known than how to make one.
+            if constexpr (ConvexVolume<V>)
+                volume = drops ? V{} : of.volumes[0];
             else
-                grow(of.volumes[node_at(*of.topology, 5)], 1.001);
+                grow(volume, drops ? 0 : 1.001);
         },
         hierarchy);
 }

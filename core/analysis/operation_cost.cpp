@@ -67,6 +67,20 @@ std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t 
     return transformation + 3 * axis_a + 3 * axis_b + (made - 6) * crossed;
 }
 
+/// Of convex volumes 24 for B's center, and for each direction 46, which is turned into B's frame
+/// and its farthest point back, two farthest points, and from the second on 80 for the closest point
+/// of the simplex. Searches differ in length: it is counted as four directions.
+std::uint32_t of_search(Stage stage, std::uint32_t support) {
+    const std::uint32_t direction = 46 + 2 * support;
+    return stage == Stage::center_line ? 24 + direction : 24 + 4 * direction + 3 * 80;
+}
+
+template <Volume V>
+std::uint32_t of_search(Stage stage) {
+    if constexpr (ConvexVolume<V>) return of_search(stage, V::support_operations);
+    return 0;
+}
+
 }  // namespace
 
 std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Stage stage) {
@@ -84,6 +98,8 @@ std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Sta
             return of_boxes(stage, 21, 7);
         case VolumeKind::scb2:
             return of_two_slabs(stage);
+        default:
+            return with_volume_type(kind, [&]<Volume V>() { return of_search<V>(stage); });
     }
     switch (options.test) {
         case OverlapTest::extents:

@@ -40,21 +40,14 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
 }
 
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options) {
-    switch (kind) {
-        case VolumeKind::scb:
-            break;
-        case VolumeKind::ball:
-        case VolumeKind::ritter:
-            return ball_stages();
-        case VolumeKind::obb:
-        case VolumeKind::aabb_exact:
-            return obb_stages();
-        case VolumeKind::aabb:
-            return aabb_stages();
-        case VolumeKind::scb2:
-            return scb2_stages();
-    }
-    return stages_of(options.test);
+    return with_volume_type(kind, [&]<Volume V>() -> std::span<const Stage> {
+        if constexpr (ConvexVolume<V>) return convex_stages();
+        if constexpr (std::same_as<V, Ball>) return ball_stages();
+        if constexpr (std::same_as<V, Obb> || std::same_as<V, ExactAabb>) return obb_stages();
+        if constexpr (std::same_as<V, Aabb>) return aabb_stages();
+        if constexpr (std::same_as<V, Scb2>) return scb2_stages();
+        return stages_of(options.test);
+    });
 }
 
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,

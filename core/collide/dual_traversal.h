@@ -38,7 +38,8 @@ bool descends_into_a(const V& a, const V& b, int depth) {
 /// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
 /// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
 /// center; of boxes the center and three axes, of those along the body's axes the center; of two
-/// slabs the center and, after the balls, both normals.
+/// slabs the center and, after the balls, both normals; of convex volumes the center, and a
+/// direction and a point for the first step or for as many as the search takes, counted as one.
 template <Volume V>
 std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& options) {
     const std::uint64_t tests = test_count(stages);
@@ -48,6 +49,8 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
         return 4 * tests;
     } else if constexpr (std::same_as<V, Scb2>) {
         return 3 * tests - 2 * stages[static_cast<std::size_t>(Stage::ball_ball)];
+    } else if constexpr (ConvexVolume<V>) {
+        return 5 * tests - 2 * stages[static_cast<std::size_t>(Stage::center_line)];
     } else {
         std::uint64_t without_normal = stages[static_cast<std::size_t>(Stage::ball_ball)];
         if (options.test != OverlapTest::extents)

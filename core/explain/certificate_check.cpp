@@ -67,11 +67,16 @@ Vec3 farthest(const Obb& box, const Vec3& d) {
     return corner;
 }
 
+Vec3 farthest(const ConvexShape& shape, const Vec3& d) {
+    return shape.support_point(d) + shape.rounding * d;
+}
+
 void add_directions(std::vector<Vec3>& to, const Scb& s) { to.push_back(s.n); }
 void add_directions(std::vector<Vec3>& to, const Scb2& s) {
     for (const Slab& slab : s.slabs) to.push_back(slab.n);
 }
 void add_directions(std::vector<Vec3>&, const Ball&) {}
+void add_directions(std::vector<Vec3>&, const ConvexShape&) {}
 void add_directions(std::vector<Vec3>& to, const Obb& box) {
     for (int i = 0; i < 3; ++i) to.push_back(box.axes.col(i));
 }
@@ -118,6 +123,11 @@ bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& c
 }
 
 bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
+    return bear_out(a, b, b.center - a.center, certificate);
+}
+
+bool check_certificate(const ConvexShape& a, const ConvexShape& b,
+                       const ContactCertificate& certificate) {
     return bear_out(a, b, b.center - a.center, certificate);
 }
 

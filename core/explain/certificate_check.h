@@ -15,5 +15,7 @@ bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& cer
 bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate);
+bool check_certificate(const ConvexShape& a, const ConvexShape& b,
+                       const ContactCertificate& certificate);
 
 }  // namespace scb

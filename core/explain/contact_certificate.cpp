@@ -208,4 +208,10 @@ bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
         std::max({a.half.stableNorm(), b.half.stableNorm(), (b.center - a.center).stableNorm()}));
 }
 
+bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate& certificate) {
+    return verify_within(
+        a, b, certificate,
+        std::max({diameter(a), diameter(b), (b.center - a.center).stableNorm()}));
+}
+
 }  // namespace scb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/enum_names.h"
+#include "core/volumes/convex_shape.h"
 #include "scb/ball.h"
 #include "scb/obb.h"
 #include "scb/scb.h"
@@ -30,6 +31,7 @@ double proven_gap(const Scb& a, const Scb& b, const Vec3& direction);
 double proven_gap(const Scb2& a, const Scb2& b, const Vec3& direction);
 double proven_gap(const Ball& a, const Ball& b, const Vec3& direction);
 double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
+double proven_gap(const ConvexShape& a, const ConvexShape& b, const Vec3& direction);
 
 /// How far B must be moved at least, until it no longer overlaps A, as far as the surroundings of a
 /// common point show (`point` is from the center of A). Positive only for overlapping ones.
@@ -45,11 +47,13 @@ double proven_gap(const Obb& a, const Obb& b, const Vec3& direction);
 /// proves the same of a copy moved by so much, which is deducted. Of boxes the same with the boxes
 /// about the point within them, whose sum is least along a face's normal: of A, of B, or across an
 /// edge of each. Of balls with two slabs the same with boxes about the point that fit into the two,
-/// or with balls, whichever shows more.
+/// or with balls, whichever shows more. Of convex volumes the point must be in both, and the depth
+/// is that of least_depth, which asks for no surroundings.
 double proven_depth(const Scb& a, const Scb& b, const Vec3& point);
 double proven_depth(const Scb2& a, const Scb2& b, const Vec3& point);
 double proven_depth(const Ball& a, const Ball& b, const Vec3& point);
 double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
+double proven_depth(const ConvexShape& a, const ConvexShape& b, const Vec3& point);
 
 /// Whether the certificate shows the verdict, by at least the stated margin: proven_gap or
 /// proven_depth, with nothing of exact_overlap. Of a margin that `sharpened` found by climbing on
@@ -60,5 +64,6 @@ bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate);
 bool verify(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate);
+bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate& certificate);
 
 }  // namespace scb

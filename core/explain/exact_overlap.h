@@ -52,6 +52,12 @@ ContactCertificate exact_overlap(const Scb2& a, const Scb2& b,
 /// two boxes overlap.
 ContactCertificate exact_overlap(const Obb& a, const Obb& b, double tolerance = contact_tolerance);
 
+/// The same of two convex volumes, times half the larger diagonal of their boxes: by the search of
+/// Gilbert, Johnson and Keerthi for a direction that separates them, else by least_depth. Where its
+/// directions run out they touch.
+ContactCertificate exact_overlap(const ConvexShape& a, const ConvexShape& b,
+                                 double tolerance = contact_tolerance);
+
 /// The same verdict with a margin as great as a search finds, which climbs on proven_gap or
 /// proven_depth: close to the distance, or the depth of a deep common point; less where two thin
 /// volumes are nearly parallel and nearly touch. For people to look at.
@@ -59,5 +65,7 @@ ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificat
 ContactCertificate sharpened(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
 ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate);
 ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate);
+ContactCertificate sharpened(const ConvexShape& a, const ConvexShape& b,
+                             const ContactCertificate& certificate);
 
 }  // namespace scb

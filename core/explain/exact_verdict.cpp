@@ -40,6 +40,11 @@ ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& pl
     return verdict(a, b, placed);
 }
 
+ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b,
+                                 const Placement& placed) {
+    return verdict(a, b, placed);
+}
+
 Scb seen_from_a(const Scb& b, const Placement& placed) {
     Scb moved = scb::placed(b, placed.b_to_a);
     moved.n /= std::sqrt(squared_norm(moved.n));
@@ -58,5 +63,9 @@ Scb2 seen_from_a(const Scb2& b, const Placement& placed) {
 Ball seen_from_a(const Ball& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
 
 Obb seen_from_a(const Obb& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
+
+ConvexShape seen_from_a(const ConvexShape& b, const Placement& placed) {
+    return scb::placed(b, placed.b_to_a);
+}
 
 }  // namespace scb

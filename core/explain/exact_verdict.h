@@ -13,6 +13,8 @@ ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& pl
 ContactCertificate exact_verdict(const Scb2& a, const Scb2& b, const Placement& placed);
 ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
 ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed);
+ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b,
+                                 const Placement& placed);
 
 /// B in A's frame, as the exact verdict takes it: a normal is made a unit vector again, where a
 /// pose that is rigid to ten digits has left it short.
@@ -20,5 +22,6 @@ Scb seen_from_a(const Scb& b, const Placement& placed);
 Scb2 seen_from_a(const Scb2& b, const Placement& placed);
 Ball seen_from_a(const Ball& b, const Placement& placed);
 Obb seen_from_a(const Obb& b, const Placement& placed);
+ConvexShape seen_from_a(const ConvexShape& b, const Placement& placed);
 
 }  // namespace scb

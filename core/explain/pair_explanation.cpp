@@ -2,6 +2,7 @@
 
 #include "core/explain/certificate_check.h"
 #include "core/explain/exact_overlap.h"
+#include "core/explain/overlap_steps_convex.h"
 #include "core/overlap/test_functors.h"
 #include "core/volumes/shape.h"
 #include "scb/overlap.h"

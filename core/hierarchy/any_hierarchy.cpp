@@ -3,7 +3,6 @@
 #include <array>
 #include <utility>
 
-#include "core/base/enum_names.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/mesh_topology.h"
@@ -11,16 +10,23 @@
 namespace scb {
 namespace {
 
-constexpr std::array all_kinds = {VolumeKind::scb,       VolumeKind::ball, VolumeKind::ritter,
-                                  VolumeKind::obb,       VolumeKind::scb2, VolumeKind::aabb,
-                                  VolumeKind::aabb_exact};
-constexpr EnumNames<VolumeKind, all_kinds.size()> kind_names = {"scb",  "ball", "ritter",    "obb",
-                                                                "scb2", "aabb", "aabb-exact"};
+#define SCB_KIND(kind, V, name) VolumeKind::kind,
+constexpr std::array all_kinds = {SCB_FOR_EACH_VOLUME_KIND(SCB_KIND)};
+#undef SCB_KIND
+#define SCB_NAME(kind, V, name) std::string_view(name),
+constexpr std::array kind_names = {SCB_FOR_EACH_VOLUME_KIND(SCB_NAME)};
+#undef SCB_NAME
 
 }  // namespace
 
-std::string_view volume_kind_name(VolumeKind kind) { return kind_names[kind]; }
-std::optional<VolumeKind> volume_kind_of(std::string_view name) { return kind_names.find(name); }
+std::string_view volume_kind_name(VolumeKind kind) {
+    return kind_names[static_cast<std::size_t>(kind)];
+}
+std::optional<VolumeKind> volume_kind_of(std::string_view name) {
+    for (const VolumeKind kind : all_kinds)
+        if (volume_kind_name(kind) == name) return kind;
+    return std::nullopt;
+}
 
 std::span<const VolumeKind> all_volume_kinds() { return all_kinds; }
 

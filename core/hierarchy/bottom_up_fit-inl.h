@@ -18,6 +18,7 @@
 #include "core/base/parallel_for.h"
 #include "core/fit/dop26-inl.h"
 #include "core/fit/fit_aabb-inl.h"
+#include "core/fit/fit_convex-inl.h"
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
 #include "core/hierarchy/fitted_nodes.h"
@@ -88,7 +89,7 @@ class BottomUpFit {
   private:
     static constexpr bool may_be_unfitted = std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>;
     static constexpr bool needs_dop = !std::is_same_v<V, Obb>;
-    static constexpr bool needs_moments = std::is_same_v<V, Obb>;
+    static constexpr bool needs_moments = std::is_same_v<V, Obb> || ConvexVolume<V>;
 
     struct Subtree {
         Dop26 dop;

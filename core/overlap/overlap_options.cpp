@@ -20,6 +20,7 @@ constexpr std::array extents = {Stage::ball_ball, Stage::slab_a, Stage::slab_b, 
 constexpr std::array two_slabs = {Stage::ball_ball, Stage::slab_a,        Stage::second_slab_a,
                                   Stage::slab_b,    Stage::second_slab_b, Stage::center_line,
                                   Stage::long_axes};
+constexpr std::array by_search = {Stage::center_line, Stage::search};
 constexpr std::array axes = {
     Stage::axis_a0,    Stage::axis_a1,    Stage::axis_a2,    Stage::axis_b0,    Stage::axis_b1,
     Stage::axis_b2,    Stage::axis_a0_b0, Stage::axis_a0_b1, Stage::axis_a0_b2, Stage::axis_a1_b0,
@@ -50,6 +51,8 @@ std::span<const Stage> scb2_stages() { return two_slabs; }
 std::span<const Stage> obb_stages() { return axes; }
 
 std::span<const Stage> aabb_stages() { return std::span(axes).first(3); }
+
+std::span<const Stage> convex_stages() { return by_search; }
 
 std::string overlap_title(const OverlapOptions& options) {
     std::string title(overlap_test_name(options.test));

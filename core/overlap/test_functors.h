@@ -5,6 +5,7 @@
 
 #include "core/overlap/overlap_aabb.h"
 #include "core/overlap/overlap_ball.h"
+#include "core/overlap/overlap_convex.h"
 #include "core/overlap/overlap_extents.h"
 #include "core/overlap/overlap_figure8.h"
 #include "core/overlap/overlap_obb.h"
@@ -39,6 +40,12 @@ struct Scb2Test {
         return overlap_scb2(a, b, placed);
     }
 };
+template <ConvexVolume V>
+struct ConvexTest {
+    Stage operator()(const V& a, const V& b, const Placement& placed) const {
+        return overlap_convex(a, b, placed);
+    }
+};
 template <OverlapTest test>
 struct ScbTest {
     double threshold;
@@ -70,6 +77,8 @@ decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
         return use(AabbTest<false>{});
     } else if constexpr (std::same_as<V, ExactAabb>) {
         return use(AabbTest<true>{});
+    } else if constexpr (ConvexVolume<V>) {
+        return use(ConvexTest<V>{});
     } else {
         assert(options.threshold >= 0 && options.threshold <= 1 && "a threshold is a cosine");
         switch (options.test) {

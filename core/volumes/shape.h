@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/volumes/convex_shape.h"
 #include "scb/volume.h"
 
 namespace scb {
@@ -13,6 +14,11 @@ const V& shape_of(const V& volume) {
 template <bool exact>
 Obb shape_of(const BasicAabb<exact>& box) {
     return {box.center, Mat3::Identity(), box.half};
+}
+template <ConvexVolume V>
+ConvexShape shape_of(const V& volume) {
+    return {center(volume), rounding(volume), Mat3::Identity(),
+            [volume](const Vec3& d) { return support_point(volume, d); }};
 }
 
 }  // namespace scb

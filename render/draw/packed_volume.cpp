@@ -159,6 +159,25 @@ struct Pack {
         shape = PackedVolume::Shape::obb;
         return true;
     }
+    bool operator()(const ConvexShape& volume) {
+        Vec3 middle = to_eye_units(view, volume.center);
+        std::array<Vec3, 3> halves;
+        double squared = 0;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 axis = volume.axes.col(i), in_eye = rotate_to_eye(view, axis);
+            const double up = support(volume, axis) / view.unit,
+                         down = support(volume, Vec3(-axis)) / view.unit;
+            middle += 0.5 * (up - down) * in_eye;
+            halves[static_cast<std::size_t>(i)] = 0.5 * (up + down) * in_eye;
+            squared += 0.25 * (up + down) * (up + down);
+            words.set(1 + static_cast<std::size_t>(i), in_eye,
+                      i == 0 && volume.rounding > 0 ? 1 : 0);
+        }
+        if (behind(middle, std::sqrt(squared))) return false;
+        rectangle.clip(around_box(middle, halves, view));
+        shape = PackedVolume::Shape::convex;
+        return true;
+    }
 };
 
 }  // namespace

@@ -13,6 +13,8 @@ SCB_DECLARE_EMBEDDED(volume_vert)
 SCB_DECLARE_EMBEDDED(scb_frag)
 SCB_DECLARE_EMBEDDED(scb2_frag)
 SCB_DECLARE_EMBEDDED(obb_frag)
+SCB_DECLARE_EMBEDDED(convex_vert)
+SCB_DECLARE_EMBEDDED(convex_frag)
 
 namespace scb::render {
 
@@ -24,14 +26,16 @@ constexpr std::size_t words_per_volume = 4 * texels_per_volume;
 PackedVolume::Shape shape_of(const AnyVolume& volume) {
     if (std::holds_alternative<Scb2>(volume)) return PackedVolume::Shape::scb2;
     if (std::holds_alternative<Obb>(volume)) return PackedVolume::Shape::obb;
+    if (std::holds_alternative<ConvexShape>(volume)) return PackedVolume::Shape::convex;
     return PackedVolume::Shape::scb;
 }
 
 std::size_t largest_batch(const Gl& gl) {
     GLint texels = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    // And the vertex numbers, 12 for a volume, must fit into an int.
-    return std::min<std::size_t>(static_cast<std::size_t>(texels) / texels_per_volume, 1u << 24);
+    // And the vertex numbers, of many volumes up to 288 for one, must fit into an int.
+    return std::min<std::size_t>(
+        static_cast<std::size_t>(texels) / ConvexPoints::most_points_per_volume(), 1u << 22);
 }
 
 }  // namespace
@@ -47,10 +51,14 @@ VolumePainter::VolumePainter(const Gl& gl)
       obb_program_(gl, {SCB_EMBEDDED(volume_vert)},
                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                     SCB_EMBEDDED(obb_frag)}),
+      convex_program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(convex_vert)},
+                      {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
+                       SCB_EMBEDDED(convex_frag)}),
       no_attributes_(gl),
       buffer_(gl),
       texture_(gl),
-      batch_limit_(largest_batch(gl)) {}
+      batch_limit_(largest_batch(gl)),
+      convex_(gl) {}
 
 void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view) {
     std::vector<const VolumeInstance*> opaque;
@@ -102,14 +110,21 @@ void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
     texels_.clear();
     runs_.clear();
     uploaded_batch_.reset();
-    std::size_t count = 0;
+    convex_.start(volumes.size());
+    std::size_t count = 0, convex = 0;
     for (const VolumeInstance* volume : volumes) {
         const std::optional<PackedVolume> packed = pack(*volume, view);
         if (!packed) continue;
         const PackedVolume::Shape shape = packed->shape;
         if (runs_.empty() || runs_.back().shape != shape || count % batch_limit_ == 0)
-            runs_.push_back({shape, count, 0});
+            runs_.push_back({shape, count, 0, convex});
         texels_.insert(texels_.end(), packed->words.begin(), packed->words.end());
+        if (shape == PackedVolume::Shape::convex) {
+            convex_.add(std::get<ConvexShape>(volume->volume), view);
+            ++convex;
+            // Its points among those of the run.
+            texels_[texels_.size() - 2] = static_cast<std::uint32_t>(runs_.back().count);
+        }
         ++runs_.back().count;
         ++count;
     }
@@ -126,7 +141,11 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
         set_eye_uniforms(program, view);
         program.set("volumes", 0);
         program.set("sides", static_cast<int>(sides));
-        const std::size_t corners = 6 * static_cast<std::size_t>(sides);
+        std::size_t corners = 6 * static_cast<std::size_t>(sides);
+        if (run.shape == PackedVolume::Shape::convex) {
+            convex_.use(program, run.first_convex, run.count);
+            corners = convex_.vertices_per_volume() * static_cast<std::size_t>(sides);
+        }
         gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
                        static_cast<GLsizei>(corners * run.count));
     }
@@ -138,6 +157,8 @@ const GlProgram& VolumePainter::program_of(PackedVolume::Shape shape) const {
             return scb2_program_;
         case PackedVolume::Shape::obb:
             return obb_program_;
+        case PackedVolume::Shape::convex:
+            return convex_program_;
         case PackedVolume::Shape::scb:
             break;
     }

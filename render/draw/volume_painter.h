@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/draw/convex_points.h"
 #include "render/draw/eye_view.h"
 #include "render/draw/packed_volume.h"
 #include "render/gl/gl_program.h"
@@ -12,7 +13,8 @@ namespace scb::render {
 
 /// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
 /// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
-/// levels have thousands of volumes of a few pixels each.
+/// levels have thousands of volumes of a few pixels each. Convex volumes, of which the farthest
+/// points are all that is known, are meshes of these.
 class VolumePainter {
   public:
     explicit VolumePainter(const Gl& gl);
@@ -32,6 +34,7 @@ class VolumePainter {
         PackedVolume::Shape shape;
         std::size_t first;
         std::size_t count;
+        std::size_t first_convex;  // of those that are
     };
 
     void pack_all(const std::vector<const VolumeInstance*>& volumes, const EyeView& view);
@@ -44,6 +47,7 @@ class VolumePainter {
     GlProgram scb_program_;
     GlProgram scb2_program_;
     GlProgram obb_program_;
+    GlProgram convex_program_;
     GlVertexArray no_attributes_;
     GlBuffer buffer_;
     GlTexture texture_;
@@ -51,6 +55,7 @@ class VolumePainter {
     std::optional<std::size_t> uploaded_batch_;
     std::vector<std::uint32_t> texels_;  // these two are kept for their memory
     std::vector<Run> runs_;
+    ConvexPoints convex_;
 };
 
 }  // namespace scb::render

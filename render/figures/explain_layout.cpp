@@ -5,7 +5,6 @@
 #include "render/figures/explain_symbols.h"
 #include "render/figures/explain_verdict.h"
 #include "render/overlay/figure_layout.h"
-#include "render/plots/section_plane.h"
 #include "render/plots/slack_chart.h"
 
 namespace scb::render {
@@ -42,9 +41,8 @@ ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure)
     const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
               verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
     const int below = std::min(std::max(chart, verdict), all.height * 9 / 20);
-    // Some volumes have no section, and small pictures no room for one.
-    const bool section = has_section(figure.a) &&
-                         (whole.portrait || all.height - std::max(chart, verdict) > 12 * unit);
+    // Small pictures have no room for one.
+    const bool section = whole.portrait || all.height - std::max(chart, verdict) > 12 * unit;
     if (whole.portrait) {
         const int verdict_height = std::min(verdict, all.height / 5),
                   chart_height = std::min(chart, all.height / 3),

@@ -20,6 +20,10 @@ std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions
                 "of the long axes; sλ: the sine of their angle."};
         case VolumeKind::scb:
             break;
+        default:
+            return {
+                "ρ: how far a volume reaches in a direction; u: from A's center to B's; w: where "
+                "the search for the closest points came to."};
     }
     switch (options.test) {
         case OverlapTest::symmetric:

@@ -54,6 +54,14 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
                    number_text(second.e - second.f);
         }
         if (const Ball* ball = std::get_if<Ball>(&volume)) return "r " + number_text(ball->radius);
+        if (const ConvexShape* convex = std::get_if<ConvexShape>(&volume)) {
+            Vec3 sides;
+            for (int i = 0; i < 3; ++i)
+                sides[i] = support(*convex, Vec3(convex->axes.col(i))) +
+                           support(*convex, Vec3(-convex->axes.col(i)));
+            return "box " + number_text(sides[0]) + " × " + number_text(sides[1]) + " × " +
+                   number_text(sides[2]);
+        }
         const Vec3& half = std::get<Obb>(volume).half;
         return "half " + number_text(half[0]) + " × " + number_text(half[1]) + " × " +
                number_text(half[2]);

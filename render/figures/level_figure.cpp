@@ -20,6 +20,10 @@ bool holds_boxes(const AnyHierarchy& hierarchy) {
         hierarchy);
 }
 
+bool holds_convex_volumes(const AnyHierarchy& hierarchy) {
+    return std::visit([]<class V>(const Hierarchy<V>&) { return ConvexVolume<V>; }, hierarchy);
+}
+
 // Whether the thickness is but rounding noise.
 bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
 
@@ -80,7 +84,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     const bool boxes = holds_boxes(hierarchy),
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
     items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
-                                 (boxes       ? ""
+                                 (boxes || holds_convex_volumes(hierarchy) ? ""
                                   : two_slabs ? "; units of the mesh"
                                               : "; lengths in units of the mesh")});
     return items;
@@ -92,6 +96,7 @@ std::string_view lengths_words(const AnyHierarchy& hierarchy) {
     if (holds_boxes(hierarchy)) return "d: diagonal, τ: shortest side";
     if (std::holds_alternative<Hierarchy<Scb2>>(hierarchy)) return "d = 2r, τ: the thinner slab";
     if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return "τ = d = 2r";
+    if (holds_convex_volumes(hierarchy)) return "d: length, τ: thickness of a volume";
     return "d = 2r, τ = e − f";
 }
 

@@ -20,6 +20,11 @@ std::string_view volume_title(VolumeKind kind) {
             return "AABB";
         case VolumeKind::aabb_exact:
             return "AABB (exact)";
+        default:
+            return with_volume_type(kind, []<Volume V>() -> std::string_view {
+                if constexpr (ConvexVolume<V>) return V::title;
+                return "";
+            });
     }
     return "SCB";
 }

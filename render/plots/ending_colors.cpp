@@ -55,6 +55,8 @@ Look look_of(Outcome ending, const Theme& theme) {
             return {"normal of B", sky};
         case Stage::center_line:
             return {"line of centers", green};
+        case Stage::search:
+            return {"by search", sky};
         case Stage::axis_a0:
         case Stage::axis_a1:
         case Stage::axis_a2:

@@ -2,7 +2,21 @@
 
 #include <algorithm>
 
+#include "core/base/trigonometry.h"
+
 namespace scb::render {
+namespace {
+
+// A corner of a box is a corner, and a curve is smooth at the size that pictures have.
+constexpr std::size_t silhouette_directions = 240;
+
+}  // namespace
+
+ScreenPosition silhouette_direction(std::size_t i, std::size_t count) {
+    const SinCos angle =
+        sin_cos_degrees(360.0 * static_cast<double>(i) / static_cast<double>(count));
+    return {angle.cos, angle.sin};
+}
 
 SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const SectionPlane& plane,
                        double before, Rgba8 color) {
@@ -10,6 +24,15 @@ SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const Sectio
     cut.x = dot(plane.right, from_a);
     cut.y = dot(plane.up, from_a);
     cut.color = color;
+    if (!is_cut(volume)) {
+        for (std::size_t i = 0; i < silhouette_directions; ++i) {
+            const ScreenPosition d = silhouette_direction(i, silhouette_directions);
+            const Vec3 direction = d.x * plane.right + d.y * plane.up;
+            cut.reaches.push_back(reach(volume, direction) - dot(center(volume), direction));
+            cut.r = std::max(cut.r, cut.reaches.back());
+        }
+        return cut;
+    }
     double r = 0;
     if (const Ball* ball = std::get_if<Ball>(&volume)) r = ball->radius;
     if (const Scb* s = std::get_if<Scb>(&volume)) {
@@ -26,6 +49,13 @@ SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const Sectio
 }
 
 ScreenPosition nearest_point(const SectionCut& cut, double sign, bool cylinder) {
+    if (cut.is_silhouette()) {
+        // The support's derivative is how far beside the center its point is.
+        const std::size_t count = cut.reaches.size(), at = sign > 0 ? count / 4 : 3 * count / 4;
+        const double step = 2 * silhouette_direction(1, count).y;
+        return {cut.x - sign * (cut.reaches[at + 1] - cut.reaches[at - 1]) / step,
+                cut.y + sign * cut.reaches[at]};
+    }
     ScreenPosition best = {cut.x, cut.y + sign * cut.r};
     if (!cut.has_slab || !(cut.normal_length() > 1 - 1e-9)) return best;
     const double pole = cut.ny * sign * cut.r;
@@ -66,6 +96,12 @@ ScreenCircle SectionScale::circle(const SectionCut& cut) const {
 HalfPlane SectionScale::side(const SectionCut& cut, double k, double sign) const {
     const ScreenPosition n = {sign * cut.nx, -sign * cut.ny}, c = at(cut.x, cut.y);
     return {n, n.x * c.x + n.y * c.y + k * pixels};
+}
+
+HalfPlane SectionScale::side(const SectionCut& cut, std::size_t i) const {
+    const ScreenPosition d = silhouette_direction(i, cut.reaches.size()), n = {d.x, -d.y},
+                         c = at(cut.x, cut.y);
+    return {n, n.x * c.x + n.y * c.y + pixels * cut.reaches[i]};
 }
 
 }  // namespace scb::render

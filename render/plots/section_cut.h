@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "render/overlay/clip.h"
 #include "render/plots/section_plane.h"
@@ -8,16 +9,24 @@
 
 namespace scb::render {
 
-/// What a section plane cuts out of a ball or slab cut ball, in plane coordinates from the center
-/// of A: x to the right, y up.
+/// What a section plane cuts out of a ball or slab cut ball, or the silhouette of another volume as
+/// it is seen along the plane's front, in plane coordinates from the center of A: x to the right, y
+/// up.
 struct SectionCut {
     double x = 0, y = 0, r = 0;
     bool has_slab = false;
     double nx = 0, ny = 0, e = 0, f = 0;  ///< the slab: f <= nx dx + ny dy <= e
     Rgba8 color;
+    /// Of a silhouette: how far it reaches from x, y in the directions of silhouette_direction, as
+    /// many as there are; r is the most.
+    std::vector<double> reaches{};
 
+    bool is_silhouette() const { return !reaches.empty(); }
     double normal_length() const { return std::sqrt(nx * nx + ny * ny); }
 };
+
+/// The i-th of `count` directions, from the right counterclockwise.
+ScreenPosition silhouette_direction(std::size_t i, std::size_t count);
 
 /// `from_a`: the volume's center, from that of A; `before`: how far the plane is in front of it. A
 /// plane beside the ball leaves radius 0.
@@ -51,6 +60,8 @@ struct SectionScale {
     ScreenCircle circle(const SectionCut& cut) const;
     /// The points at most k above the cut's center along its normal (`sign` 1), or below it (-1).
     HalfPlane side(const SectionCut& cut, double k, double sign) const;
+    /// The points within a silhouette's reach in its i-th direction.
+    HalfPlane side(const SectionCut& cut, std::size_t i) const;
 };
 
 }  // namespace scb::render

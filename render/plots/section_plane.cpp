@@ -32,7 +32,7 @@ Named normal_of(const AnyVolume& volume, const char* name) {
 
 }  // namespace
 
-bool has_section(const AnyVolume& volume) {
+bool is_cut(const AnyVolume& volume) {
     return std::holds_alternative<Scb>(volume) || std::holds_alternative<Ball>(volume);
 }
 
@@ -41,7 +41,7 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
     const Vec3 to_b = center(b) - center(a);
     const Named line{"the line of centers", to_b}, n0 = normal_of(a, "n0"), n1 = normal_of(b, "n1");
     // Whose center the plane goes through, of slab and ball that of the ball.
-    bool through_b = false, silhouettes = false;
+    bool through_b = false, silhouettes = !is_cut(a);
     Named own = line;
     std::vector<Named> others;
     switch (step.stage) {
@@ -67,7 +67,7 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
             silhouettes = true;
             break;
         default:
-            others = {n0, n1};
+            others = silhouettes ? std::vector{line} : std::vector{n0, n1};
     }
     if (common_point && !silhouettes)
         others.insert(others.begin(), {"the point of both",
@@ -88,6 +88,7 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
                                 (of_line ? own.name : other.name);
         break;
     }
+    if (!is_cut(a)) plane.words = "as seen from the side";
     // B on the right, where it is on a side at all.
     if (dot(plane.right, to_b) < 0) plane.right = -plane.right;
     plane.front = cross(plane.right, plane.up);

@@ -20,10 +20,12 @@ struct SectionPlane {
     std::string words;  ///< "cut by the plane of n0 and the line of centers"
 };
 
-/// Whether there is a plane that shows a step of these volumes: not of boxes.
-bool has_section(const AnyVolume& volume);
+/// Whether the plane cuts such a volume, a ball or slab cut ball; of others it shows the silhouette,
+/// seen along `front`, whose extents are those of the volume.
+bool is_cut(const AnyVolume& volume);
 
-/// The plane in which the step's lengths are true and most is to be seen: of slabs and cylinders,
+/// Of volumes that are not cut the plane of the step's direction and the line of centers. Else the
+/// plane in which the step's lengths are true and most is to be seen: of slabs and cylinders,
 /// and of an SCB's own extent, that of both normals; else, of a slab and a ball, that of the normal
 /// through the ball's center and a point of both volumes, where one is given (from the center of
 /// A), or else the other center. `b` is in A's frame.

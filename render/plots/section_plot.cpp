@@ -52,13 +52,15 @@ class Drawing {
 
     void region(const SectionCut& cut) {
         ScreenPolygon polygon = polygon_of(scale_.rect);
+        for (std::size_t i = 0; i < cut.reaches.size(); ++i)
+            polygon = clipped(polygon, scale_.side(cut, i));
         if (cut.normal_length() > 1e-9) {
             polygon = clipped(polygon, scale_.side(cut, cut.e, 1));
             polygon = clipped(polygon, scale_.side(cut, -cut.f, -1));
         } else if (cut.has_slab && (cut.f > 0 || cut.e < 0)) {
             return;
         }
-        polygon = clipped(polygon, scale_.circle(cut), scale_.rect);
+        if (!cut.is_silhouette()) polygon = clipped(polygon, scale_.circle(cut), scale_.rect);
         if (polygon.size() < 2) return;
         if (polygon.size() > 2) overlay_.polygon(polygon, with_opacity(cut.color, 0.35));
         // Not along the border of the drawing.
@@ -74,6 +76,7 @@ class Drawing {
     }
 
     void ball(const SectionCut& cut) {
+        if (cut.is_silhouette()) return;
         line(circle_points(scale_.circle(cut), scale_.rect), cut.color, LineStroke::solid,
              width_ / 2);
     }

@@ -13,9 +13,10 @@ class Overlay;
 
 /// A step of an overlap test of two slab cut balls or balls as a drawing, after Figures 7 and 9 of
 /// the paper: what the section plane cuts out of them, their balls, the planes of their slabs, the
-/// cylinder if there is one, and how far the step takes each to reach, in numbers.
+/// cylinder if there is one, and how far the step takes each to reach, in numbers. Of other volumes
+/// their silhouettes, and the same numbers.
 struct SectionPlot {
-    AnyVolume a, b;  ///< in A's frame; no boxes
+    AnyVolume a, b;  ///< in A's frame
     OverlapStep step;
     SectionPlane plane;
     std::optional<Vec3> common_point{};  ///< from the center of A, where one is known

@@ -12,6 +12,7 @@ Vec3 center(const AnyVolume& volume) {
         Vec3 operator()(const Scb2& v) const { return v.c; }
         Vec3 operator()(const Ball& v) const { return v.center; }
         Vec3 operator()(const Obb& v) const { return v.center; }
+        Vec3 operator()(const ConvexShape& v) const { return v.center; }
     };
     return std::visit(Center{}, volume);
 }

@@ -2,12 +2,13 @@
 
 #include <variant>
 
+#include "core/volumes/convex_shape.h"
 #include "core/volumes/placed_volume.h"
 
 namespace scb::render {
 
 /// A volume of any type, for pictures that mix them.
-using AnyVolume = std::variant<Scb, Ball, Obb, Scb2>;
+using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
 
 /// As of each type, see core/volumes/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
@@ -17,6 +18,7 @@ bool identical(const Scb& a, const Scb& b);
 bool identical(const Scb2& a, const Scb2& b);
 bool identical(const Ball& a, const Ball& b);
 bool identical(const Obb& a, const Obb& b);
+using scb::identical;
 
 /// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);

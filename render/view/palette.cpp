@@ -56,9 +56,19 @@ Rgba8 hierarchy_color(VolumeKind kind) {
         case VolumeKind::aabb_exact:
             return category_color(4);
         case VolumeKind::obb:
+            return category_color(7);
+        default:
             break;
     }
-    return category_color(7);
+    // Those that follow, in their order: as far from the eight as shades of them are.
+    constexpr std::array<Rgba8, 5> others = {{{0x7A, 0x3E, 0x9D},
+                                              {0x00, 0x5F, 0x73},
+                                              {0x8A, 0x5A, 0x00},
+                                              {0xA0, 0x1A, 0x3C},
+                                              {0x55, 0x6B, 0x2F}}};
+    const auto beyond =
+        static_cast<std::size_t>(kind) - static_cast<std::size_t>(VolumeKind::aabb_exact) - 1;
+    return others[beyond % others.size()];
 }
 
 Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/trigonometry.h"
+#include "core/volumes/direction_grid.h"
 
 namespace scb::scenes {
 namespace {
@@ -259,6 +260,27 @@ Mesh volume_mesh(const Obb& box, int) {
         mesh.triangles.push_back({a, b, c});
         mesh.triangles.push_back({a, c, d});
     }
+    return mesh;
+}
+
+Mesh volume_mesh(const ConvexShape& shape, int segments) {
+    // An even number, so that the directions of the frame's faces are among them.
+    const DirectionGrid grid = direction_grid(std::max(2, (segments + 7) / 8 * 2));
+    const double least = resolution(shape.center, diameter(shape));
+    Mesh mesh;
+    std::vector<std::uint32_t> at;
+    for (const Vec3& own : grid.directions) {
+        const Vec3 d = rotate(shape.axes, own);
+        const Vec3 point = shape.center + shape.support_point(d) + shape.rounding * d;
+        const auto same = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
+            return ((p - point).cwiseAbs().array() <= least).all();
+        });
+        at.push_back(static_cast<std::uint32_t>(same - mesh.vertices.begin()));
+        if (same == mesh.vertices.end()) mesh.vertices.push_back(point);
+    }
+    for (const auto& [a, b, c] : grid.triangles)
+        if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a])
+            mesh.triangles.push_back({at[a], at[b], at[c]});
     return mesh;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/volumes/convex_shape.h"
 #include "scb/ball.h"
 #include "scb/mesh.h"
 #include "scb/obb.h"
@@ -17,9 +18,11 @@ namespace scb::scenes {
 /// what its second slab leaves of a disc. What has no area gives no triangles: a ball without
 /// radius, an SCB that is cut away wholly, a box that is a line or a point. Lengths below 1e-12 of
 /// the coordinates, and cuts closer than 1e-6 radii to a pole or to another circle, count as zero.
+/// A convex shape is a mesh of its farthest points in directions as many as a ball would have.
 Mesh volume_mesh(const Scb& scb, int segments);
 Mesh volume_mesh(const Scb2& scb, int segments);
 Mesh volume_mesh(const Ball& ball, int segments);
 Mesh volume_mesh(const Obb& box, int segments);
+Mesh volume_mesh(const ConvexShape& shape, int segments);
 
 }  // namespace scb::scenes

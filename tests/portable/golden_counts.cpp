@@ -69,6 +69,12 @@ class Hash {
         for (int i = 0; i < 3; ++i) add(Vec3(b.axes.col(i)));
         add(b.half);
     }
+    void add(const ConvexShape& shape) {
+        add(shape.center);
+        add(shape.rounding);
+        for (int i = 0; i < 3; ++i)
+            for (const double side : {1.0, -1.0}) add(shape.support_point(side * Vec3::Unit(i)));
+    }
 
     std::string text() const {
         char digits[17];

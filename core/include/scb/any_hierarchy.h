@@ -10,10 +10,11 @@
 namespace scb {
 
 /// The volumes that can be asked for by name.
-enum class VolumeKind { scb, ball, ritter, obb, scb2, aabb, aabb_exact };
+#define SCB_KIND(kind, V, name) kind,
+enum class VolumeKind { SCB_FOR_EACH_VOLUME_KIND(SCB_KIND) };
+#undef SCB_KIND
 
-/// How a kind is named on the command line and in file names: "scb", "ball", "ritter", "obb",
-/// "scb2", "aabb", "aabb-exact".
+/// How a kind is named on the command line and in file names, see SCB_FOR_EACH_VOLUME_KIND.
 std::string_view volume_kind_name(VolumeKind kind);
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 std::span<const VolumeKind> all_volume_kinds();
@@ -24,26 +25,21 @@ bool has_margin(VolumeKind kind);
 
 /// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
 /// template.
-using AnyHierarchy = std::variant<Hierarchy<Scb>, Hierarchy<Ball>, Hierarchy<Obb>, Hierarchy<Scb2>,
-                                  Hierarchy<Aabb>, Hierarchy<ExactAabb>>;
+template <class First, class... Volumes>
+using VariantOfHierarchies = std::variant<Hierarchy<Volumes>...>;
+#define SCB_THEN(V) , V
+using AnyHierarchy = VariantOfHierarchies<void SCB_FOR_EACH_VOLUME(SCB_THEN)>;
+#undef SCB_THEN
 
 /// Calls `use<V>()` with the type of the kind's volumes, and returns what it returns.
 template <class Use>
 decltype(auto) with_volume_type(VolumeKind kind, Use&& use) {
     switch (kind) {
-        case VolumeKind::scb:
-            break;
-        case VolumeKind::ball:
-        case VolumeKind::ritter:
-            return use.template operator()<Ball>();
-        case VolumeKind::obb:
-            return use.template operator()<Obb>();
-        case VolumeKind::scb2:
-            return use.template operator()<Scb2>();
-        case VolumeKind::aabb:
-            return use.template operator()<Aabb>();
-        case VolumeKind::aabb_exact:
-            return use.template operator()<ExactAabb>();
+#define SCB_CASE(kind, V, name) \
+    case VolumeKind::kind:      \
+        return use.template operator()<V>();
+        SCB_FOR_EACH_VOLUME_KIND(SCB_CASE)
+#undef SCB_CASE
     }
     return use.template operator()<Scb>();
 }

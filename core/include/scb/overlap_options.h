@@ -46,5 +46,6 @@ std::span<const Stage> ball_stages();
 std::span<const Stage> scb2_stages();
 std::span<const Stage> obb_stages();
 std::span<const Stage> aabb_stages();  ///< as engines test them
+std::span<const Stage> convex_stages();
 
 }  // namespace scb

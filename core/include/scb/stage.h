@@ -48,8 +48,11 @@ enum class Stage : std::uint8_t {
     second_slab_a,  ///< along the normal of A's second slab
     second_slab_b,  ///< along the normal of B's second slab
     long_axes,      ///< along the product of the long axes
+
+    // Convex volumes by their farthest points; center_line comes before.
+    search,  ///< along a direction that the search for the closest points came to
 };
-inline constexpr std::size_t stage_count = 27;
+inline constexpr std::size_t stage_count = 28;
 
 /// Tests per stage, indexed by Stage.
 using StageCounts = std::array<std::uint64_t, stage_count>;

@@ -5,7 +5,10 @@
 
 #include "scb/aabb.h"
 #include "scb/ball.h"
+#include "scb/capsule.h"
+#include "scb/kdop.h"
 #include "scb/obb.h"
+#include "scb/rss.h"
 #include "scb/scb.h"
 #include "scb/scb2.h"
 
@@ -26,7 +29,34 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
 };
 
 /// Calls the macro X with each type of volume: the only list of them.
-#define SCB_FOR_EACH_VOLUME(X) X(Scb) X(Scb2) X(Ball) X(Obb) X(Aabb) X(ExactAabb)
+#define SCB_FOR_EACH_VOLUME(X) \
+    X(Scb)                     \
+    X(Ball)                    \
+    X(Obb)                     \
+    X(Scb2)                    \
+    X(Aabb)                    \
+    X(ExactAabb)               \
+    X(KDop14)                  \
+    X(KDop18)                  \
+    X(KDop26)                  \
+    X(Rss)                     \
+    X(Capsule)
+
+/// Calls the macro X with each kind of volume that can be asked for: its name here, its type, and
+/// its name on the command line and in files. A type may have several, which differ in their fit.
+#define SCB_FOR_EACH_VOLUME_KIND(X)        \
+    X(scb, Scb, "scb")                     \
+    X(ball, Ball, "ball")                  \
+    X(ritter, Ball, "ritter")              \
+    X(obb, Obb, "obb")                     \
+    X(scb2, Scb2, "scb2")                  \
+    X(aabb, Aabb, "aabb")                  \
+    X(aabb_exact, ExactAabb, "aabb-exact") \
+    X(dop14, KDop14, "dop14")              \
+    X(dop18, KDop18, "dop18")              \
+    X(dop26, KDop26, "dop26")              \
+    X(rss, Rss, "rss")                     \
+    X(capsule, Capsule, "capsule")
 
 #define SCB_IS_VOLUME(V) static_assert(Volume<V>);
 SCB_FOR_EACH_VOLUME(SCB_IS_VOLUME)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "core/volumes/direction_grid.h"
 #include "render/view/picture.h"
 
 namespace scb::render {
@@ -62,6 +63,18 @@ inline Span intersect(const Ray& ray, const Obb& box) {
         const Vec3 axis = box.axes.col(i);
         cut(span, dot(axis, ray.origin - box.center), dot(axis, ray.direction), -box.half[i],
             box.half[i]);
+    }
+    return span;
+}
+
+/// Between the planes that touch it in 3,458 directions, which is a little more than it.
+inline Span intersect(const Ray& ray, const ConvexShape& shape) {
+    static const DirectionGrid grid = direction_grid(24);
+    Span span;
+    for (const Vec3& own : grid.directions) {
+        const Vec3 d = rotate(shape.axes, own);
+        cut(span, dot(d, Vec3(ray.origin - shape.center)), dot(d, ray.direction), -HUGE_VAL,
+            support(shape, d));
     }
     return span;
 }

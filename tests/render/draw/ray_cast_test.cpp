@@ -1,5 +1,7 @@
 #include <string>
 
+#include "core/volumes/shape.h"
+
 #include "tests/render/draw/cpu_caster.h"
 #include "tests/render/gl/gl_fixture.h"
 
@@ -85,6 +87,42 @@ TEST_P(RayCast, AgreesForScenesOfAnyScale) {
             Scb{Vec3(0, 0, 0), scale, Vec3(0.6, 0, 0.8), 0.3 * scale, -0.2 * scale},
             Ball{Vec3(2 * scale, 0, 0), scale}};
         draw_and_compare(picture_of(volumes, 120, 90, GetParam()));
+    }
+}
+
+// Their surfaces are meshes: beside the lines where a facet or a volume ends a pixel may differ.
+TEST_P(RayCast, AgreesOnConvexVolumesButForTheirFacets) {
+    const auto at = [](auto volume, const Vec3& where) {
+        return AnyVolume(placed(shape_of(volume), {orbit_axes(20, 35), where}));
+    };
+    KDop26 dop;
+    for (std::size_t i = 0; i < dop.which.size(); ++i) {
+        dop.lower[i] = i < 3 ? -1 : -1.2;
+        dop.upper[i] = i < 3 ? 0.8 : 1.1;
+    }
+    const std::vector<AnyVolume> volumes = {
+        at(dop, Vec3(0, 0, 0)), at(Rss{Vec3::Zero(), {Vec3(1, 0, 0), Vec3(0, 0.6, 0)}, 0.3}, Vec3(3, 0, 0)),
+        at(Capsule{Vec3::Zero(), Vec3(0.4, 0.8, 0), 0.5}, Vec3(0, 0, 2.5)),
+        Ball{Vec3(1.5, 0, 1.2), 0.6}};
+    for (const bool inside : {false, true}) {
+        Picture picture = picture_of(volumes, 240, 180, GetParam());
+        if (inside) {
+            picture.panes[0].camera = orbit_camera(0, 0, Vec3(0, 0.1, 0), 0.1, false, 70);
+            picture.panes[0].camera.near_distance = 0.01;
+            picture.panes[0].camera.far_distance = 10;
+        }
+        const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+        const double offset = GetParam() == 4 ? 0.25 : 0.5;
+        int wrong = 0, covered = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                const std::uint32_t drawn = pixel(*rendering.ids, x, y);
+                const Hit hit = cast(picture.panes[0], x + offset, y + offset);
+                covered += drawn != 0;
+                wrong += hit.id != drawn;
+            }
+        EXPECT_GT(covered, 240 * 180 / 10);
+        EXPECT_LT(wrong, 0.006 * covered) << (inside ? "inside" : "outside");
     }
 }
 

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scb/convex.h"
+#include "scb/fit_points.h"
+
+namespace scb {
+
+/// A capsule, or line swept sphere: the points within `radius` of a segment. Closed. (Larsen,
+/// Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept Sphere Volumes", 1999.)
+struct Capsule {
+    static constexpr const char* title = "capsule";
+    static constexpr unsigned support_operations = 9;
+
+    Vec3 center = Vec3::Zero();       ///< the middle of the segment
+    Vec3 half_axis = Vec3::Zero();    ///< from there to one of its ends
+    double radius = 0;
+};
+
+inline Vec3 center(const Capsule& c) { return c.center; }
+inline double rounding(const Capsule& c) { return c.radius; }
+inline Vec3 support_point(const Capsule& c, const Vec3& d) {
+    return dot(c.half_axis, d) < 0 ? Vec3(-c.half_axis) : c.half_axis;
+}
+
+/// The squared distance of a point to the segment.
+inline double squared_distance(const Capsule& c, const Vec3& point) {
+    const Vec3 p = point - c.center;
+    const double squared_length = squared_norm(c.half_axis);
+    const double at = squared_length > 0 ? dot(c.half_axis, p) / squared_length : 0;
+    return squared_norm(Vec3(p - std::clamp(at, -1.0, 1.0) * c.half_axis));
+}
+inline bool contains(const Capsule& c, const Vec3& point) {
+    return squared_distance(c, point) <= c.radius * c.radius;
+}
+
+/// About the middle of the points' extents along their principal axes; the segment along the
+/// longest, no longer than the radius that the other two ask for makes necessary.
+inline void fit(Capsule& result, const FitPoints& points) {
+    const Mat3 axes = points.axes();
+    const Vec3 along = axes.col(0), origin = points[0];
+    Vec3 lower = Vec3::Constant(HUGE_VAL), upper = -lower;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const double at = dot(Vec3(axes.col(k)), Vec3(points[i] - origin));
+            lower[k] = std::min(lower[k], at);
+            upper[k] = std::max(upper[k], at);
+        }
+    result.center = origin;
+    for (int k = 0; k < 3; ++k) result.center += 0.5 * (lower[k] + upper[k]) * Vec3(axes.col(k));
+    double squared_radius = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        squared_radius = std::max(squared_radius, squared_norm(cross(along, Vec3(points[i] - result.center))));
+    // The ends: as near to each other as the balls about them allow.
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 p = points[i] - result.center;
+        const double at = dot(along, p);
+        const double cap = std::sqrt(std::max(0.0, squared_radius - squared_norm(cross(along, p))));
+        first = std::min(first, at + cap);
+        last = std::max(last, at - cap);
+    }
+    if (first > last) first = last = 0.5 * (first + last);  // a ball holds them
+    result.center += 0.5 * (first + last) * along;
+    result.half_axis = 0.5 * (last - first) * along;
+    double squared = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        squared = std::max(squared, squared_distance(result, points[i]));
+    result.radius = radius_of_square(squared);
+}
+
+inline double descent_size(const Capsule& c) {
+    return std::sqrt(squared_norm(c.half_axis)) + c.radius;
+}
+inline double diameter(const Capsule& c) { return 2 * descent_size(c); }
+inline double thickness(const Capsule& c) { return 2 * c.radius; }
+inline double surface_area(const Capsule& c) {
+    return 4 * std::numbers::pi * c.radius * (c.radius + std::sqrt(squared_norm(c.half_axis)));
+}
+inline double volume(const Capsule& c) {
+    return std::numbers::pi * c.radius * c.radius *
+           (2 * std::sqrt(squared_norm(c.half_axis)) + 4.0 / 3 * c.radius);
+}
+
+}  // namespace scb

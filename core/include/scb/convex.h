@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <span>
+#include <vector>
+
+#include "scb/vec.h"
+
+namespace scb {
+
+/// A bounding volume that is known by its farthest points: all within `rounding` of a convex core.
+/// This is all that a volume of one's own must offer, next to a `fit`; see core/README.md, "Your
+/// own bounding volume in one header". A plain struct, and of it:
+/// - `center(v)`: a point in its middle, from which it is measured, in the body's frame;
+/// - `support_point(v, d)`: the point of the core, from the center, that is farthest in the
+///   direction d, which need not be a unit vector and is not zero;
+/// - `rounding(v)`: a length, 0 or more;
+/// - `contains(v, p)`: whether a point of the body's frame is inside or on the surface. All points
+///   that it was fitted to are, exactly as this rounds;
+/// - `fit(v, points)`, with `points` a FitPoints;
+/// - `V::title`, a name for pictures, and `V::support_operations`, what `support_point` costs in
+///   additions, multiplications, comparisons, divisions and roots.
+template <class V>
+concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
+    { center(c) } -> std::same_as<Vec3>;
+    { support_point(c, x) } -> std::same_as<Vec3>;
+    { rounding(c) } -> std::convertible_to<double>;
+    { contains(c, x) } -> std::same_as<bool>;
+    { V::title } -> std::convertible_to<const char*>;
+    { V::support_operations } -> std::convertible_to<unsigned>;
+};
+
+/// The least radius whose square, as it is rounded, is no less than this.
+inline double radius_of_square(double squared) {
+    double radius = std::sqrt(squared);
+    while (radius * radius < squared) radius = std::nextafter(radius, HUGE_VAL);
+    return radius;
+}
+
+/// The functions below serve every convex volume that has none of its own.
+
+/// How far the volume reaches from its center in the unit direction d.
+template <ConvexVolume V>
+double support(const V& v, const Vec3& d) {
+    return dot(support_point(v, d), d) + rounding(v);
+}
+
+/// Half the sides of its box along the axes of the body.
+template <ConvexVolume V>
+Vec3 half_extents(const V& v) {
+    Vec3 result;
+    for (int i = 0; i < 3; ++i)
+        result[i] = 0.5 * (support(v, Vec3::Unit(i)) + support(v, Vec3(-Vec3::Unit(i))));
+    return result;
+}
+
+/// Of its box: the longest half length, the diagonal, and the shortest side, as of oriented boxes.
+template <ConvexVolume V>
+double descent_size(const V& v) {
+    return half_extents(v).maxCoeff();
+}
+template <ConvexVolume V>
+double diameter(const V& v) {
+    return 2 * std::sqrt(squared_norm(half_extents(v)));
+}
+template <ConvexVolume V>
+double thickness(const V& v) {
+    return 2 * half_extents(v).minCoeff();
+}
+
+/// Whether all that can be asked of it is finite.
+template <ConvexVolume V>
+bool is_well_formed(const V& v) {
+    const Vec3 half = half_extents(v);
+    return center(v).allFinite() && half.allFinite() && half.minCoeff() >= 0 &&
+           std::isfinite(rounding(v)) && rounding(v) >= 0;
+}
+
+/// The distance from the origin within which the volume is.
+template <ConvexVolume V>
+double reach(const V& v) {
+    Vec3 most;
+    for (int i = 0; i < 3; ++i)
+        most[i] = std::max(support(v, Vec3::Unit(i)), support(v, Vec3(-Vec3::Unit(i))));
+    return std::sqrt(squared_norm(center(v))) + std::sqrt(squared_norm(most));
+}
+
+/// Area and volume of the surface through the farthest points in the directions of
+/// `measured_directions`, in their order: of a volume with flat faces along these the exact ones, of
+/// others a little less.
+struct SurfaceMeasures {
+    double area, volume;
+};
+std::span<const Vec3> measured_directions();
+SurfaceMeasures surface_measures(std::span<const Vec3> farthest_points);
+
+template <ConvexVolume V>
+SurfaceMeasures surface_measures(const V& v) {
+    std::vector<Vec3> points;
+    for (const Vec3& d : measured_directions())
+        points.push_back(support_point(v, d) + rounding(v) * d);
+    return surface_measures(points);
+}
+template <ConvexVolume V>
+double surface_area(const V& v) {
+    return surface_measures(v).area;
+}
+template <ConvexVolume V>
+double volume(const V& v) {
+    return surface_measures(v).volume;
+}
+
+}  // namespace scb

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "scb/vec.h"
+
+namespace scb {
+
+struct FitInput;
+
+/// The points of a node, as a volume of one's own is fitted to them: `fit(result, points)`, see
+/// convex.h. There is at least one; their order is that of the mesh, on any number of threads.
+class FitPoints {
+  public:
+    explicit FitPoints(const FitInput& input);
+
+    std::size_t size() const { return sizes_[0] + sizes_[1]; }
+    Vec3 operator[](std::size_t i) const {
+        const std::size_t part = i < sizes_[0] ? 0 : 1, k = i - (part == 0 ? 0 : sizes_[0]);
+        return {parts_[part][0][k], parts_[part][1][k], parts_[part][2][k]};
+    }
+
+    /// The least and greatest of direction.p over the points p, for the 13 directions of kdop.h,
+    /// which are not unit vectors: known already, however many points there are.
+    double lower(std::size_t direction) const;
+    double upper(std::size_t direction) const;
+
+    /// The principal axes of the surface, as columns, right-handed and the longest direction first,
+    /// see Obb (Gottschalk, Lin and Manocha, "OBBTree", 1996).
+    Mat3 axes() const;
+
+  private:
+    const FitInput& input_;
+    std::array<std::array<const double*, 3>, 2> parts_;
+    std::array<std::size_t, 2> sizes_;
+};
+
+}  // namespace scb

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "scb/convex.h"
+#include "scb/fit_points.h"
+
+namespace scb {
+
+/// The 13 directions of the 26-DOP, of coordinates 0, 1 and -1: three axes, six edges and four
+/// corners of a cube.
+inline constexpr std::array<std::array<int, 3>, 13> dop_directions = {{{1, 0, 0},
+                                                                       {0, 1, 0},
+                                                                       {0, 0, 1},
+                                                                       {1, 1, 0},
+                                                                       {1, -1, 0},
+                                                                       {1, 0, 1},
+                                                                       {1, 0, -1},
+                                                                       {0, 1, 1},
+                                                                       {0, 1, -1},
+                                                                       {1, 1, 1},
+                                                                       {1, 1, -1},
+                                                                       {1, -1, 1},
+                                                                       {1, -1, -1}}};
+
+/// The slabs of a discrete orientation polytope: lower[i] <= dop_directions[which[i]].p <= upper[i].
+struct DopSlabs {
+    const int* which;
+    const double* lower;
+    const double* upper;
+    int count;
+};
+
+/// A farthest corner of the polytope in the direction d, in its own frame: by the dual simplex
+/// method, from the corner of its box. Where rounding keeps it from the last step, the point is
+/// beyond the corner, by some units in the last place.
+Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d);
+
+/// Its area and volume, face by face; exact but for rounding.
+SurfaceMeasures polytope_measures(const DopSlabs& slabs);
+
+/// A discrete orientation polytope with k faces, 14, 18 or 26, fixed in the body's frame (Klosowski,
+/// Held, Mitchell, Sowizral and Zikan, "Efficient Collision Detection Using Bounding Volume
+/// Hierarchies of k-DOPs", 1998): along the axes, and along the corners of a cube, the edges, or
+/// both. Two of them are tested exactly, by their farthest points. The literature's test, with the
+/// k-DOP about the turned one, lets more pass.
+template <int k>
+struct KDop {
+    static_assert(k == 14 || k == 18 || k == 26);
+    static constexpr int slabs = k / 2;
+    static constexpr const char* title = k == 14 ? "14-DOP" : k == 18 ? "18-DOP" : "26-DOP";
+    static constexpr unsigned support_operations = k == 14 ? 200 : k == 18 ? 250 : 330;
+
+    /// Which of the directions, ascending.
+    static constexpr std::array<int, slabs> which = [] {
+        std::array<int, slabs> result{};
+        int next = 0;
+        for (int i = 0; i < 13; ++i)
+            if (k == 26 || i < 3 || (k == 18) == (i < 9)) result[static_cast<std::size_t>(next++)] = i;
+        return result;
+    }();
+
+    std::array<double, slabs> lower{}, upper{};
+};
+using KDop14 = KDop<14>;
+using KDop18 = KDop<18>;
+using KDop26 = KDop<26>;
+
+template <int k>
+DopSlabs slabs_of(const KDop<k>& v) {
+    return {v.which.data(), v.lower.data(), v.upper.data(), v.slabs};
+}
+
+/// Of its box along the axes: the corners that the faces cut off may leave it outside.
+template <int k>
+Vec3 center(const KDop<k>& v) {
+    return 0.5 * (Vec3(v.lower[0], v.lower[1], v.lower[2]) + Vec3(v.upper[0], v.upper[1], v.upper[2]));
+}
+template <int k>
+double rounding(const KDop<k>&) {
+    return 0;
+}
+template <int k>
+Vec3 support_point(const KDop<k>& v, const Vec3& d) {
+    return farthest_corner(slabs_of(v), d) - center(v);
+}
+template <int k>
+bool contains(const KDop<k>& v, const Vec3& p) {
+    for (std::size_t i = 0; i < v.which.size(); ++i) {
+        const auto& d = dop_directions[static_cast<std::size_t>(v.which[i])];
+        const double along = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+        if (!(v.lower[i] <= along && along <= v.upper[i])) return false;
+    }
+    return true;
+}
+template <int k>
+void fit(KDop<k>& result, const FitPoints& points) {
+    for (std::size_t i = 0; i < result.which.size(); ++i) {
+        const auto direction = static_cast<std::size_t>(result.which[i]);
+        result.lower[i] = points.lower(direction);
+        result.upper[i] = points.upper(direction);
+    }
+}
+
+/// Half the sides of its box, which the first three slabs are.
+template <int k>
+Vec3 half_extents(const KDop<k>& v) {
+    return 0.5 * (Vec3(v.upper[0], v.upper[1], v.upper[2]) - Vec3(v.lower[0], v.lower[1], v.lower[2]));
+}
+template <int k>
+double surface_area(const KDop<k>& v) {
+    return polytope_measures(slabs_of(v)).area;
+}
+template <int k>
+double volume(const KDop<k>& v) {
+    return polytope_measures(slabs_of(v)).volume;
+}
+
+}  // namespace scb

@@ -1,0 +1,31 @@
+#include "core/volumes/convex_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scb {
+
+double diameter(const ConvexShape& shape) {
+    Vec3 sides;
+    for (int i = 0; i < 3; ++i)
+        sides[i] = support(shape, Vec3::Unit(i)) + support(shape, Vec3(-Vec3::Unit(i)));
+    return std::sqrt(squared_norm(sides));
+}
+
+ConvexShape placed(const ConvexShape& shape, const Pose& pose) {
+    return {transform_point(pose, shape.center), shape.rounding, pose.rotation * shape.axes,
+            [r = pose.rotation, own = shape.support_point](const Vec3& d) {
+                return rotate(r, own(Vec3(dot(Vec3(r.col(0)), d), dot(Vec3(r.col(1)), d),
+                                          dot(Vec3(r.col(2)), d))));
+            }};
+}
+
+bool identical(const ConvexShape& a, const ConvexShape& b) {
+    const auto directions = measured_directions();
+    return a.center == b.center && a.rounding == b.rounding &&
+           std::all_of(directions.begin(), directions.end(), [&](const Vec3& d) {
+               return a.support_point(d) == b.support_point(d);
+           });
+}
+
+}  // namespace scb
