@@ -15,6 +15,7 @@
 #include "app/pictures/picture_texts.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_report.h"
+#include "app/timing/correlation_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/draw/renderer.h"
@@ -36,10 +37,11 @@ struct BenchCommandOptions {
     HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
     QueryOptions query;
     PictureOptions picture{.output = ""};
+    std::string splits{split_method_name(SplitMethod::section_3)};
     std::string layouts = "reference", simd = "best";
     int leaf_triangles = most_leaf_triangles, threads = 1;
     int repeats = 3;
-    bool warm = false, coherent = false, json = false;
+    bool warm = false, coherent = false, measures = false, json = false;
 };
 
 /// A scene that is to be measured.
@@ -92,7 +94,8 @@ SimdLevel simd_level(const BenchCommandOptions& options) {
                      name_list(available_simd_levels(), simd_level_name) + ".");
 }
 
-std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
+/// Those of one split.
+std::vector<BenchSubject> subjects_of(const BenchCommandOptions& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
         if (!can_pack(kind)) {
@@ -111,11 +114,27 @@ std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
                 for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
         }
     }
+    return result;
+}
+
+std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
+    const std::vector<SplitMethod> splits = splits_of(options.splits);
+    std::vector<BenchSubject> result;
+    for (const SplitMethod split : splits)
+        for (BenchSubject subject : subjects_of(options)) {
+            subject.split = split;
+            subject.names_split = splits.size() > 1;
+            result.push_back(subject);
+        }
     if (options.coherent && std::none_of(result.begin(), result.end(),
                                          [](const BenchSubject& s) { return s.coherent; }))
         throw InputError(
             "--coherent: only packed layouts of slab cut balls keep a front; name one with "
             "--layout, such as float8.");
+    if (options.measures && std::all_of(result.begin(), result.end(),
+                                        [](const BenchSubject& s) { return s.layout.has_value(); }))
+        throw InputError(
+            "--measures: only reference hierarchies are measured; add reference to --layout.");
     return result;
 }
 
@@ -166,7 +185,11 @@ std::string simd_text(SimdLevel level) {
 
 std::string conditions(const BenchCommandOptions& options, const BenchOptions& bench) {
     const bool shared = bench.packed.threads > 1;
-    const std::string built = build_sentence(options.hierarchy.build());
+    BuildOptions build = options.hierarchy.build();
+    const std::vector<SplitMethod> splits = splits_of(options.splits);
+    // Where there are several, names say it.
+    if (splits.size() == 1) build.split = splits[0];
+    const std::string built = build_sentence(build);
     return (built.empty() ? "" : built + " ") +
            std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
@@ -188,29 +211,37 @@ struct Report {
     std::string table, csv = bench_csv_header;
     Json scenes = Json::array();
     BenchCosts costs;
+    std::optional<BenchCorrelation> correlation;  ///< where hierarchies are measured
+
+    std::string text() const {
+        return table + "\n" + costs.table() + (correlation ? "\n" + correlation->table() : "");
+    }
 
     std::string json(const BenchCommandOptions& options, const std::string& simd,
                      bool complete) const {
-        const Json document = {{"scenes", scenes},
-                               {"complete", complete},
-                               {"equation_1", costs.json()},
-                               {"options",
-                                {{"threshold", options.query.threshold},
-                                 {"descent", descent_rule_name(options.query.descent)},
-                                 {"growth", ball_growth_name(options.hierarchy.growth)},
-                                 {"margin", options.hierarchy.margin},
-                                 {"split", split_method_name(options.hierarchy.split)},
-                                 {"leaf", options.leaf_triangles},
-                                 {"simd", simd},
-                                 {"threads", options.threads},
-                                 {"coherent", options.coherent},
-                                 {"repeats", options.repeats},
-                                 {"order", options.warm ? "warm" : "cold"}}},
-                               {"compiler", compiler_text()},
-                               {"version", SCB_VERSION}};
+        Json document = {{"scenes", scenes},
+                         {"complete", complete},
+                         {"equation_1", costs.json()},
+                         {"options",
+                          {{"threshold", options.query.threshold},
+                           {"descent", descent_rule_name(options.query.descent)},
+                           {"growth", ball_growth_name(options.hierarchy.growth)},
+                           {"margin", options.hierarchy.margin},
+                           {"split", options.splits},
+                           {"leaf", options.leaf_triangles},
+                           {"simd", simd},
+                           {"threads", options.threads},
+                           {"coherent", options.coherent},
+                           {"repeats", options.repeats},
+                           {"order", options.warm ? "warm" : "cold"}}},
+                         {"compiler", compiler_text()},
+                         {"version", SCB_VERSION}};
+        if (correlation) document["correlation"] = correlation->json();
         return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
 };
+
+constexpr const char *correlation_csv_file = "measures.csv", *correlation_picture = "measures.png";
 
 std::string bench_picture_name(const scenes::Scene& scene) { return scene.name + "_bench.png"; }
 
@@ -224,6 +255,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
     bench_options.packed.level = simd_level(options);
     check_threads(options.threads);
     bench_options.build.threads = options.threads;
+    bench_options.measures = options.measures;
     // Other queries have one thread each.
     if (any_packed(bench_options.subjects)) bench_options.packed.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
@@ -247,6 +279,9 @@ int run(const BenchCommandOptions& options, const Console& console) {
     const bool writes = !options.picture.output.empty();
     if (writes) {
         std::vector<std::string> files = {"bench.csv", "bench.json"};
+        if (options.measures)
+            for (const char* file : {correlation_csv_file, correlation_picture})
+                files.push_back(file);
         for (const Entry& entry : all) files.push_back(bench_picture_name(entry.scene));
         for (const std::string& file : files)
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
@@ -262,9 +297,26 @@ int run(const BenchCommandOptions& options, const Console& console) {
 
     const InterruptWatch watch;
     Report report;
+    if (options.measures) report.correlation.emplace();
+    const auto draw = [&](auto figure, const std::string& file, const std::string& scene) {
+        figure.footnote = conditions(options, bench_options);
+        figure.theme = options.picture.theme();
+        render::Overlay overlay;
+        const render::Picture picture =
+            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
+        render::write_file_whole(folder / file,
+                                 render::encode_png(renderer->draw(picture, &overlay).image,
+                                                    picture_texts(options.picture, scene)));
+    };
     const auto json = [&] {
         return report.json(options, simd_text(bench_options.packed.level),
                            report.scenes.size() == all.size());
+    };
+    const auto scene_names = [&] {
+        std::string names;
+        for (const std::string& name : report.correlation->names)
+            names += (names.empty() ? "" : ", ") + name;
+        return names;
     };
     // Whether it was finished.
     const auto measure = [&](std::size_t e) {
@@ -283,19 +335,16 @@ int run(const BenchCommandOptions& options, const Console& console) {
         bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
         report.costs.add(*bench);
+        if (report.correlation) report.correlation->add(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) return true;
-        render::BenchFigure figure = bench_figure(*bench);
-        figure.footnote = conditions(options, bench_options);
-        figure.theme = options.picture.theme();
-        render::Overlay overlay;
-        const render::Picture picture =
-            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
-        const std::vector<std::uint8_t> png =
-            render::encode_png(renderer->draw(picture, &overlay).image,
-                               picture_texts(options.picture, entry.scene.name));
-        render::write_file_whole(folder / bench_picture_name(entry.scene), png);
+        draw(bench_figure(*bench), bench_picture_name(entry.scene), entry.scene.name);
+        if (report.correlation) {
+            draw(report.correlation->figure(), correlation_picture, scene_names());
+            render::write_file_whole(folder / correlation_csv_file,
+                                     correlation_csv_header() + report.correlation->csv);
+        }
         render::write_file_whole(folder / "bench.csv", report.csv);
         render::write_file_whole(folder / "bench.json", json());
         return true;
@@ -312,8 +361,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
     if (options.json)
         print_result(json());
     else if (!report.table.empty())
-        print_result(report.table + "\n" + report.costs.table() + "\n" +
-                     conditions(options, bench_options) + "\n");
+        print_result(report.text() + "\n" + conditions(options, bench_options) + "\n");
     if (failure) std::rethrow_exception(failure);
     if (options.picture.open && !report.scenes.empty())
         open_file(all.size() == 1 ? folder / bench_picture_name(all[0].scene) : folder, console);
@@ -337,7 +385,7 @@ void add_bench(const Command& program, const Console& console, Action& action) {
         .description(
             "Built-in scenes or scene files, or two mesh files; `cad`: the eight scenes of CAD "
             "models; `table-3`, and by default: the seven scenes of Table 3");
-    add_hierarchy_options(command, options->hierarchy);
+    add_hierarchy_options(command, options->hierarchy, true, &options->splits);
     add_query_options(command, options->query, true);
     command
         .add_option("--layout", options->layouts,
@@ -367,6 +415,10 @@ void add_bench(const Command& program, const Console& console, Action& action) {
     command.add_flag("--coherent", options->coherent,
                      "Also time each packed layout with a front: if bodies move slowly, a query "
                      "begins where an earlier one ended. Add --warm for a fair comparison");
+    command.add_flag(
+        "--measures", options->measures,
+        "Also measure each hierarchy (see scb stats --measures), and say which measure "
+        "goes together with the cost: measures.csv and measures.png of -o");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
         "ms: mean processor time of a query (with --threads above 1: the time that passes); / SCB: "
