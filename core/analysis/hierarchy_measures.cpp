@@ -133,7 +133,7 @@ struct MeasuredHierarchy {
                 descend(
                     topology(),
                     [&](std::uint32_t node) {
-                        return contains(grown(hierarchy.volumes[node], reach),
+                        return contains(enlarged(hierarchy.volumes[node], reach),
                                         mesh.samples[s].point);
                     },
                     [&](std::uint32_t node, std::uint32_t depth) {

@@ -61,24 +61,24 @@ Obb box_about(const V& v) {
 /// The volume with all its faces moved outward, so that rounding does not decide what a flat one
 /// contains. A type without a case stays as it is.
 template <Volume V>
-V grown(const V& v, double) {
+V enlarged(const V& v, double) {
     return v;
 }
-inline Ball grown(Ball ball, double by) {
+inline Ball enlarged(Ball ball, double by) {
     ball.radius += by;
     return ball;
 }
-inline Obb grown(Obb box, double by) {
+inline Obb enlarged(Obb box, double by) {
     box.half.array() += by;
     return box;
 }
-inline Scb grown(Scb scb, double by) {
+inline Scb enlarged(Scb scb, double by) {
     scb.r += by;
     scb.e += by;
     scb.f -= by;
     return scb;
 }
-inline Scb2 grown(Scb2 scb, double by) {
+inline Scb2 enlarged(Scb2 scb, double by) {
     scb.r += by;
     for (Slab& slab : scb.slabs) {
         slab.e += by;

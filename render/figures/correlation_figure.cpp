@@ -1,11 +1,13 @@
 #include "render/figures/correlation_figure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/trigonometry.h"
 #include "render/overlay/figure_layout.h"
-#include "render/plots/plot_frame.h"
+#include "render/plots/plot_axis.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
@@ -18,31 +20,24 @@ std::string correlation_number(double value) {
     return (value <= -0.005 ? "−" : "") + std::string(text);
 }
 
-// A linear axis from the lowest dot, no further than 0 needs, to 1.
-PlotAxis correlation_axis(const CorrelationFigure& figure, int most_ticks) {
-    double low = 0;
+// From 0, or half steps below it as far as values reach, to 1.
+PlotAxis correlation_axis(const CorrelationFigure& figure) {
+    PlotAxis axis{0, 1, false, false, {}};
     for (const CorrelationPlot& plot : figure.plots)
         for (const CorrelationRow& row : plot.rows)
             for (const double value : row.of_scene)
-                if (std::isfinite(value)) low = std::min(low, value);
-    PlotAxis axis = linear_axis(low, 1, most_ticks, AxisEnds::ticks);
-    axis.high = 1;
-    std::erase_if(axis.ticks, [](const AxisTick& tick) { return tick.value > 1; });
+                while (value < axis.low) axis.low -= 0.5;
+    for (double value = axis.low; value <= 1; value += 0.5)
+        axis.ticks.push_back({value, correlation_number(value)});
     return axis;
 }
 
 void draw_disc(Overlay& overlay, double x, double y, double radius, Rgba8 color) {
-    // A regular octagon; more corners are not seen at this size.
-    constexpr double diagonal = 0.70710678118654752440;
-    const std::array<ScreenPosition, 8> corners = {
-        {{x + radius, y},
-         {x + diagonal * radius, y + diagonal * radius},
-         {x, y + radius},
-         {x - diagonal * radius, y + diagonal * radius},
-         {x - radius, y},
-         {x - diagonal * radius, y - diagonal * radius},
-         {x, y - radius},
-         {x + diagonal * radius, y - diagonal * radius}}};
+    std::array<ScreenPosition, 24> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const SinCos angle = sin_cos_turns(static_cast<double>(i) / corners.size());
+        corners[i] = {x + radius * angle.cos, y + radius * angle.sin};
+    }
     overlay.polygon(corners, color);
 }
 
@@ -66,7 +61,7 @@ void draw_rows(Overlay& overlay, const PixelRect& rect, const CorrelationFigure&
         rect.x, rect.y,
         fitted_text(overlay, plot.title, {unit, FontWeight::bold, style.theme.text}, rect.width),
         {unit, FontWeight::bold, style.theme.text});
-    const PlotAxis axis = correlation_axis(figure, most_x_ticks(data, style));
+    const PlotAxis axis = correlation_axis(figure);
     const auto x_of = [&](double value) {
         return data.x + axis_position(axis, value) * data.width;
     };
