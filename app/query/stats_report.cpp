@@ -176,7 +176,8 @@ Json stats_json(const HierarchyStats& m) {
 
 std::string stats_csv_header(bool with_measures) {
     std::string text =
-        "mesh,hierarchy,split,level,nodes,leaves,cover,mean_diameter,max_diameter,mean_thickness,"
+        "mesh,bodies,hierarchy,split,level,nodes,leaves,cover,mean_diameter,max_diameter,mean_"
+        "thickness,"
         "max_thickness,area,volume";
     if (with_measures) {
         for (const LevelMeasure& field : level_measures()) text += std::string(",") + field.name;
@@ -186,8 +187,10 @@ std::string stats_csv_header(bool with_measures) {
 }
 
 std::string stats_csv(const HierarchyStats& m) {
-    const std::string start = m.mesh + "," + std::string(volume_kind_name(m.kind)) + "," +
-                              std::string(split_method_name(m.build.split)) + ",";
+    std::string bodies;
+    for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : " ") + body;
+    const std::string start = m.mesh + "," + bodies + "," + std::string(volume_kind_name(m.kind)) +
+                              "," + std::string(split_method_name(m.build.split)) + ",";
     const auto row = [](const VolumeStatistics& l) {
         return format("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", l.mean_diameter(), l.max_diameter,
                       l.mean_thickness(), l.max_thickness, l.area, l.volume);

@@ -4,21 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/open_file.h"
 #include "app/cli/progress.h"
-#include "app/cli/validators.h"
 #include "app/cli/version.h"
-#include "app/pictures/picture_options.h"
 #include "app/pictures/picture_texts.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/correlation_report.h"
 #include "core/base/exit_status.h"
-#include "core/base/text_format.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"

@@ -5,6 +5,7 @@
 #include "app/cli/build_text.h"
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 
 namespace scb::app {

@@ -15,9 +15,9 @@ double hull_of(const HierarchyMeasures& m) { return m.levels.front().hull_volume
 constexpr std::array predictors = {
     CostPredictor{"sah_cost", "SAH cost",
                   [](const HierarchyMeasures& m) { return m.all.sah_cost; }},
-    CostPredictor{"area", "area",
+    CostPredictor{"area", "summed area",
                   [](const HierarchyMeasures& m) { return ratio(m.all.area, m.surface); }},
-    CostPredictor{"volume", "volume",
+    CostPredictor{"volume", "summed volume",
                   [](const HierarchyMeasures& m) { return ratio(m.all.volume, hull_of(m)); }},
     CostPredictor{"sibling_overlap", "sibling overlap, mean",
                   [](const HierarchyMeasures& m) { return m.all.sibling_overlap; }},

@@ -97,20 +97,28 @@ void draw_rows(Overlay& overlay, const PixelRect& rect, const CorrelationFigure&
     }
 }
 
-// What dots and bars are.
-void draw_key(Overlay& overlay, int x, int y, const FigureStyle& style) {
-    const int unit = style.unit;
+// What dots and bars are, in lines of that width. Returns where it ends.
+int draw_key(Overlay& overlay, int x, int y, int width, const FigureStyle& style) {
+    const int unit = style.unit, right = x + width;
     const TextStyle text{unit, FontWeight::regular, style.theme.text};
+    const std::string scene = "a scene";
+    const int scene_width = overlay.measure(scene, text).width;
+    if (width < scene_width + 10 * unit) return y;
     draw_disc(overlay, x + unit * 0.4, y + unit * 0.5, unit * 0.3,
               with_opacity(category_color(0), 0.45));
-    const std::string scene = "a scene";
     overlay.text(x + unit, y, scene, text);
-    x += unit * 2 + overlay.measure(scene, text).width;
+    x += unit * 2 + scene_width;
     overlay.rectangle({x, y, std::max(3, unit / 5), unit}, category_color(3));
-    overlay.text(x + unit / 2, y,
-                 "their mean, also as a number. 1: the cheaper the query, the smaller the measure, "
-                 "without exception; 0: no relation",
-                 text);
+    x += unit / 2;
+    for (const std::string& line :
+         wrapped_text(overlay,
+                      "their mean, also as a number. 1: the cheaper the query, the smaller the "
+                      "measure, without exception; 0: no relation",
+                      text, right - x)) {
+        overlay.text(x, y, line, text);
+        y += unit * 5 / 4;
+    }
+    return y;
 }
 
 }  // namespace
@@ -123,8 +131,8 @@ Picture compose(const CorrelationFigure& figure, int width, int height, Overlay&
     overlay.begin();
     draw_heading(overlay, frame, theme, figure.title, figure.subtitle);
     int top = frame.heading.y + frame.heading.height + unit / 2, bottom = height - margin;
-    draw_key(overlay, margin, top, style);
-    top += 2 * unit;
+    // Small pictures have room for the plots alone.
+    if (height > 20 * unit) top = draw_key(overlay, margin, top, width - 2 * margin, style) + unit;
     const TextStyle faint{small, FontWeight::regular, theme.faint_text};
     const std::vector<std::string> footnote =
         wrapped_text(overlay, figure.footnote, faint, frame.heading.width);
