@@ -9,8 +9,8 @@
 namespace scb {
 
 struct ConvexHull {
-    /// Indices of the points that are its vertices, ascending, and no others that change it; all
-    /// points where these lie in a plane.
+    /// Indices of its vertices, ascending, and perhaps of some other points of its faces; of all
+    /// points where they lie in a plane.
     std::vector<std::uint32_t> vertices;
     double volume = 0;
 };

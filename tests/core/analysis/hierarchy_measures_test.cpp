@@ -151,6 +151,12 @@ TEST(HierarchyMeasures, SamplesAreSpreadByArea) {
         EXPECT_LE(s.point[0] / (s.triangle == 0 ? 1 : 3) + s.point[1], 1 + 1e-12);
     }
     EXPECT_NEAR(static_cast<double>(first), 250, 1);
+    // Within a triangle, too.
+    mesh.triangles.pop_back();
+    Vec3 sum = Vec3::Zero();
+    for (const SurfaceSample& s : surface_samples(mesh, 4000)) sum += s.point / 4000;
+    EXPECT_NEAR(sum[0], 1.0 / 3, 0.02);
+    EXPECT_NEAR(sum[1], 1.0 / 3, 0.02);
     mesh.triangles = {{0, 0, 1}};
     EXPECT_TRUE(surface_samples(mesh, 10).empty());
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,6 +71,26 @@ TEST(ConvexHull, IsTheSameInAnyOrderOfPointsOfAGrid) {
             for (const std::uint32_t v : hull.vertices) corners.push_back(points[v]);
             EXPECT_EQ(convex_hull(corners).volume, volume);
         }
+    }
+}
+
+// Points that are in a plane but for rounding: only exact predicates agree on the vertices.
+TEST(ConvexHull, HasTheSameVerticesInAnyOrderOfPointsNearAPlane) {
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        Points points = random_points(random, 40, 0);
+        std::vector<std::vector<double>> corners;
+        for (int order = 0; order < 3; ++order) {
+            shuffle(points, random);
+            std::vector<double> of_order;
+            for (const std::uint32_t v : convex_hull(points).vertices)
+                of_order.push_back(points[v][0]);
+            std::sort(of_order.begin(), of_order.end());
+            corners.push_back(of_order);
+        }
+        EXPECT_LT(corners[0].size(), points.size());
+        EXPECT_EQ(corners[0], corners[1]);
+        EXPECT_EQ(corners[0], corners[2]);
     }
 }
 
