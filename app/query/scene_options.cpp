@@ -121,7 +121,21 @@ VolumeKind HierarchyOptions::kind() const {
     return all[0];
 }
 
-void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several) {
+std::vector<SplitMethod> splits_of(const std::string& list) {
+    std::vector<SplitMethod> splits;
+    for (const std::string& name : scenes::split_list(list)) {
+        const std::optional<SplitMethod> split = split_method_of(name);
+        if (!split)
+            throw InputError("--split " + list + ": '" + name +
+                             "' is not a way to divide nodes; give paper, cost, or both.");
+        if (std::find(splits.begin(), splits.end(), *split) == splits.end())
+            splits.push_back(*split);
+    }
+    return splits;
+}
+
+void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several,
+                           std::string* splits) {
     command
         .add_option("--volume", options.volumes,
                     several ? "Bounding volumes: some of " + volume_names(",")
@@ -129,16 +143,20 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         .type_name(several ? "LIST" : "VOLUME")
         .show_default();
     constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};
-    constexpr std::array splits = {SplitMethod::section_3, SplitMethod::cost};
+    constexpr std::array methods = {SplitMethod::section_3, SplitMethod::cost};
     add_choice(command, "--growth", options.growth,
                choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
                "How minimum balls are grown: ritter or radius")
         .type_name("RULE");
-    add_choice(command, "--split", options.split,
-               choices_of(std::span<const SplitMethod>(splits), split_method_name),
-               "How nodes are divided: paper (Section 3), or cost, which takes longer to build "
-               "and less to query")
-        .type_name("METHOD");
+    const std::string divided =
+        "How nodes are divided: paper (Section 3), or cost, which takes longer to build and less "
+        "to query";
+    if (splits != nullptr)
+        command.add_option("--split", *splits, divided).type_name("LIST").show_default();
+    else
+        add_choice(command, "--split", options.split,
+                   choices_of(std::span<const SplitMethod>(methods), split_method_name), divided)
+            .type_name("METHOD");
     add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
                "An error on purpose, for `scb golden selftest`")
         .hide();

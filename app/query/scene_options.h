@@ -44,7 +44,12 @@ struct HierarchyOptions {
     /// The one volume asked for; throws InputError where there are several.
     VolumeKind kind() const;
 };
-/// `several`: whether --volume takes a list.
-void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several = true);
+/// `several`: whether --volume takes a list. Where there are `splits`, a list of names, --split
+/// takes one and sets them instead of the one split.
+void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several = true,
+                           std::string* splits = nullptr);
+
+/// The splits named in a list, each once; throws InputError for an unknown name.
+std::vector<SplitMethod> splits_of(const std::string& list);
 
 }  // namespace scb::app

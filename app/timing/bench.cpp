@@ -4,19 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/open_file.h"
 #include "app/cli/progress.h"
-#include "app/cli/validators.h"
 #include "app/cli/version.h"
-#include "app/pictures/picture_options.h"
 #include "app/pictures/picture_texts.h"
 #include "app/query/layout_options.h"
+#include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
+#include "app/timing/correlation_report.h"
 #include "core/base/exit_status.h"
-#include "core/base/text_format.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -30,17 +28,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct BenchCommandOptions {
-    SceneOptions scene;
-    HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
-    QueryOptions query;
-    PictureOptions picture{.output = ""};
-    std::string layouts = "reference", simd = "best";
-    int leaf_triangles = most_leaf_triangles, threads = 1;
-    int repeats = 3;
-    bool warm = false, coherent = false, json = false;
-};
 
 /// A scene that is to be measured.
 struct Entry {
@@ -85,132 +72,42 @@ std::vector<Entry> entries(const BenchCommandOptions& options, const Console& co
     return result;
 }
 
-SimdLevel simd_level(const BenchCommandOptions& options) {
-    for (const SimdLevel level : available_simd_levels())
-        if (simd_level_name(level) == options.simd) return level;
-    throw InputError("--simd " + options.simd + ": give one that this machine has, " +
-                     name_list(available_simd_levels(), simd_level_name) + ".");
-}
-
-std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
-    std::vector<BenchSubject> result;
-    for (const VolumeKind kind : options.hierarchy.kinds()) {
-        if (!can_pack(kind)) {
-            result.push_back({kind, OverlapTest::corrected});
-            continue;
-        }
-        for (const std::optional<PackedLayout>& layout :
-             layouts_of(options.layouts, options.leaf_triangles)) {
-            if (layout) result.push_back({kind, OverlapTest::symmetric, layout});
-            if (layout && options.coherent)
-                result.push_back({kind, OverlapTest::symmetric, layout, true});
-            if (layout) continue;
-            if (kind != VolumeKind::scb)
-                result.push_back({kind, OverlapTest::corrected});
-            else
-                for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
-        }
-    }
-    if (options.coherent && std::none_of(result.begin(), result.end(),
-                                         [](const BenchSubject& s) { return s.coherent; }))
-        throw InputError(
-            "--coherent: only packed layouts of slab cut balls keep a front; name one with "
-            "--layout, such as float8.");
-    return result;
-}
-
-bool any_packed(const std::vector<BenchSubject>& subjects) {
-    return std::any_of(subjects.begin(), subjects.end(),
-                       [](const BenchSubject& s) { return s.layout.has_value(); });
-}
-
-/// Notes which options have no effect on what is measured, and what else may surprise.
-void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
-                    const Console& console) {
-    const BenchCommandOptions defaults;
-    const auto note = [&console](const char* option, const char* why) {
-        console.note("scb: " + std::string(option) + " has no effect: " + why);
-    };
-    std::vector<VolumeKind> reference;
-    bool has_packable = false;
-    for (const BenchSubject& s : subjects) {
-        if (!s.layout) reference.push_back(s.kind);
-        has_packable |= can_pack(s.kind);
-    }
-    const bool packed = any_packed(subjects);
-    const bool reference_scb =
-        std::find(reference.begin(), reference.end(), VolumeKind::scb) != reference.end();
-    constexpr const char* own = "packed layouts have a test and a descent of their own.";
-    if (packed && !reference_scb) {
-        if (options.query.test != defaults.query.test) note("--test", own);
-        if (options.query.threshold != defaults.query.threshold) note("--threshold", own);
-    } else {
-        note_doubts(options.query, reference, console);
-    }
-    if (reference.empty() && options.query.descent != defaults.query.descent)
-        note("--descent", own);
-    if (packed) return;
-    const char* why = has_packable ? "it is of packed layouts; name one with --layout."
-                                   : "only slab cut balls have packed layouts.";
-    if (options.layouts != defaults.layouts) note("--layout", why);
-    if (options.leaf_triangles != defaults.leaf_triangles) note("--leaf", why);
-    if (options.simd != defaults.simd) note("--simd", why);
-}
-
-/// The vector instructions of packed layouts.
-std::string simd_text(SimdLevel level) {
-    // The last one is the best.
-    if (level == SimdLevel::best) level = available_simd_levels().back();
-    return std::string(simd_level_name(level));
-}
-
-std::string conditions(const BenchCommandOptions& options, const BenchOptions& bench) {
-    const bool shared = bench.packed.threads > 1;
-    const std::string built = build_sentence(options.hierarchy.build());
-    return (built.empty() ? "" : built + " ") +
-           std::string(options.warm ? "Warm: each hierarchy runs through all frames."
-                                    : "Cold: at each frame the hierarchies take turns.") +
-           (!shared ? std::string(" One thread, processor time; ")
-                    : " " + std::to_string(options.threads) +
-                          " threads share a query of packed layouts; time that passes; ") +
-           (options.repeats == 1 ? std::string("one run")
-                                 : "median of " + std::to_string(options.repeats) + " runs") +
-           " per frame, sorting the pairs included. " +
-           (any_packed(bench.subjects)
-                ? "Packed layouts by the instructions '" + simd_text(bench.packed.level) + "'. "
-                : "") +
-           "Compiled by " + compiler_text() +
-           ". Times differ from machine to machine and from run to run; counts do not.";
-}
-
 /// What the run has written and will print.
 struct Report {
     std::string table, csv = bench_csv_header;
     Json scenes = Json::array();
     BenchCosts costs;
+    std::optional<BenchCorrelation> correlation;  ///< where hierarchies are measured
+
+    std::string text() const {
+        return table + "\n" + costs.table() + (correlation ? "\n" + correlation->table() : "");
+    }
 
     std::string json(const BenchCommandOptions& options, const std::string& simd,
                      bool complete) const {
-        const Json document = {{"scenes", scenes},
-                               {"complete", complete},
-                               {"equation_1", costs.json()},
-                               {"options",
-                                {{"threshold", options.query.threshold},
-                                 {"descent", descent_rule_name(options.query.descent)},
-                                 {"growth", ball_growth_name(options.hierarchy.growth)},
-                                 {"margin", options.hierarchy.margin},
-                                 {"split", split_method_name(options.hierarchy.split)},
-                                 {"leaf", options.leaf_triangles},
-                                 {"simd", simd},
-                                 {"threads", options.threads},
-                                 {"coherent", options.coherent},
-                                 {"repeats", options.repeats},
-                                 {"order", options.warm ? "warm" : "cold"}}},
-                               {"compiler", compiler_text()},
-                               {"version", SCB_VERSION}};
+        Json document = {{"scenes", scenes},
+                         {"complete", complete},
+                         {"equation_1", costs.json()},
+                         {"options",
+                          {{"threshold", options.query.threshold},
+                           {"descent", descent_rule_name(options.query.descent)},
+                           {"growth", ball_growth_name(options.hierarchy.growth)},
+                           {"margin", options.hierarchy.margin},
+                           {"split", options.splits},
+                           {"leaf", options.leaf_triangles},
+                           {"simd", simd},
+                           {"threads", options.threads},
+                           {"coherent", options.coherent},
+                           {"repeats", options.repeats},
+                           {"order", options.warm ? "warm" : "cold"}}},
+                         {"compiler", compiler_text()},
+                         {"version", SCB_VERSION}};
+        if (correlation) document["correlation"] = correlation->json();
         return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
 };
+
+constexpr const char *correlation_csv_file = "measures.csv", *correlation_picture = "measures.png";
 
 std::string bench_picture_name(const scenes::Scene& scene) { return scene.name + "_bench.png"; }
 
@@ -224,6 +121,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
     bench_options.packed.level = simd_level(options);
     check_threads(options.threads);
     bench_options.build.threads = options.threads;
+    bench_options.measures = options.measures;
     // Other queries have one thread each.
     if (any_packed(bench_options.subjects)) bench_options.packed.threads = options.threads;
     bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
@@ -247,6 +145,9 @@ int run(const BenchCommandOptions& options, const Console& console) {
     const bool writes = !options.picture.output.empty();
     if (writes) {
         std::vector<std::string> files = {"bench.csv", "bench.json"};
+        if (options.measures)
+            for (const char* file : {correlation_csv_file, correlation_picture})
+                files.push_back(file);
         for (const Entry& entry : all) files.push_back(bench_picture_name(entry.scene));
         for (const std::string& file : files)
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
@@ -262,9 +163,26 @@ int run(const BenchCommandOptions& options, const Console& console) {
 
     const InterruptWatch watch;
     Report report;
+    if (options.measures) report.correlation.emplace();
+    const auto draw = [&](auto figure, const std::string& file, const std::string& scene) {
+        figure.footnote = conditions(options, bench_options);
+        figure.theme = options.picture.theme();
+        render::Overlay overlay;
+        const render::Picture picture =
+            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
+        render::write_file_whole(folder / file,
+                                 render::encode_png(renderer->draw(picture, &overlay).image,
+                                                    picture_texts(options.picture, scene)));
+    };
     const auto json = [&] {
         return report.json(options, simd_text(bench_options.packed.level),
                            report.scenes.size() == all.size());
+    };
+    const auto scene_names = [&] {
+        std::string names;
+        for (const std::string& name : report.correlation->names)
+            names += (names.empty() ? "" : ", ") + name;
+        return names;
     };
     // Whether it was finished.
     const auto measure = [&](std::size_t e) {
@@ -283,19 +201,16 @@ int run(const BenchCommandOptions& options, const Console& console) {
         bench->builtin = entry.builtin;
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
         report.costs.add(*bench);
+        if (report.correlation) report.correlation->add(*bench);
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) return true;
-        render::BenchFigure figure = bench_figure(*bench);
-        figure.footnote = conditions(options, bench_options);
-        figure.theme = options.picture.theme();
-        render::Overlay overlay;
-        const render::Picture picture =
-            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
-        const std::vector<std::uint8_t> png =
-            render::encode_png(renderer->draw(picture, &overlay).image,
-                               picture_texts(options.picture, entry.scene.name));
-        render::write_file_whole(folder / bench_picture_name(entry.scene), png);
+        draw(bench_figure(*bench), bench_picture_name(entry.scene), entry.scene.name);
+        if (report.correlation) {
+            draw(report.correlation->figure(), correlation_picture, scene_names());
+            render::write_file_whole(folder / correlation_csv_file,
+                                     correlation_csv_header() + report.correlation->csv);
+        }
         render::write_file_whole(folder / "bench.csv", report.csv);
         render::write_file_whole(folder / "bench.json", json());
         return true;
@@ -312,8 +227,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
     if (options.json)
         print_result(json());
     else if (!report.table.empty())
-        print_result(report.table + "\n" + report.costs.table() + "\n" +
-                     conditions(options, bench_options) + "\n");
+        print_result(report.text() + "\n" + conditions(options, bench_options) + "\n");
     if (failure) std::rethrow_exception(failure);
     if (options.picture.open && !report.scenes.empty())
         open_file(all.size() == 1 ? folder / bench_picture_name(all[0].scene) : folder, console);
@@ -329,58 +243,7 @@ void add_bench(const Command& program, const Console& console, Action& action) {
     const Command command =
         program.add_subcommand("bench", "Time queries: Table 3 and Figure 11 of the paper");
     const auto options = std::make_shared<BenchCommandOptions>();
-    add_scene_options(command, options->scene, false);
-    command.get_option("SCENE")
-        .required(false)
-        .expected(0, 1000)
-        .type_name("[SCENE...]")
-        .description(
-            "Built-in scenes or scene files, or two mesh files; `cad`: the eight scenes of CAD "
-            "models; `table-3`, and by default: the seven scenes of Table 3");
-    add_hierarchy_options(command, options->hierarchy);
-    add_query_options(command, options->query, true);
-    command
-        .add_option("--layout", options->layouts,
-                    "Layouts of slab cut balls: some of reference, " + layout_names() +
-                        "; packed ones have the test 'symmetric'")
-        .type_name("LIST")
-        .show_default();
-    add_leaf_option(command, options->leaf_triangles);
-    command
-        .add_option(
-            "--simd", options->simd,
-            "Vector instructions of packed layouts: best, base (none on x86-64: slow), sse4, "
-            "avx2 or avx512; answers are the same")
-        .type_name("LEVEL")
-        .show_default();
-    add_threads_option(command, options->threads,
-                       "Threads that share a query of packed layouts, and each build");
-    command.add_option("--repeat", options->repeats, "Time each query N times and take the median")
-        .check(decimal_number)
-        .type_name("N")
-        .show_default();
-    command.add_flag("--warm", options->warm,
-                     "Run one hierarchy through all frames, then the next. Default: they take "
-                     "turns at each frame");
-    add_figure_options(command, options->picture,
-                       "Folder for bench.csv, bench.json and a picture per scene");
-    command.add_flag("--coherent", options->coherent,
-                     "Also time each packed layout with a front: if bodies move slowly, a query "
-                     "begins where an earlier one ended. Add --warm for a fair comparison");
-    command.add_flag("--json", options->json, "Print JSON instead of a table");
-    command.footer(
-        "ms: mean processor time of a query (with --threads above 1: the time that passes); / SCB: "
-        "time over that of the first\n"
-        "hierarchy of slab cut balls; ns/N_v: time per volume test, triangle tests included; "
-        "bytes: of the hierarchies, per\n"
-        "triangle; front: with --coherent, the share of queries that began where an earlier one "
-        "ended. To compare times\n"
-        "with and without a front add --warm: else the same query has just been made without one, "
-        "and its data is in the\n"
-        "caches.\n"
-        "Ctrl-C keeps what was finished and exits with 130.\n\n"
-        "Examples:\n  scb bench spheres-l1 knots-l1 -o out/\n"
-        "  scb bench cad --volume scb,scb2,obb --frames 0:499:10");
+    add_bench_options(command, *options);
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });

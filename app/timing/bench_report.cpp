@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/timing/table_3.h"
+#include "core/analysis/measure_correlation.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 
@@ -178,7 +179,8 @@ Json bench_json(const SceneBench& bench) {
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
         Json row = {{"hierarchy", subject.subject.title()},
-                    {"volume", volume_kind_name(subject.subject.kind)}};
+                    {"volume", volume_kind_name(subject.subject.kind)},
+                    {"split", split_method_name(subject.subject.split)}};
         if (subject.subject.layout)
             row["layout"] = packed_layout_name(*subject.subject.layout);
         else if (subject.subject.kind == VolumeKind::scb)
@@ -192,6 +194,8 @@ Json bench_json(const SceneBench& bench) {
         row["pairs_hash"] = hash_text(subject.pairs_hash);
         row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
+        for (std::size_t p = 0; p < subject.predictors.size(); ++p)
+            row["measures"][std::string(cost_predictors()[p].name)] = subject.predictors[p];
         if (scb != nullptr) row["time_over_scb"] = ratio(ms, scb->mean_ms());
         if (const std::optional<Table3Entry> entry = paper_entry(bench, subject.subject.kind))
             row["table_3"] = {
@@ -219,11 +223,13 @@ std::string bench_csv(const SceneBench& bench) {
              : is_scb ? std::string(overlap_test_name(s.subject.test))
                       : std::string());
         for (std::size_t i = 0; i < bench.frames.size(); ++i)
-            text += start + format(",%d,%.6f,%llu,%llu,%llu,%llu\n", bench.frames[i], s.ms[i],
-                                   static_cast<unsigned long long>(s.n_v[i]),
-                                   static_cast<unsigned long long>(s.n_p[i]),
-                                   static_cast<unsigned long long>(s.n_u[i]),
-                                   static_cast<unsigned long long>(s.pairs[i]));
+            text += start +
+                    format(",%d,%.6f,%llu,%llu,%llu,%llu", bench.frames[i], s.ms[i],
+                           static_cast<unsigned long long>(s.n_v[i]),
+                           static_cast<unsigned long long>(s.n_p[i]),
+                           static_cast<unsigned long long>(s.n_u[i]),
+                           static_cast<unsigned long long>(s.pairs[i])) +
+                    "," + std::string(split_method_name(s.subject.split)) + "\n";
     }
     return text;
 }

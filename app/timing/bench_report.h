@@ -28,9 +28,10 @@ struct BenchCosts {
 /// The same as JSON, without the frames.
 nlohmann::ordered_json bench_json(const SceneBench& bench);
 
-/// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs"; without the header.
+/// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split"; without the header.
 std::string bench_csv(const SceneBench& bench);
-inline constexpr const char* bench_csv_header = "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs\n";
+inline constexpr const char* bench_csv_header =
+    "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split\n";
 
 /// Figure 11 for the scene.
 render::BenchFigure bench_figure(const SceneBench& bench);

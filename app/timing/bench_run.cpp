@@ -1,6 +1,10 @@
 #include "app/timing/bench_run.h"
 
-#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "core/analysis/measure_correlation.h"
 
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
@@ -8,30 +12,78 @@
 namespace scb::app {
 
 std::string BenchSubject::title() const {
+    std::string text(render::volume_title(kind));
     if (layout)
-        return std::string(render::volume_title(kind)) + " " + packed_layout_name(*layout) +
-               (coherent ? " front" : "");
-    if (kind != VolumeKind::scb) return std::string(render::volume_title(kind));
-    return std::string(render::volume_title(kind)) + " " + std::string(overlap_test_name(test));
+        text += " " + packed_layout_name(*layout) + (coherent ? " front" : "");
+    else if (kind == VolumeKind::scb)
+        text += " " + std::string(overlap_test_name(test));
+    return text + (names_split ? ", " + std::string(split_method_name(split)) : "");
 }
+
+namespace {
+
+/// The hierarchies of all meshes of a scene, of one volume and split.
+struct BuiltHierarchies {
+    VolumeKind kind;
+    SplitMethod split;
+    std::shared_ptr<const std::vector<MeshTopology>> topologies;
+    std::vector<AnyHierarchy> hierarchies;
+};
+
+/// The place of the subject's in `built`, where they are added if they are not there.
+std::size_t built_for(const BenchSubject& subject, const scenes::Scene& scene, BuildOptions build,
+                      std::vector<BuiltHierarchies>& built) {
+    std::shared_ptr<const std::vector<MeshTopology>> topologies;
+    for (std::size_t i = 0; i < built.size(); ++i) {
+        if (built[i].split != subject.split) continue;
+        if (built[i].kind == subject.kind) return i;
+        topologies = built[i].topologies;
+    }
+    build.split = subject.split;
+    if (!topologies)
+        topologies = std::make_shared<const std::vector<MeshTopology>>(
+            scenes::build_topologies(scene, build.topology()));
+    built.push_back({subject.kind, subject.split, topologies,
+                     scenes::fit_meshes(*topologies, subject.kind, build)});
+    return built.size() - 1;
+}
+
+/// Per hierarchies and CostPredictor the mean of the two meshes.
+std::vector<std::vector<double>> predictors_of(const std::vector<BuiltHierarchies>& built,
+                                               const scenes::Scene& scene,
+                                               const std::set<std::size_t>& meshes, int threads) {
+    std::vector<std::vector<double>> result(built.size(),
+                                            std::vector<double>(cost_predictors().size()));
+    std::map<std::pair<SplitMethod, std::size_t>, MeasuredMesh> measured;
+    for (std::size_t i = 0; i < built.size(); ++i)
+        for (const std::size_t m : meshes) {
+            const Mesh& mesh = scene.meshes[m].mesh;
+            const MeshTopology& shared = (*built[i].topologies)[m];
+            const auto known = measured.find({built[i].split, m});
+            const MeasuredMesh& of_mesh = known != measured.end()
+                                              ? known->second
+                                              : measured[{built[i].split, m}] = measured_mesh(
+                                                    mesh, *shared.topology, shared.points, threads);
+            const HierarchyMeasures measures =
+                hierarchy_measures(built[i].hierarchies[m], of_mesh, threads);
+            for (std::size_t p = 0; p < result[i].size(); ++p)
+                result[i][p] +=
+                    cost_predictors()[p].of(measures) / static_cast<double>(meshes.size());
+        }
+    return result;
+}
+
+}  // namespace
 
 double SubjectBench::mean_ms() const { return mean(ms); }
 
 std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    const std::vector<MeshTopology> topologies =
-        scenes::build_topologies(scene, options.build.topology());
-    std::vector<VolumeKind> kinds;
-    std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
-    std::vector<std::size_t> kind_of;                    // per subject: index of `kinds`
-    for (const BenchSubject& subject : options.subjects) {
-        const auto known = std::find(kinds.begin(), kinds.end(), subject.kind);
-        kind_of.push_back(static_cast<std::size_t>(known - kinds.begin()));
-        if (known != kinds.end()) continue;
-        kinds.push_back(subject.kind);
-        hierarchies.push_back(scenes::fit_meshes(topologies, subject.kind, options.build));
-    }
+    std::vector<BuiltHierarchies> built;
+    std::vector<std::size_t> built_of;  // per subject: index of `built`
+    for (const BenchSubject& subject : options.subjects)
+        built_of.push_back(built_for(subject, scene, options.build, built));
 
     const std::size_t mesh_a = scene.bodies[a].mesh, mesh_b = scene.bodies[b].mesh;
     std::vector<Pose> poses;
@@ -61,7 +113,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
         CollideOptions collide_options = options.collide;
         collide_options.overlap.test = options.subjects[s].test;
         collide_options.max_pairs = options.max_pairs + 1;
-        const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
+        const std::vector<AnyHierarchy>& h = built[built_of[s]].hierarchies;
         return collide(h[mesh_a], scene.meshes[mesh_a].mesh, h[mesh_b], scene.meshes[mesh_b].mesh,
                        poses[i], collide_options);
     };
@@ -84,7 +136,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         const BenchSubject& subject = options.subjects[s];
         result.subjects.push_back({.subject = subject});
-        const std::vector<AnyHierarchy>& h = hierarchies[kind_of[s]];
+        const std::vector<AnyHierarchy>& h = built[built_of[s]].hierarchies;
         std::size_t bytes = 0;
         for (const std::size_t m : {mesh_a, mesh_b}) {
             if (!subject.layout) {
@@ -128,6 +180,13 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
         result.subjects[s].ms = (*ms)[s];
         result.subjects[s].from_front = static_cast<double>(fronts[s].used() - fronts[s].made()) /
                                         static_cast<double>(frames.size());
+    }
+    if (options.measures) {
+        const auto predictors =
+            predictors_of(built, scene, {mesh_a, mesh_b}, options.build.threads);
+        for (std::size_t s = 0; s < options.subjects.size(); ++s)
+            if (!options.subjects[s].layout)
+                result.subjects[s].predictors = predictors[built_of[s]];
     }
     return result;
 }

@@ -18,8 +18,10 @@ struct BenchSubject {
     OverlapTest test = OverlapTest::corrected;
     std::optional<PackedLayout> layout{};
     bool coherent = false;  ///< with a PackedFront from frame to frame; of packed ones
+    SplitMethod split = SplitMethod::section_3;
+    bool names_split = false;  ///< where others have another
 
-    /// "SCB corrected", "SCB float8", "SCB float8 front", "ball", "ball (Ritter)", "OBB".
+    /// "SCB corrected", "SCB float8", "SCB float8 front", "ball", "ball (Ritter)", "OBB, cost".
     std::string title() const;
 };
 
@@ -33,6 +35,8 @@ struct SubjectBench {
     /// Where it is coherent, the share of queries that began at a front of an earlier one: others
     /// began at the roots, and some of these made a front.
     double from_front = 0;
+    /// Per CostPredictor the mean of A and B; of reference hierarchies, and only where asked for.
+    std::vector<double> predictors{};
 
     double mean_ms() const;
 };
@@ -50,7 +54,8 @@ struct SceneBench {
 struct BenchOptions {
     std::vector<BenchSubject> subjects;
     CollideOptions collide;
-    BuildOptions build;
+    BuildOptions build;     ///< but for the split, which is the subject's
+    bool measures = false;  ///< whether hierarchies are also measured, see HierarchyMeasures
     PackedOptions packed;
     std::size_t max_pairs = 100'000'000;  ///< of a query
     int repeats = 1;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
@@ -79,6 +80,43 @@ TEST(BuildText, IsInEveryCommandThatBuilds) {
     }
 }
 
+TEST(StatsCommand, MeasuresWhereAskedTo) {
+    EXPECT_FALSE(hierarchies("")[0].contains("measures"));
+    for (const json& hierarchy : hierarchies("--volume scb,aabb --measures")) {
+        const json& measures = hierarchy["measures"];
+        for (const char* name :
+             {"area", "volume", "sah_cost", "epo", "sibling_overlap", "overlap_volume", "tightness",
+              "hull_volume", "leaf_count", "lcv"}) {
+            EXPECT_GT(measures[name], 0) << name << hierarchy["volume"];
+            EXPECT_TRUE(measures.contains(name));
+        }
+        EXPECT_LT(measures["epo_error"].get<double>(), 0.02 * measures["epo"].get<double>());
+        EXPECT_EQ(hierarchy["levels"][0]["sah_cost"], 1.2);
+        EXPECT_EQ(hierarchy["levels"][0]["epo"], 0);
+    }
+    const std::string text = run_scb("stats spheres-l1 --measures").out;
+    for (const char* part : {"SAH cost        EPO    tight  overlap", "  all ", "\nEPO "})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+TEST(StatsCommand, HasALineOfCsvPerLevelAndOneOfAll) {
+    for (const std::string measures : {"", " --measures"}) {
+        const ProgramRun run = run_scb("stats knots-l1 --volume scb,obb --csv" + measures);
+        ASSERT_EQ(run.status, 0) << run.err;
+        const std::vector<std::string> rows = lines(run.out);
+        // A body of 15 levels and one of 17, twice.
+        EXPECT_EQ(rows.size(), 1u + 2 * 16 + 2 * 18);
+        const auto columns = [](const std::string& row) {
+            return std::count(row.begin(), row.end(), ',');
+        };
+        for (const std::string& row : rows) EXPECT_EQ(columns(row), columns(rows[0])) << row;
+        EXPECT_EQ(columns(rows[0]), measures.empty() ? 13 : 26);
+        EXPECT_EQ(rows[1].substr(0, 24), "knot,A,scb,paper,0,1,0,1");
+        EXPECT_NE(rows[16].find(",scb,paper,all,7055,3528,,"), std::string::npos) << rows[16];
+    }
+    EXPECT_EQ(run_scb("stats soup --csv --json").status, 2);
+}
+
 // The times differ, the hierarchy does not.
 TEST(StatsCommand, IsTheSameForAnyNumberOfThreads) {
     const auto without_times = [](json all) {
@@ -88,7 +126,8 @@ TEST(StatsCommand, IsTheSameForAnyNumberOfThreads) {
         }
         return all;
     };
-    EXPECT_EQ(without_times(hierarchies("--threads 2")), without_times(hierarchies("")));
+    EXPECT_EQ(without_times(hierarchies("--measures --threads 4")),
+              without_times(hierarchies("--measures")));
 }
 
 }  // namespace

@@ -99,6 +99,38 @@ TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
     EXPECT_EQ(run_scb("bench soup --frames 0 --volume scb --coherent").status, 2);
 }
 
+TEST(BenchCommand, CorrelatesMeasuresWithWhatQueriesTook) {
+    const TemporaryFolder folder;
+    const ProgramRun run = run_scb(
+        "bench knots-l1 soup --frames 0,100 --repeat 1 --volume scb,ball,obb --test "
+        "symmetric,extents --layout reference,float8 --split paper,cost --measures --json -o " +
+        (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json document = json::parse(run.out);
+    // Both splits of two tests and a packed layout of slab cut balls, balls and boxes.
+    const json& rows = document["scenes"][0]["hierarchies"];
+    ASSERT_EQ(rows.size(), 10u);
+    EXPECT_EQ(rows[0]["hierarchy"], "SCB symmetric, paper");
+    EXPECT_EQ(rows[5]["hierarchy"], "SCB symmetric, cost");
+    EXPECT_LT(rows[5]["n_v"], rows[0]["n_v"]);
+    EXPECT_EQ(rows[0]["measures"], rows[1]["measures"]) << "one hierarchy, two tests";
+    EXPECT_FALSE(rows[2].contains("measures")) << "packed";
+    EXPECT_LT(rows[5]["measures"]["area"], rows[0]["measures"]["area"]);
+    const json& correlation = document["correlation"];
+    EXPECT_EQ(correlation.size(), 9u);
+    for (const json& row : correlation)
+        for (const char* cost : {"n_v", "n_p", "ms"}) {
+            EXPECT_EQ(row[cost]["queries"], 2 * 6) << row;
+            EXPECT_EQ(row[cost]["scenes"].size(), 2u);
+            EXPECT_TRUE(row[cost]["mean"].is_null() ||
+                        std::abs(row[cost]["mean"].get<double>()) <= 1);
+        }
+    EXPECT_EQ(lines_of(file_text(folder / "out/measures.csv")), 1u + 2 * 6);
+    EXPECT_EQ(render::read_png(folder / "out/measures.png").width, 1280);
+    EXPECT_EQ(run_scb("bench soup --volume scb --layout float8 --measures").status, 2);
+    EXPECT_EQ(run_scb("bench soup --split paper,best").status, 2);
+}
+
 TEST(BenchCommand, NotesWhatHasNoEffect) {
     const auto notes = [](const std::string& arguments) {
         const ProgramRun run = run_scb("bench soup --frames 0 --repeat 1 " + arguments);

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/volumes/measured_shape.h"
+
+namespace scb {
+
+/// Points of the unit cube, evenly spread: Halton's sequence in the bases 2, 3 and 5 ("On the
+/// Efficiency of Certain Quasi-Random Sequences of Points", 1960).
+inline std::vector<Vec3> halton_points(std::size_t count) {
+    const auto reversed = [](std::size_t i, std::size_t base) {
+        double result = 0, digit = 1;
+        for (; i > 0; i /= base) {
+            digit /= static_cast<double>(base);
+            result += digit * static_cast<double>(i % base);
+        }
+        return result;
+    };
+    std::vector<Vec3> points(count);
+    for (std::size_t i = 0; i < count; ++i)
+        points[i] = {reversed(i + 1, 2), reversed(i + 1, 3), reversed(i + 1, 5)};
+    return points;
+}
+
+/// Of points that are inside of one volume, how many are inside of another, too.
+struct SharedPoints {
+    std::uint32_t inside = 0, shared = 0;
+
+    double share() const { return inside == 0 ? 0 : static_cast<double>(shared) / inside; }
+    /// As if the points were independent; evenly spread ones do better. Nothing is certain of a
+    /// share of 0 or 1: there it is that of half a point.
+    double variance() const {
+        if (inside == 0) return 0;
+        const double n = inside, p = std::clamp(share(), 0.5 / n, 1 - 0.5 / n);
+        return p * (1 - p) / n;
+    }
+};
+
+/// The points are of the unit cube, and are shifted at random by `seed` (Cranley and Patterson,
+/// "Randomization of Number Theoretic Methods for Multiple Integration", 1976).
+template <Volume V>
+SharedPoints shared_points(const V& smaller, const V& larger, std::span<const Vec3> points,
+                           std::uint64_t seed) {
+    SharedPoints result;
+    Random random(seed);
+    const Vec3 shift(random.uniform(), random.uniform(), random.uniform());
+    const Obb box = box_about(smaller);
+    for (const Vec3& point : points) {
+        Vec3 p = box.center;
+        for (int i = 0; i < 3; ++i) {
+            const double u = point[i] + shift[i];
+            p += box.axes.col(i) * (box.half[i] * (2 * (u < 1 ? u : u - 1) - 1));
+        }
+        if (!contains(smaller, p)) continue;
+        ++result.inside;
+        if (contains(larger, p)) ++result.shared;
+    }
+    return result;
+}
+
+}  // namespace scb
