@@ -32,11 +32,7 @@ int cell_height(const LevelSheetLayout& layout) {
 Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes) {
     std::vector<Support> meshes;
     for (const LevelBody& body : bodies) meshes.push_back(support_of(*body.mesh, body.pose));
-    return [inner = support_of_all(std::move(meshes)),
-            outer = std::move(volumes)](const Vec3& direction) {
-        const double body = inner(direction);
-        return body + held_part * std::max(0.0, outer(direction) - body);
-    };
+    return support_between(support_of_all(std::move(meshes)), std::move(volumes), held_part);
 }
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
