@@ -43,6 +43,11 @@ std::string names_of(const std::vector<Outcome>& endings) {
     return names;
 }
 
+/// Roots that are leaves are a single test too.
+bool rejects_roots(const TraceFrame& frame) {
+    return frame.found.n_v == 1 && frame.found.n_p == 0 && frame.found.pairs.empty();
+}
+
 /// "7" or "0:9".
 std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
     const std::string option = "--depth " + text;
@@ -158,7 +163,7 @@ struct Shot {
             figure.remark = "no such node";
         } else if (!frame.found.complete) {
             figure.remark = stopped_remark(frame);
-        } else if (frame.found.n_v == 1) {
+        } else if (rejects_roots(frame)) {
             figure.remark = "no overlap: the roots were rejected";
         }
         nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
@@ -183,7 +188,7 @@ struct Shot {
                 views[i].remark = "no such node";
             else if (!frames[i]->found.complete)
                 views[i].remark = stopped_remark(*frames[i]);
-            else if (frames[i]->found.n_v == 1)
+            else if (rejects_roots(*frames[i]))
                 views[i].remark = "no overlap: the roots were rejected";
         draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
                         options, pictures);
