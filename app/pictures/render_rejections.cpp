@@ -170,7 +170,7 @@ struct Shot {
         entry["volumes"] = {ended[0].size(), ended[1].size()};
         if (step) entry["tests"] = *step;
         const std::string name = view.picture_name("rejections", frame.frame, step);
-        pictures.explain(figure.title, figure.panel);
+        pictures.explain(figure);
         const render::Picture picture =
             render::compose(std::move(figure), options.picture.width(), options.picture.height(),
                             options.picture.samples, pictures.overlay());
