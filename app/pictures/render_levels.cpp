@@ -170,9 +170,11 @@ int run(const LevelOptions& options, const Console& console) {
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;
         const render::Support held = render::level_sheet_support(bodies[0], support);
-        const render::LevelSheetLayout layout =
-            render::level_sheet_layout(kinds.size(), levels.size(), figure.detail.has_value(),
-                                       render::aspect_of(held, figure.camera.axes));
+        // Of one level the volumes stand side by side.
+        const bool one_row = levels.size() == 1;
+        const render::LevelSheetLayout layout = render::level_sheet_layout(
+            one_row ? 1 : kinds.size(), one_row ? kinds.size() : levels.size(),
+            figure.detail.has_value(), render::aspect_of(held, figure.camera.axes));
         sheet.layout = layout;
         sheet.title = scene.name + " · levels";
         sheet.subtitle = figure.subtitle;
@@ -187,7 +189,8 @@ int run(const LevelOptions& options, const Console& console) {
                 sheet.note +=
                     (k == 0 ? "" : "; ") + std::string(render::volume_title(kinds[k])) + ": ";
             sheet.note += render::lengths_words(*bodies[k].front().hierarchy);
-            std::vector<render::LevelSheetCell>& row = sheet.rows.emplace_back();
+            if (k == 0 || !one_row) sheet.rows.emplace_back();
+            std::vector<render::LevelSheetCell>& row = sheet.rows.back();
             for (const int level : levels)
                 row.push_back(
                     {std::string(render::volume_title(kinds[k])) + " · " + level_title(level),

@@ -32,7 +32,8 @@ struct LevelSheet {
     std::string title;
     std::string subtitle;
     std::string note;  ///< what the numbers are; beside the scale, or below the keys
-    std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
+    std::vector<std::vector<LevelSheetCell>>
+        rows;  ///< one for each volume, or one of all; of the same length
     LevelStyle style;
     Camera camera;  ///< for the views of the layout
     Vec3 center = Vec3::Zero();
