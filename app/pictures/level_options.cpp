@@ -33,10 +33,11 @@ void add_level_options(const Command& command, LevelOptions& options) {
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);
-    add_choice(
-        command, "--color-by", options.color_by,
-        optional_choices(choices_of(render::color_by_names), "auto"),
-        "body, depth, radius or thickness; auto: body for two or more bodies, thickness for one")
+    add_choice(command, "--color-by", options.color_by,
+               optional_choices(choices_of(render::color_by_names), "auto"),
+               "body, depth, radius, thickness, subtree, or the share of the surface that a volume "
+               "holds; auto: "
+               "body for two or more bodies, thickness for one")
         .type_name("WHAT");
     command.add_option("--opacity", options.opacity,
                        "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "

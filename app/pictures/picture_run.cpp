@@ -36,6 +36,17 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
                        options.theme()->background);
 }
 
+void PictureRun::explain(const render::SceneFigure& figure) {
+    if (!sheet_) return;
+    explain(figure.title, figure.panel);
+    const render::FrameSheetLayout& layout = sheet_->sheet.layout;
+    const render::Picture view =
+        render::compose_view(figure, layout.view_width, layout.view_height,
+                             render::small_size(layout.unit), options_.samples, overlay_);
+    sheet_view_ =
+        renderer_.draw(options_.shift_color ? shifted_colors(view) : view, &overlay_).image;
+}
+
 void PictureRun::draw(const std::string& name, const render::Picture& picture, Json entry,
                       bool of_sequence) {
     const bool with_ids = (options_.ids || options_.pick) && of_sequence;
@@ -43,7 +54,9 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
         options_.shift_color ? shifted_colors(picture) : picture, &overlay_, with_ids);
     Json files = {{"file", name + ".png"}};
     if (video_ && of_sequence) video_->push(rendering.image);
-    if (sheet_ && of_sequence) sheet_->add(rendering.image, entry);
+    if (sheet_ && of_sequence)
+        sheet_->add(sheet_view_ ? std::move(*sheet_view_) : sheet_->shrunk(rendering.image), entry);
+    if (of_sequence) sheet_view_.reset();
     queue_.push(place_picture(name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;

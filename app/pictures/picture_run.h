@@ -10,6 +10,7 @@
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
 #include "render/draw/renderer.h"
+#include "render/figures/scene_figure.h"
 #include "render/files/encode_queue.h"
 #include "render/files/video_file.h"
 #include "render/overlay/overlay.h"
@@ -39,6 +40,10 @@ class PictureRun {
     void explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
         if (sheet_) sheet_->explain(title, panel);
     }
+
+    /// The same of a view of the scene, which the sheet draws anew in its own size: text of a
+    /// picture that is shrunk cannot be read.
+    void explain(const render::SceneFigure& figure);
 
     /// Draws the picture with overlay(), and hands it on to be written as NAME.png; and, where it
     /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, as a frame of the
@@ -85,7 +90,8 @@ class PictureRun {
     std::vector<std::string> written_;
     std::string said_;
     std::optional<std::string> instead_;
-    render::IdImage last_ids_;  ///< kept where a pixel is to be picked
+    std::optional<render::Image> sheet_view_;  ///< of the picture that comes next
+    render::IdImage last_ids_;                 ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
 };
 

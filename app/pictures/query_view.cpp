@@ -53,16 +53,28 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     std::array<std::vector<std::uint32_t>, 2> nodes;
     for (std::size_t side = 0; side < 2; ++side)
         nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
-    support_ = support_over_frames(nodes);
-    center_ = render::center_of(support_);
-    whole_ = camera_for(camera_view_, support_, aspect());
+    support_ = support_over_frames(
+        [nodes](const render::QueryBody& body, std::size_t side, const Vec3& direction) {
+            double most = -std::numeric_limits<double>::infinity();
+            for (const std::uint32_t node : nodes[side])
+                most = std::max(most, render::reach(render::volume_of(body, node), direction));
+            return most;
+        });
+    render::Support held = support_;
+    if (options.held_part < 1)
+        held = render::support_between(
+            support_over_frames([](const render::QueryBody& body, std::size_t,
+                                   const Vec3& direction) { return mesh_reach(body, direction); }),
+            support_, options.held_part);
+    center_ = render::center_of(held);
+    whole_ = camera_for(camera_view_, held, aspect());
+    render::set_depth_range(whole_, support_);
 }
 
-render::Support QueryView::support_over_frames(
-    const std::array<std::vector<std::uint32_t>, 2>& nodes) const {
+render::Support QueryView::support_over_frames(Reach reach) const {
     // The pictures of a run have one direction of view, so these are some twenty directions.
     const auto known = std::make_shared<std::vector<std::pair<Vec3, double>>>();
-    return [this, nodes, known](const Vec3& direction) {
+    return [this, reach = std::move(reach), known](const Vec3& direction) {
         for (const auto& [of, most] : *known)
             if (of == direction) return most;
         double most = -std::numeric_limits<double>::infinity();
@@ -70,9 +82,7 @@ render::Support QueryView::support_over_frames(
             for (const int frame : sources_[i].frames()) {
                 const render::QueryBodies at_frame = bodies(frame, i);
                 for (std::size_t side = 0; side < 2; ++side)
-                    for (const std::uint32_t node : nodes[side])
-                        most = std::max(most, render::reach(render::volume_of(at_frame[side], node),
-                                                            direction));
+                    most = std::max(most, reach(at_frame[side], side, direction));
             }
         known->emplace_back(direction, most);
         return most;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,9 +69,10 @@ class QueryView {
 
   private:
     double aspect() const;
-    /// How far these nodes' volumes reach, over all queries and frames.
-    render::Support support_over_frames(
-        const std::array<std::vector<std::uint32_t>, 2>& nodes) const;
+    /// The support over all queries and frames of what reaches so far of a body, A (0) or B (1).
+    using Reach =
+        std::function<double(const render::QueryBody&, std::size_t side, const Vec3& direction)>;
+    render::Support support_over_frames(Reach reach) const;
 
     const QueryViewOptions& options_;
     const QuerySources& sources_;

@@ -31,6 +31,8 @@ struct QueryViewOptions {
     std::vector<std::string> recording;
     std::string compare;  ///< see CompareOptions::names
     Shown shown = Shown::meshes;
+    /// How far the camera holds what sticks out of the bodies, see support_between.
+    double held_part = 1;
     NamedOptions named;  ///< what of the command's own options changes its pictures
 
     /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.

@@ -89,8 +89,8 @@ std::vector<render::LevelBody> bodies_of(const scenes::Scene& scene, int frame,
     for (const scenes::Body& body : scene.bodies) {
         render::LevelBody b;
         b.name = body.name;
-        b.triangles = scene.meshes[body.mesh].mesh.triangles.size();
-        if (!meshes.empty()) b.mesh = meshes[body.mesh];
+        b.mesh = &scene.meshes[body.mesh].mesh;
+        if (!meshes.empty()) b.handle = meshes[body.mesh];
         b.pose = scenes::pose_at(body.motion, frame);
         b.hierarchy = &hierarchies[body.mesh];
         b.first_id = next_id;
@@ -169,21 +169,28 @@ int run(const LevelOptions& options, const Console& console) {
 
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;
-        const render::LevelSheetLayout layout =
-            render::level_sheet_layout(kinds.size(), levels.size(), figure.detail.has_value());
+        const render::Support held = render::level_sheet_support(bodies[0], support);
+        // Of one level the volumes stand side by side.
+        const bool one_row = levels.size() == 1;
+        const render::LevelSheetLayout layout = render::level_sheet_layout(
+            one_row ? 1 : kinds.size(), one_row ? kinds.size() : levels.size(),
+            figure.detail.has_value(), render::aspect_of(held, figure.camera.axes));
+        sheet.layout = layout;
         sheet.title = scene.name + " · levels";
         sheet.subtitle = figure.subtitle;
         sheet.style = style;
         sheet.center = figure.center;
         sheet.detail = figure.detail;
         sheet.camera =
-            camera_for(wish, support, static_cast<double>(layout.view_width) / layout.view_height);
+            camera_for(wish, held, static_cast<double>(layout.view_width) / layout.view_height);
+        render::set_depth_range(sheet.camera, support);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             if (kinds.size() > 1)
                 sheet.note +=
                     (k == 0 ? "" : "; ") + std::string(render::volume_title(kinds[k])) + ": ";
             sheet.note += render::lengths_words(*bodies[k].front().hierarchy);
-            std::vector<render::LevelSheetCell>& row = sheet.rows.emplace_back();
+            if (k == 0 || !one_row) sheet.rows.emplace_back();
+            std::vector<render::LevelSheetCell>& row = sheet.rows.back();
             for (const int level : levels)
                 row.push_back(
                     {std::string(render::volume_title(kinds[k])) + " · " + level_title(level),

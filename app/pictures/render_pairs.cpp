@@ -76,8 +76,9 @@ int run(PairsOptions& options, const Console& console) {
     if (options.heat_end && (!options.heat || *options.heat_end < 2))
         throw InputError("--heat-end " + std::to_string(*options.heat_end) +
                          ": give at least 2, and --heat.");
-    // Those that have no effect make no other picture.
-    options.named.add_if(options.leaves && !options.heat, "leaves");
+    if (options.leaves && options.heat)
+        throw InputError("--leaves: a heat picture has no leaves; leave out --leaves, or --heat.");
+    options.named.add_if(options.leaves, "leaves");
     if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
     QuerySources sources = options.open(console);
     std::optional<render::ComparisonLayout> layout;
@@ -115,7 +116,7 @@ int run(PairsOptions& options, const Console& console) {
             figure.theme = style.theme;
             nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
             if (!options.heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
-            pictures.explain(figure.title, figure.panel);
+            pictures.explain(figure);
             const render::Picture picture = render::compose(
                 std::move(figure), options.picture.width(), options.picture.height(),
                 options.picture.samples, pictures.overlay());

@@ -33,12 +33,19 @@ struct RejectionsOptions : QueryViewOptions {
 /// Of the ended paths, unless told otherwise: without the volumes at which the others ended, most
 /// of a CAD model can be seen.
 constexpr double default_focus = 0.5;
+/// See QueryViewOptions::held_part.
+constexpr double held_in_focus = 0.15;
 
 std::string names_of(const std::vector<Outcome>& endings) {
     std::string names;
     for (const Outcome ending : endings)
         names += (names.empty() ? "" : ", ") + std::string(outcome_name(ending));
     return names;
+}
+
+/// Roots that are leaves are a single test too.
+bool rejects_roots(const TraceFrame& frame) {
+    return frame.found.n_v == 1 && frame.found.n_p == 0 && frame.found.pairs.empty();
 }
 
 /// "7" or "0:9".
@@ -94,8 +101,8 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
     style.nested = options.nested;
     if (options.focus && !(*options.focus > 0 && *options.focus <= 1))
         throw InputError("--focus: give a share of the ended paths, above 0 up to 1 (all).");
-    // Of two queries other volumes would be left out, and animations show every test.
-    const bool whole = sources.size() == 2 || options.steps || options.nested;
+    // Animations show every test.
+    const bool whole = options.steps || options.nested;
     style.focus = options.focus.value_or(whole ? 1 : default_focus);
     style.theme = options.picture.theme();
     return style;
@@ -156,14 +163,14 @@ struct Shot {
             figure.remark = "no such node";
         } else if (!frame.found.complete) {
             figure.remark = stopped_remark(frame);
-        } else if (frame.found.n_v == 1) {
+        } else if (rejects_roots(frame)) {
             figure.remark = "no overlap: the roots were rejected";
         }
         nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
         entry["volumes"] = {ended[0].size(), ended[1].size()};
         if (step) entry["tests"] = *step;
         const std::string name = view.picture_name("rejections", frame.frame, step);
-        pictures.explain(figure.title, figure.panel);
+        pictures.explain(figure);
         const render::Picture picture =
             render::compose(std::move(figure), options.picture.width(), options.picture.height(),
                             options.picture.samples, pictures.overlay());
@@ -177,11 +184,11 @@ struct Shot {
         std::array<render::ComparedView, 2> views =
             render::compared_rejections(queries, only_here, style);
         for (std::size_t i = 0; i < 2; ++i)
-            if (views[i].pane.volumes.empty())
+            if (render::shows_no_node(views[i].pane))
                 views[i].remark = "no such node";
             else if (!frames[i]->found.complete)
                 views[i].remark = stopped_remark(*frames[i]);
-            else if (frames[i]->found.n_v == 1)
+            else if (rejects_roots(*frames[i]))
                 views[i].remark = "no overlap: the roots were rejected";
         draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
                         options, pictures);
@@ -251,6 +258,8 @@ int run(RejectionsOptions& options, const Console& console) {
     options.named = named(options);
     QuerySources sources = options.open(console);
     const render::RejectionsStyle style = style_of(options, sources);
+    // Volumes that are left out need no room.
+    if (style.focus < 1) options.held_part = held_in_focus;
     if (options.steps && *options.steps < 1)
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     if (options.steps && sources.size() == 2)
@@ -345,7 +354,7 @@ void add_render_rejections(const Command& render_command, const Console& console
         .add_option("--focus", options->focus,
                     "Leave out the volumes that are large for their paths, as long as this share "
                     "of paths is "
-                    "seen; 1: none. Default: 0.5, and 1 with --nested, --steps or two queries")
+                    "seen; 1: none. Default: 0.5, and 1 with --nested or --steps")
         .check(real_number)
         .type_name("SHARE");
     command.add_flag(

@@ -13,7 +13,11 @@ void SheetRun::explain(const std::string& title, const std::vector<render::Panel
     scale_end = render::scale_end(panel);
 }
 
-void SheetRun::add(const render::Image& picture, const nlohmann::ordered_json& entry) {
+render::Image SheetRun::shrunk(const render::Image& picture) const {
+    return render::shrunk(picture, view, sheet.layout.view_width, sheet.layout.view_height);
+}
+
+void SheetRun::add(render::Image view_of_cell, const nlohmann::ordered_json& entry) {
     const auto count = [&](const char* key) {
         if (!entry.contains("queries")) return render::count_text(entry[key].get<std::uint64_t>());
         const auto& queries = entry["queries"];
@@ -27,7 +31,7 @@ void SheetRun::add(const render::Image& picture, const nlohmann::ordered_json& e
     cell.value = count("pairs") + (entry.value("pairs", 0) == 1 ? " pair" : " pairs");
     cell.details = {"N_v " + count("n_v"), "N_p " + count("n_p")};
     cell.scale_end = scale_end;
-    cell.view = render::shrunk(picture, view, sheet.layout.view_width, sheet.layout.view_height);
+    cell.view = std::move(view_of_cell);
     sheet.cells.push_back(std::move(cell));
 }
 

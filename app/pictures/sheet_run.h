@@ -18,9 +18,11 @@ struct SheetRun {
 
     /// Takes title and legend over from those of the picture that comes next.
     void explain(const std::string& title, const std::vector<render::PanelItem>& panel);
-    /// Adds a cell, with what the index says of the picture as its caption: the counts of its
-    /// query, or of both.
-    void add(const render::Image& picture, const nlohmann::ordered_json& entry);
+    /// The part of a picture that a cell shows, in the cell's size.
+    render::Image shrunk(const render::Image& picture) const;
+    /// Adds a cell with this view, with what the index says of the picture as its caption: the
+    /// counts of its query, or of both.
+    void add(render::Image view_of_cell, const nlohmann::ordered_json& entry);
 };
 
 }  // namespace scb::app

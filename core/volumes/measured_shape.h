@@ -13,7 +13,9 @@ namespace scb {
 /// The point that `support` is measured from.
 template <Volume V>
 Vec3 support_center(const V& v) {
-    if constexpr (requires { v.center; })
+    if constexpr (ConvexVolume<V>)
+        return center(v);
+    else if constexpr (requires { v.center; })
         return v.center;
     else
         return v.c;

@@ -127,6 +127,7 @@ const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const Eye
                  f(draw.dim));
     program_.set("opacity", f(opacity));
     program_.set("edges", draw.edges ? 1 : 0);
+    program_.set("hatched", draw.hatched ? 1 : 0);
     program_.set("first_id", draw.first_id);
     program_.set("colored", draw.triangle_colors.empty() ? 0 : 1);
 
@@ -148,29 +149,37 @@ const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const Eye
     return gpu;
 }
 
-void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
-    gl_.DrawArrays(GL_TRIANGLES, 0, prepare(draw, view, background, 1).corner_count);
-}
-
-void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
-    if (draw.shown_through.empty()) return;
-    constexpr double opacity = 0.4;
-    prepare(draw, view, background, opacity);
+void MeshPainter::draw_triangles(const std::vector<std::uint32_t>& triangles) {
     std::vector<std::uint32_t> corners;
-    for (const std::uint32_t triangle : draw.shown_through)
+    for (const std::uint32_t triangle : triangles)
         for (std::uint32_t corner = 0; corner < 3; ++corner)
             corners.push_back(3 * triangle + corner);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, chosen_corners_.name());
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                    static_cast<GLsizeiptr>(corners.size() * sizeof(std::uint32_t)), corners.data(),
                    GL_STREAM_DRAW);
+    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(corners.size()), GL_UNSIGNED_INT,
+                               nullptr, 0);
+}
+
+void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    const GpuMesh& gpu = prepare(draw, view, background, 1);
+    if (draw.chosen)
+        draw_triangles(*draw.chosen);
+    else
+        gl_.DrawArrays(GL_TRIANGLES, 0, gpu.corner_count);
+}
+
+void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    if (draw.shown_through.empty()) return;
+    constexpr double opacity = 0.4;
+    prepare(draw, view, background, opacity);
     gl_.DepthMask(GL_FALSE);
     gl_.DepthFunc(GL_GREATER);
     gl_.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.Enable(GL_BLEND);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(corners.size()), GL_UNSIGNED_INT,
-                               nullptr, 0);
+    draw_triangles(draw.shown_through);
     gl_.Disable(GL_BLEND);
     gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LESS);

@@ -43,6 +43,9 @@ class MeshPainter {
     const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background,
                            double opacity);
 
+    /// Of the mesh that was prepared.
+    void draw_triangles(const std::vector<std::uint32_t>& triangles);
+
     const Gl& gl_;
     GlBuffer chosen_corners_;
     GlProgram program_;

@@ -20,7 +20,12 @@ std::vector<Shown> shown_in(const Pane& pane) {
     for (const VolumeInstance& volume : pane.volumes)
         if (volume.id != 0) shown.push_back({volume.id, volume.color});
     for (const MeshDraw& mesh : pane.meshes)
-        if (mesh.first_id != 0)
+        if (mesh.first_id != 0 && mesh.chosen)
+            for (const std::uint32_t t : *mesh.chosen)
+                shown.push_back({mesh.first_id + t, mesh.triangle_colors.empty()
+                                                        ? mesh.color
+                                                        : mesh.triangle_colors[t]});
+        else if (mesh.first_id != 0)
             for (std::uint32_t t = 0; t < mesh.triangle_colors.size(); ++t)
                 shown.push_back({mesh.first_id + t, mesh.triangle_colors[t]});
     std::sort(shown.begin(), shown.end());

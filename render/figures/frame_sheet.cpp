@@ -95,12 +95,21 @@ void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel) {
         if (std::none_of(sheet.keys.begin(), sheet.keys.end(), same))
             sheet.keys.push_back({color, text});
     };
+    std::vector<std::string> names;
     for (const PanelItem& item : panel) {
         if (const auto* key = std::get_if<PanelKey>(&item)) add(key->color, key->text);
         if (const auto* row = std::get_if<PanelLegendRow>(&item)) add(row->color, row->text);
-        if (const auto* row = std::get_if<PanelRow>(&item))
-            for (std::size_t i = 0; i < row->swatches.size(); ++i)
-                if (row->swatches[i]) add(*row->swatches[i], row->label + " " + row->values[i]);
+        if (const auto* row = std::get_if<PanelRow>(&item)) {
+            if (row->strong && !row->swatches.empty()) names = row->values;
+            for (std::size_t i = 0; i < row->swatches.size(); ++i) {
+                if (!row->swatches[i]) continue;
+                // Counts are those of one picture; of which body they are holds for all.
+                if (row->strong)
+                    add(*row->swatches[i], row->label + " " + row->values[i]);
+                else
+                    add(*row->swatches[i], row->label + (i < names.size() ? ", " + names[i] : ""));
+            }
+        }
         if (const auto* scale = std::get_if<PanelScale>(&item)) {
             sheet.scales_differ |= sheet.scale && sheet.scale->ticks != scale->ticks;
             sheet.scale = *scale;

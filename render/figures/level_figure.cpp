@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/hierarchy/level_statistics.h"
+#include "core/hierarchy/node_surfaces.h"
 #include "core/volumes/shape.h"
 #include "render/figures/body_names.h"
 #include "render/overlay/side_panel.h"
@@ -44,14 +45,14 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
             columns.push_back(&numbers.bodies[b]);
             names.values.push_back(figure.bodies[b].name);
             names.swatches.push_back(by_body ? std::optional(category_color(b)) : std::nullopt);
-            triangles.values.push_back(count_text(figure.bodies[b].triangles));
+            triangles.values.push_back(count_text(figure.bodies[b].mesh->triangles.size()));
         }
     } else {
         columns.push_back(&numbers.all);
         names.values.push_back("all " + std::to_string(figure.bodies.size()));
         names.swatches.push_back(std::nullopt);
         std::uint64_t sum = 0;
-        for (const LevelBody& body : figure.bodies) sum += body.triangles;
+        for (const LevelBody& body : figure.bodies) sum += body.mesh->triangles.size();
         triangles.values.push_back(count_text(sum));
     }
     const auto row = [&](const char* label, auto value_of, bool strong = false) {
@@ -119,6 +120,20 @@ LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
     return numbers;
 }
 
+LengthHistogram level_lengths(const std::vector<LevelBody>& bodies, int level,
+                              const LevelStyle& style) {
+    LengthHistogram lengths;
+    lengths.root_diameter = style.colors.root_diameter;
+    for (const LevelBody& body : bodies)
+        std::visit(
+            [&](const auto& h) {
+                for (const std::uint32_t node : level_cover(*h.topology, level))
+                    lengths.add(diameter(h.volumes[node]), thickness(h.volumes[node]));
+            },
+            *body.hierarchy);
+    return lengths;
+}
+
 Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels) {
     std::vector<Support> parts;
     for (const LevelBody& body : bodies) {
@@ -155,7 +170,7 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
         const LevelBody& body = bodies[b];
         if (style.mesh) {
             MeshDraw mesh;
-            mesh.mesh = body.mesh;
+            mesh.mesh = body.handle;
             mesh.pose = body.pose;
             mesh.color = style.theme->mesh;
             mesh.edges = style.mesh_edges;
@@ -166,18 +181,25 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
         const std::vector<std::uint16_t> depths = node_depths(topology);
         std::vector<std::uint8_t> subtrees;
         if (style.colors.by == ColorBy::subtree) subtrees = subtrees_of(topology);
+        std::vector<double> surfaces;
+        if (style.colors.by == ColorBy::surface) surfaces = node_surfaces(topology, *body.mesh);
         std::visit(
             [&](const auto& h) {
                 const std::uint32_t none = 0xffffffffu;
                 std::uint32_t drawn = none;
-                for (const std::uint32_t node : level_cover(*h.topology, level)) {
+                const std::vector<std::uint32_t> cover = level_cover(*h.topology, level);
+                for (const std::uint32_t node : cover) {
                     const auto& volume = shape_of(h.volumes[node]);
                     // Duplicate triangles have the same leaf: one of a run of equal ones is all
                     // that can be seen.
                     if (drawn != none && identical(volume, shape_of(h.volumes[drawn]))) continue;
                     drawn = node;
-                    const Rgba8 color = volume_color(style.colors, h.volumes[node], depths[node],
-                                                     subtrees.empty() ? b : subtrees[node], node);
+                    const Rgba8 color =
+                        surfaces.empty()
+                            ? volume_color(style.colors, h.volumes[node], depths[node],
+                                           subtrees.empty() ? b : subtrees[node], node)
+                            : viridis(surface_magnitude(surfaces[node] / surfaces[0] *
+                                                        static_cast<double>(cover.size())));
                     pane.volumes.push_back({placed(volume, body.pose),
                                             with_opacity(color, style.opacity),
                                             body.first_id + node});
@@ -197,9 +219,23 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
 
     overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
-    const int below =
-        draw_side_panel(overlay, layout.panel, theme, layout.unit,
-                        panel_items(figure, level_numbers(figure.bodies, figure.level)));
+    int below = draw_side_panel(overlay, layout.panel, theme, layout.unit,
+                                panel_items(figure, level_numbers(figure.bodies, figure.level)));
+    PixelRect beside = layout.panel;
+    beside.y = below + layout.unit / 2;
+    if (layout.portrait) {
+        beside = {layout.panel.x + layout.panel.width + 2 * layout.unit, layout.panel.y, 0,
+                  layout.panel.height};
+        beside.width = std::min(layout.panel.width, layout.view.x + layout.view.width - beside.x);
+    }
+    beside.height = layout.panel.y + layout.panel.height - beside.y;
+    // In a portrait a detail has this place.
+    if (!layout.portrait || !figure.detail) {
+        const PixelRect lengths = draw_length_histogram(
+            overlay, beside, level_lengths(figure.bodies, figure.level, figure.style),
+            {theme, layout.unit});
+        below = std::max(below, lengths.y + lengths.height);
+    }
     draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
 
     if (!figure.detail) return picture;

@@ -9,6 +9,7 @@
 #include "core/hierarchy/level_statistics.h"
 #include "render/figures/volume_colors.h"
 #include "render/overlay/figure_layout.h"
+#include "render/plots/length_histogram.h"
 #include "render/view/fit_camera.h"
 #include "render/view/picture.h"
 #include "scb/any_hierarchy.h"
@@ -19,8 +20,8 @@ namespace scb::render {
 /// A body as the pictures of levels need it, at one frame. What it points to is owned elsewhere.
 struct LevelBody {
     std::string name;
-    std::uint64_t triangles = 0;
-    MeshHandle mesh;
+    const Mesh* mesh = nullptr;
+    MeshHandle handle;  ///< of the mesh, where the style shows it
     Pose pose;
     const AnyHierarchy* hierarchy = nullptr;
     std::uint32_t first_id = 1;  ///< node i has the id first_id + i
@@ -59,6 +60,10 @@ std::string volume_text(const VolumeStatistics& statistics);
 /// The support of all that pictures of these levels show: the volumes of their covers, which
 /// contain the meshes. The bodies must outlive the result.
 Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
+
+/// The lengths of the volumes of all bodies, on the style's scale.
+LengthHistogram level_lengths(const std::vector<LevelBody>& bodies, int level,
+                              const LevelStyle& style);
 
 /// The view of a level: its volumes (see level_cover; of several equal ones that follow each other,
 /// the first) and, where the style says so, the meshes.

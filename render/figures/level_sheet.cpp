@@ -1,6 +1,7 @@
 #include "render/figures/level_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/hierarchy/level_statistics.h"
 #include "render/overlay/side_panel.h"
@@ -15,18 +16,33 @@ constexpr int level_heading_height(int unit) {
     return sheet_margin + title_size(unit) + 9 * unit / 2;
 }
 
+// How far the views reach from the bodies to the volumes' ends.
+constexpr double held_part = 0.35;
+
+int histogram_height(const LevelSheetLayout& layout) {
+    return length_histogram_height({light_theme, layout.unit});
+}
+
 int cell_height(const LevelSheetLayout& layout) {
-    return layout.view_height + layout.detail_size + 4 * layout.unit;
+    return layout.view_height + layout.detail_size + histogram_height(layout) + 5 * layout.unit;
 }
 
 }  // namespace
 
-LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail) {
+Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes) {
+    std::vector<Support> meshes;
+    for (const LevelBody& body : bodies) meshes.push_back(support_of(*body.mesh, body.pose));
+    return support_between(support_of_all(std::move(meshes)), std::move(volumes), held_part);
+}
+
+LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
+                                    double aspect) {
     const int count = static_cast<int>(levels), rows = static_cast<int>(volumes);
     LevelSheetLayout layout;
     const auto lay_out = [&](int columns, int view_width) {
         static_cast<SheetGrid&>(layout) = sheet_grid(count, columns, view_width);
-        layout.view_height = view_width * (with_detail ? 5 : 6) / 8;
+        layout.view_height =
+            static_cast<int>(std::lround(view_width / std::clamp(aspect, 1.0, 2.5)));
         layout.detail_size = with_detail ? view_width * 9 / 20 : 0;
         layout.height =
             level_heading_height(layout.unit) + layout.bands * rows * cell_height(layout);
@@ -46,8 +62,7 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     const std::size_t levels = sheet.rows.front().size();
-    const LevelSheetLayout layout =
-        level_sheet_layout(sheet.rows.size(), levels, sheet.detail.has_value());
+    const LevelSheetLayout& layout = sheet.layout;
     const Theme& theme = *sheet.style.theme;
     const int unit = layout.unit;
     Picture picture{layout.width, layout.height, samples, theme.background, {}};
@@ -67,8 +82,8 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         const auto& bodies = sheet.rows.front().front().bodies;
         const TextStyle style{unit, FontWeight::regular, theme.text};
         for (std::size_t b = 0; b < bodies.size(); ++b) {
-            const std::string text =
-                "body " + bodies[b].name + ", " + count_text(bodies[b].triangles) + " triangles";
+            const std::string text = "body " + bodies[b].name + ", " +
+                                     count_text(bodies[b].mesh->triangles.size()) + " triangles";
             const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
             if (x + width > layout.width - 6 * unit && b + 1 < bodies.size()) {
                 overlay.text(x, key_y, "and " + std::to_string(bodies.size() - b) + " more", style);
@@ -100,7 +115,6 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
                               cell_height(layout);
             const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
 
-            overlay.rectangle({x, y - unit / 4, layout.view_width, 1}, theme.border);
             const TextStyle bold{unit, FontWeight::bold, theme.text};
             std::string counts;
             for (const VolumeStatistics& v : numbers.bodies)
@@ -124,6 +138,13 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
             const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
             picture.panes.push_back(
                 level_pane(view, sheet.camera, cell.bodies, cell.level, sheet.style));
+            // What sticks out of the view is cut off there.
+            overlay.frame(view, theme.border);
+            draw_length_histogram(overlay,
+                                  {x, view.y + view.height + layout.detail_size + unit / 2,
+                                   layout.view_width, histogram_height(layout)},
+                                  level_lengths(cell.bodies, cell.level, sheet.style),
+                                  {theme, unit});
             if (!sheet.detail) {
                 if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
                 continue;

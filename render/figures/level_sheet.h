@@ -16,25 +16,34 @@ struct LevelSheetCell {
     int level = 0;
 };
 
-/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
-/// one camera and one scale.
-struct LevelSheet {
-    std::string title;
-    std::string subtitle;
-    std::string note;  ///< what the numbers are; beside the scale, or below the keys
-    std::vector<std::vector<LevelSheetCell>> rows;  ///< one for each volume, all of the same length
-    LevelStyle style;
-    Camera camera;  ///< for the aspect of LevelSheetLayout
-    Vec3 center = Vec3::Zero();
-    std::optional<Detail> detail;
-};
-
 /// The pixels of a sheet. Cells shrink, and more stand side by side, where there are many, so that
 /// a sheet can always be drawn.
 struct LevelSheetLayout : SheetGrid {
     int view_height = 0, detail_size = 0;
 };
-LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail);
+/// `aspect`: width / height of what the views show, as far as they can have it.
+LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
+                                    double aspect = 4.0 / 3);
+
+/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
+/// one camera and one scale. Below each view is the histogram of its lengths.
+struct LevelSheet {
+    LevelSheetLayout layout;
+    std::string title;
+    std::string subtitle;
+    std::string note;  ///< what the numbers are; beside the scale, or below the keys
+    std::vector<std::vector<LevelSheetCell>>
+        rows;  ///< one for each volume, or one of all; of the same length
+    LevelStyle style;
+    Camera camera;  ///< for the views of the layout
+    Vec3 center = Vec3::Zero();
+    std::optional<Detail> detail;
+};
+
+/// What the views of a sheet hold: the bodies, and of volumes that stick out of these a part. To
+/// hold these too, such as the ball about all of a flat body, would leave little of a view to the
+/// deep levels.
+Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes);
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
 

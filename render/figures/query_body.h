@@ -27,6 +27,10 @@ using QueryBodies = std::array<QueryBody, 2>;
 /// A node's volume, in the world.
 AnyVolume volume_of(const QueryBody& body, std::uint32_t node);
 
+/// The largest `direction.x` over the vertices of the body's triangles, in the world, for a unit
+/// direction: found by the hierarchy, for pictures of many frames.
+double mesh_reach(const QueryBody& body, const Vec3& direction);
+
 /// Blue for A, orange for B, as in every picture of bodies; and the same for a mesh that is not the
 /// subject.
 Rgba8 body_color(std::size_t side);

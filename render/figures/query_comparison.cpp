@@ -18,9 +18,10 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
     return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
 }
 
-/// Whether a node's number means the same node in both.
+/// Whether a node's number means the same node in both, with the same volume.
 bool nodes_comparable(const ComparedQueries& queries) {
-    return queries[0].header->split == queries[1].header->split;
+    return queries[0].header->split == queries[1].header->split &&
+           queries[0].header->volume == queries[1].header->volume;
 }
 
 /// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
@@ -46,21 +47,48 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
     }
 }
 
-/// Outlines differences, and adds the numbers.
+/// Outlines what differs from that id on.
+void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const Theme& theme) {
+    const std::size_t outlined = outline_differences(views, first_id, theme);
+    for (ComparedView& view : views) view.outlined = outlined;
+}
+
+/// Outlines nodes, where these can be compared, and triangles that differ, and adds the numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
     const QueryBodies& bodies = queries[0].bodies;
     assert(bodies[0].first_triangle_id > bodies[1].first_node_id &&
            "the ids of triangles are behind those of nodes");
-    const std::uint32_t first_id = nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id;
-    std::optional<std::size_t> outlined = outline_differences(views, first_id, theme);
-    // Nodes alone.
-    const std::vector<MeshDraw>& meshes = views[0].pane.meshes;
-    if (!nodes_comparable(queries) &&
-        std::all_of(meshes.begin(), meshes.end(), [](const MeshDraw& m) { return m.backdrop; }))
-        outlined.reset();
-    for (ComparedView& view : views) view.outlined = outlined;
+    outline(views, nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id, theme);
     add_numbers(views, queries, only_here);
+}
+
+/// Which nodes are seen in each: where they can be compared, those that either query would show.
+std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
+                                         const std::array<TraversalTree, 2>& trees,
+                                         const RejectionsStyle& style) {
+    std::array<EndedNodes, 2> shown;
+    for (std::size_t i = 0; i < 2; ++i)
+        shown[i] = ended_nodes(queries[i].bodies, *queries[i].frame, trees[i], style);
+    if (style.focus == 1 || !nodes_comparable(queries)) return shown;
+    RejectionsStyle unfocused = style;
+    unfocused.focus = 1;
+    std::array<EndedNodes, 2> both;
+    for (std::size_t i = 0; i < 2; ++i) {
+        both[i] = ended_nodes(queries[i].bodies, *queries[i].frame, trees[i], unfocused);
+        for (std::size_t side = 0; side < 2; ++side)
+            std::erase_if(both[i][side], [&](const EndedPaths& node) {
+                return std::none_of(shown.begin(), shown.end(), [&](const EndedNodes& of_one) {
+                    const auto at =
+                        std::lower_bound(of_one[side].begin(), of_one[side].end(), node.node,
+                                         [](const EndedPaths& other, std::uint32_t number) {
+                                             return other.node < number;
+                                         });
+                    return at != of_one[side].end() && at->node == node.node;
+                });
+            });
+    }
+    return both;
 }
 
 }  // namespace
@@ -108,15 +136,19 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
                                                 const PairsOfOne& only_here,
                                                 const RejectionsStyle& style) {
     std::array<ComparedView, 2> views;
+    const std::array<TraversalTree, 2> trees = {
+        traversal_tree(*queries[0].header, *queries[0].frame),
+        traversal_tree(*queries[1].header, *queries[1].frame)};
+    const std::array<EndedNodes, 2> ended = compared_nodes(queries, trees, style);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        const TraversalTree tree = traversal_tree(*query.header, *query.frame);
-        const EndedNodes ended = ended_nodes(query.bodies, *query.frame, tree, style);
-        views[side].pane = rejections_pane(query.bodies, ended, style);
-        views[side].legend = endings_legend(*query.header, *query.frame, tree, style);
+        views[side].pane = rejections_pane(query.bodies, ended[side], style);
+        views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
         if (style.by == NodeColor::share) views[side].legend.push_back(node_color_key(style));
     }
-    compare(views, queries, only_here, *style.theme);
+    // Of other volumes every node looks another way.
+    if (nodes_comparable(queries)) outline(views, 1, *style.theme);
+    add_numbers(views, queries, only_here);
     return views;
 }
 

@@ -1,26 +1,46 @@
 #include "render/figures/rejections_figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "core/geometry/surface_moments.h"
 #include "render/figures/body_names.h"
 #include "render/plots/ending_colors.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb::render {
 namespace {
 
+/// The ending that a node's color tells, or its most frequent one where that tells a share.
+Outcome told_ending(const EndedPaths& node, NodeColor by) {
+    return by == NodeColor::first ? node.first : by == NodeColor::last ? node.last : node.dominant;
+}
+
 Rgba8 color_of(const EndedPaths& node, NodeColor by, const Theme& theme) {
-    switch (by) {
-        case NodeColor::first:
-            return ending_color(node.first, theme);
-        case NodeColor::last:
-            return ending_color(node.last, theme);
-        case NodeColor::dominant:
-            return ending_color(node.dominant, theme);
-        case NodeColor::share:
-            break;
-    }
-    return viridis(static_cast<double>(node.rejected) / node.tested);
+    if (by == NodeColor::share) return viridis(static_cast<double>(node.rejected) / node.tested);
+    return ending_color(told_ending(node, by), theme);
+}
+
+double area_of(const QueryBody& body, std::uint32_t triangle) {
+    const TriangleCorners at = corners(*body.mesh, triangle);
+    return triangle_moments(at[0], at[1], at[2]).area;
+}
+
+/// The triangle of a leaf at which paths ended since its triangle was tested, if it has an area to
+/// be seen; none of a node whose volume ended them.
+std::optional<std::uint32_t> tested_triangle(const QueryBody& body, const EndedPaths& node,
+                                             NodeColor by) {
+    const Outcome ending = told_ending(node, by);
+    const Topology& topology = topology_of(*body.hierarchy);
+    const TopologyNode& place = topology.nodes[node.node];
+    if (!place.is_leaf() ||
+        (ending != Outcome::triangles_apart && ending != Outcome::triangles_meet))
+        return std::nullopt;
+    const std::uint32_t triangle = topology.order[place.first];
+    if (!(area_of(body, triangle) > 0)) return std::nullopt;
+    return triangle;
 }
 
 /// What is left over may hold much of the front, and would hide it.
@@ -29,8 +49,18 @@ double opacity_of(Rgba8 color, const RejectionsStyle& style) {
                                                                    : style.opacity;
 }
 
-/// Leaves out volumes that are large for their paths: see RejectionsStyle::focus.
-void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, double focus) {
+/// What a node may hide: the square about its volume; of a triangle that is drawn instead, between
+/// that and the little that a sliver hides.
+double size_of(const QueryBody& body, const EndedPaths& node, NodeColor by) {
+    const double side =
+        std::visit([](const auto& v) { return diameter(v); }, volume_of(body, node.node));
+    const auto triangle = tested_triangle(body, node, by);
+    if (!triangle) return side * side;
+    return side * std::sqrt(2 * area_of(body, *triangle));
+}
+
+/// Leaves out what is large for its paths: see RejectionsStyle::focus.
+void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, const RejectionsStyle& style) {
     struct Volume {
         double paths_per_area;
         std::size_t side, index;
@@ -39,11 +69,10 @@ void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, double focus)
     double left = 0;  // paths that may still be left out
     for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t i = 0; i < ended[side].size(); ++i) {
-            const AnyVolume volume = volume_of(bodies[side], ended[side][i].node);
-            const double size = std::visit([](const auto& v) { return diameter(v); }, volume);
+            const double size = size_of(bodies[side], ended[side][i], style.by);
             // A point hides nothing.
-            volumes.push_back({ended[side][i].tests / std::max(size * size, 1e-300), side, i});
-            left += (1 - focus) * ended[side][i].tests;
+            volumes.push_back({ended[side][i].tests / std::max(size, 1e-300), side, i});
+            left += (1 - style.focus) * ended[side][i].tests;
         }
     std::stable_sort(volumes.begin(), volumes.end(), [](const Volume& x, const Volume& y) {
         return x.paths_per_area < y.paths_per_area;
@@ -87,20 +116,33 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
         if (!style.nested)
             ended[side] = innermost(ended[side], topology_of(*bodies[side].hierarchy));
     }
-    if (style.focus < 1) leave_out_large(ended, bodies, style.focus);
+    if (style.focus < 1) leave_out_large(ended, bodies, style);
     return ended;
 }
 
 Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
                      const RejectionsStyle& style) {
     Pane pane;
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < 2; ++side) {
+        MeshDraw tested = mesh_draw(bodies[side], style.theme->mesh);
+        tested.hatched = side == 1;
+        tested.chosen.emplace();
         for (const EndedPaths& node : ended[side]) {
             const Rgba8 color = color_of(node, style.by, *style.theme);
+            if (const auto triangle = tested_triangle(bodies[side], node, style.by)) {
+                tested.triangle_colors.resize(bodies[side].mesh->triangles.size());
+                tested.triangle_colors[*triangle] = color;
+                tested.chosen->push_back(*triangle);
+                continue;
+            }
             pane.volumes.push_back({volume_of(bodies[side], node.node),
                                     with_opacity(color, opacity_of(color, style)),
                                     bodies[side].first_node_id + node.node, side == 1});
         }
+        if (tested.chosen->empty()) continue;
+        std::sort(tested.chosen->begin(), tested.chosen->end());
+        pane.meshes.push_back(std::move(tested));
+    }
     for (std::size_t side = 0; side < 2; ++side) {
         MeshDraw mesh = mesh_draw(bodies[side], dimmed_body_color(side, *style.theme));
         mesh.first_id = 0;
@@ -111,17 +153,23 @@ Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
     return pane;
 }
 
+bool shows_no_node(const Pane& pane) {
+    return pane.volumes.empty() && std::all_of(pane.meshes.begin(), pane.meshes.end(),
+                                               [](const MeshDraw& mesh) { return mesh.backdrop; });
+}
+
 PanelItem node_color_key(const RejectionsStyle& style) {
     if (style.by == NodeColor::share)
         return PanelScale{"color: share of a node's tests rejected",
                           {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
-    return PanelNote{"a node's " +
-                     std::string(style.by == NodeColor::dominant ? "most frequent"
-                                                                 : node_color_names[style.by]) +
-                     " ending" + (style.nested ? "" : "; those that hold others are left out") +
-                     (style.focus < 1 ? "; so are large ones, at which " +
-                                            share_text(1 - style.focus, 1) + " of the paths ended"
-                                      : "")};
+    const std::string which =
+        style.by == NodeColor::dominant ? "most frequent" : std::string(node_color_names[style.by]);
+    std::string left_out = style.nested ? "" : "nodes about others";
+    if (style.focus < 1)
+        left_out += (left_out.empty() ? "" : ", ") + std::string("large ones (") +
+                    share_text(1 - style.focus, 1) + " of paths)";
+    return PanelNote{"a node's " + which + " ending; where its triangle was tested, that is drawn" +
+                     (left_out.empty() ? "" : "; left out: " + left_out)};
 }
 
 EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style) {
@@ -178,7 +226,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
     for (PanelItem& item : endings_legend(header, frame, tree, style))
         items.push_back(std::move(item));
-    items.emplace_back(PanelHeading{"volumes drawn"});
+    items.emplace_back(PanelHeading{"nodes drawn"});
     const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(

@@ -22,7 +22,7 @@ struct RejectionsStyle {
     EndedPathsFilter filter;
     std::array<bool, 2> sides = {true, true};  ///< which bodies
     bool nested = false;                       ///< also nodes that hold other drawn nodes
-    /// Which share of the ended paths has to be seen: those volumes are left out that have the
+    /// Which share of the ended paths has to be seen: those nodes are left out that have the
     /// fewest paths for their size, squared, as long as no more than the other paths ended there.
     /// Large volumes end few paths, and hide many.
     double focus = 1;
@@ -35,10 +35,13 @@ using EndedNodes = std::array<std::vector<EndedPaths>, 2>;
 EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
                        const TraversalTree& tree, const RejectionsStyle& style);
 
-/// Each node at which paths ended as its exact volume, with its ending's color, those of B
-/// hatched; behind them faintly the meshes.
+/// Each node at which paths ended, with its ending's color, those of B hatched: as its exact
+/// volume, or, where its triangle was tested, as that; behind them faintly the meshes.
 Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
                      const RejectionsStyle& style);
+
+/// Whether there is nothing in it but the meshes behind.
+bool shows_no_node(const Pane& pane);
 
 /// Of the counts those that the filter lets through, and of the query's groups of endings those
 /// that have such.

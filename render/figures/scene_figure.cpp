@@ -1,6 +1,7 @@
 #include "render/figures/scene_figure.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace scb::render {
 namespace {
@@ -44,6 +45,23 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
     }
 }
 
+/// Sets the pane into the view, with scale bar, squares and remark.
+Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay& overlay) {
+    const Theme& theme = *figure.theme;
+    draw_scale_bar(overlay, view, figure.pane.camera, figure.center, theme, unit);
+    for (const SceneMarker& marker : figure.markers) {
+        // Large enough to be found.
+        const double least =
+            unit / 2.0 / pixels_per_unit(figure.pane.camera, marker.center, view.height);
+        if (const auto square =
+                marker_of(view, figure.pane.camera, marker.center, std::max(marker.radius, least)))
+            overlay.frame(*square, theme.accent, std::max(2, unit / 8));
+    }
+    draw_remark(overlay, view, figure.remark, theme, unit);
+    figure.pane.viewport = view;
+    return std::move(figure.pane);
+}
+
 }  // namespace
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay) {
@@ -54,18 +72,15 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
     draw_chart(overlay, layout, below, theme, figure.chart);
-    draw_scale_bar(overlay, layout.view, figure.pane.camera, figure.center, theme, layout.unit);
-    for (const SceneMarker& marker : figure.markers) {
-        // Large enough to be found.
-        const double least = layout.unit / 2.0 /
-                             pixels_per_unit(figure.pane.camera, marker.center, layout.view.height);
-        if (const auto square = marker_of(layout.view, figure.pane.camera, marker.center,
-                                          std::max(marker.radius, least)))
-            overlay.frame(*square, theme.accent, std::max(2, layout.unit / 8));
-    }
-    draw_remark(overlay, layout.view, figure.remark, theme, layout.unit);
-    figure.pane.viewport = layout.view;
-    picture.panes.push_back(std::move(figure.pane));
+    picture.panes.push_back(pane_in_view(figure, layout.view, layout.unit, overlay));
+    return picture;
+}
+
+Picture compose_view(SceneFigure figure, int width, int height, int unit, int samples,
+                     Overlay& overlay) {
+    Picture picture{width, height, samples, figure.theme->background, {}};
+    overlay.begin();
+    picture.panes.push_back(pane_in_view(figure, {0, 0, width, height}, unit, overlay));
     return picture;
 }
 

@@ -36,4 +36,9 @@ struct SceneFigure {
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay);
 
+/// The view alone, as wide and high as the picture, with what is drawn into it; `unit`: the size of
+/// its text.
+Picture compose_view(SceneFigure figure, int width, int height, int unit, int samples,
+                     Overlay& overlay);
+
 }  // namespace scb::render

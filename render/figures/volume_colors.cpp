@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "core/base/logarithm.h"
 #include "render/overlay/figure_layout.h"
@@ -17,6 +18,12 @@ Rgba8 varied(Rgba8 color, std::uint32_t node) {
 }
 
 }  // namespace
+
+double surface_magnitude(double times_equal_share) {
+    if (!(times_equal_share > 0)) return 0;
+    return std::clamp(0.5 + 0.5 * binary_logarithm(times_equal_share) / surface_doublings, 0.0,
+                      1.0);
+}
 
 template <Volume V>
 double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
@@ -34,6 +41,7 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
             return d > 0 ? std::sqrt(thickness(volume) / d) : 0;
         case ColorBy::body:
         case ColorBy::subtree:
+        case ColorBy::surface:
             break;
     }
     return 0;
@@ -72,6 +80,14 @@ std::optional<PanelScale> legend_of(const ColorScale& scale) {
             for (const auto& [ratio, label] :
                  {std::pair{0.0, "0"}, {0.05, "0.05"}, {0.2, "0.2"}, {0.5, "0.5"}, {1.0, "1"}})
                 legend.ticks.emplace_back(std::sqrt(ratio), label);
+            return legend;
+        }
+        case ColorBy::surface: {
+            PanelScale legend{"color: share of the surface / equal share", {}};
+            for (int doublings = -surface_doublings; doublings <= surface_doublings; doublings += 3)
+                legend.ticks.emplace_back(
+                    0.5 + 0.5 * doublings / surface_doublings,
+                    (doublings < 0 ? "1/" : "") + std::to_string(1 << std::abs(doublings)));
             return legend;
         }
         case ColorBy::body:

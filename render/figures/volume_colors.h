@@ -20,10 +20,12 @@ enum class ColorBy {
     thickness,  ///< thickness over diameter, (e - f) / 2r, viridis from 0 (flat) to 1 (a whole
                 ///< ball), on a square-root scale
     subtree,    ///< which of the eight subtrees below the third division it belongs to, as `body`
+    surface,    ///< the share of the mesh's surface that it holds, against that of a level whose
+                ///< volumes hold equal shares: viridis on a scale of doublings, equal in the middle
 };
 
-inline constexpr EnumNames<ColorBy, 5> color_by_names = {"body", "depth", "radius", "thickness",
-                                                         "subtree"};
+inline constexpr EnumNames<ColorBy, 6> color_by_names = {"body",      "depth",   "radius",
+                                                         "thickness", "subtree", "surface"};
 
 /// The scale that the pictures of a run share.
 struct ColorScale {
@@ -35,6 +37,14 @@ struct ColorScale {
 /// How many halvings the scale of `radius` spans.
 inline constexpr int radius_halvings = 12;
 
+/// How many doublings the scale of `surface` spans in each direction.
+inline constexpr int surface_doublings = 6;
+
+/// Of a volume that holds so many times as much of the surface as it would if all of its level held
+/// equal shares.
+double surface_magnitude(double times_equal_share);
+
+/// Of what the volume itself tells: not `surface`.
 template <Volume V>
 double color_magnitude(const ColorScale& scale, const V& volume, int depth);
 

@@ -46,14 +46,32 @@ std::optional<PixelRect> detail_square(const FigureLayout& layout, int below) {
     return square;
 }
 
+namespace {
+
+/// Of a title that is too long, the end of the scene's name, its first part, is cut: what the
+/// picture shows is behind it.
+std::string fitted_title(Overlay& overlay, std::string_view title, const TextStyle& style,
+                         int width) {
+    const std::string_view rest = title.substr(std::min(title.find(" · "), title.size()));
+    const std::string_view scene = title.substr(0, title.size() - rest.size());
+    const int room = width - overlay.measure(rest, style).width;
+    if (overlay.measure(title, style).width <= width || room < width / 4)
+        return fitted_text(overlay, title, style, width);
+    return fitted_text(overlay, scene, style, room) + std::string(rest);
+}
+
+}  // namespace
+
 void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
                   std::string_view title, std::string_view subtitle) {
     const int unit = layout.unit;
     const PixelRect& box = layout.heading;
-    const TextStyle title_style{title_size(unit), FontWeight::bold, theme.text};
+    TextStyle title_style{title_size(unit), FontWeight::bold, theme.text};
     const TextStyle subtitle_style{unit, FontWeight::regular, theme.faint_text};
-    const std::string shown = fitted_text(overlay, title, title_style, box.width);
-    overlay.text(box.x, box.y, shown, title_style);
+    while (title_style.size > unit && overlay.measure(title, title_style).width > box.width)
+        --title_style.size;
+    const std::string shown = fitted_title(overlay, title, title_style, box.width);
+    overlay.text(box.x, box.y + (title_size(unit) - title_style.size) * 4 / 5, shown, title_style);
     const int used = overlay.measure(shown, title_style).width + unit;
     const std::string remark = fitted_text(overlay, subtitle, subtitle_style, box.width - used);
     // Both on one base line.

@@ -1,5 +1,7 @@
 #include "render/overlay/sheet_grid.h"
 
+#include <algorithm>
+
 namespace scb::render {
 
 int SheetGrid::x(int column) const { return sheet_margin + column * (view_width + sheet_margin); }
@@ -9,7 +11,7 @@ SheetGrid sheet_grid(int count, int most_columns, int view_width) {
     grid.bands = (count + most_columns - 1) / most_columns;
     grid.columns = (count + grid.bands - 1) / grid.bands;
     grid.view_width = view_width;
-    grid.unit = view_width < 300 ? 14 : 20;
+    grid.unit = std::clamp(view_width / 20, 14, 28);
     grid.width = grid.x(grid.columns);
     return grid;
 }

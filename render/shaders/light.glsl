@@ -12,6 +12,9 @@ vec3 matte(vec3 color, vec3 normal, float tone) {
     return (color * light + 0.03 * lit * lit) * tone;
 }
 
+// Whether the pixel is in a stripe of what is hatched.
+bool is_in_stripe() { return mod(floor((gl_FragCoord.x + gl_FragCoord.y) / line_scale), 7.0) < 2.0; }
+
 // A color of four bytes, red in the lowest.
 vec4 unpack_color(uint word) {
     return vec4(word & 255u, (word >> 8) & 255u, (word >> 16) & 255u, word >> 24) / 255.0;

@@ -1,10 +1,12 @@
 uniform int edges;
+uniform int hatched;
 uniform uint first_id;
 uniform float opacity;
 uniform vec4 fade;  // a color, and how far to fade into it
 
 flat in vec3 v_normal;
 flat in vec4 v_color;
+flat in uint v_triangle;
 in vec3 v_corner;
 in vec3 v_eye;
 
@@ -25,7 +27,8 @@ void main() {
         float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
+    if (hatched != 0 && is_in_stripe()) lit *= 0.5;
     out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), opacity);
     gl_FragDepth = buffer_depth(-v_eye.z, 0.0);
-    out_id = first_id == 0u ? 0u : first_id + uint(gl_PrimitiveID);
+    out_id = first_id == 0u ? 0u : first_id + v_triangle;
 }

@@ -9,6 +9,7 @@ layout(location = 2) in vec4 triangle_color;
 
 flat out vec3 v_normal;
 flat out vec4 v_color;
+flat out uint v_triangle;  // gl_PrimitiveID counts what is drawn
 out vec3 v_corner;  // barycentric coordinates
 out vec3 v_eye;
 
@@ -18,7 +19,8 @@ void main() {
     v_eye = eye;
     v_normal = normal_to_eye * normal;
     v_color = colored != 0 ? triangle_color : color;
-    int corner = gl_VertexID - 3 * (gl_VertexID / 3);
+    int triangle = gl_VertexID / 3, corner = gl_VertexID - 3 * triangle;
+    v_triangle = uint(triangle);
     v_corner = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
     // z only clips; the fragment shader writes the depth.
     float w = orthographic != 0 ? 1.0 : depth;

@@ -71,6 +71,18 @@ Vec3 center_of(const Support& support) {
             middle_along(support, Vec3::UnitZ())};
 }
 
+Support support_between(Support inner, Support outer, double part) {
+    return [inner = std::move(inner), outer = std::move(outer), part](const Vec3& direction) {
+        const double within = inner(direction);
+        return within + part * std::max(0.0, outer(direction) - within);
+    };
+}
+
+double aspect_of(const Support& support, const Mat3& axes) {
+    const double height = width_along(support, axes.col(1));
+    return height > 0 ? width_along(support, axes.col(0)) / height : 1;
+}
+
 Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options) {
     Camera camera;
     camera.axes = axes;

@@ -27,6 +27,13 @@ Vec3 center_of(const Support& support);
 /// The support of everything in `parts` together.
 Support support_of_all(std::vector<Support> parts);
 
+/// `part` of the way from the support of what must be seen to that of all, which holds it.
+Support support_between(Support inner, Support outer, double part);
+
+/// Width / height of the set as a camera with these axes sees it from afar; 1 where it has no
+/// height.
+double aspect_of(const Support& support, const Mat3& axes);
+
 struct CameraFit {
     double aspect = 16.0 / 9;  ///< width / height of the view
     double margin =

@@ -44,7 +44,10 @@ struct MeshDraw {
     bool edges = false;                  ///< draw the triangles' edges, about one pixel wide
     std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
     double dim = 0;              ///< 0 to 1: how far the colors fade into the background
-    bool backdrop = false;       ///< drawn before all else, which it hides nowhere; without ids
+    bool hatched = false;        ///< as of volumes
+    /// The triangles that are drawn, where these are not all: each index once, ascending.
+    std::optional<std::vector<std::uint32_t>> chosen = std::nullopt;
+    bool backdrop = false;  ///< drawn before all else, which it hides nowhere; without ids
     /// Triangles that also show, faintly and without ids, where something opaque hides them. Each
     /// index once, ascending.
     std::vector<std::uint32_t> shown_through;

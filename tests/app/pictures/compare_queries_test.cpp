@@ -146,7 +146,7 @@ TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
     EXPECT_EQ(outlined(""), outlined("--leaves "));
     EXPECT_GT(outlined("--heat volumes "), 0);
     // A node is that of the view: "node 12 of A, depth 9, 4 triangles".
-    const std::string picked = render("rejections " + both + " --pick 220,90").out;
+    const std::string picked = render("rejections " + both + " --focus 1 --pick 220,90").out;
     const std::size_t at = picked.find(": node ");
     ASSERT_NE(at, std::string::npos) << picked;
     const std::string node = picked.substr(at + 2, picked.find('\n', at) - at - 2);
@@ -194,7 +194,8 @@ TEST_F(CompareQueries, ATraversalIsOfOneQuery) {
 }
 
 TEST_F(CompareQueries, PicksFromTheViewThatThePixelIsIn) {
-    const std::string arguments = "rejections spheres-l1 --frames 100 --compare scb,ball --pick ";
+    const std::string arguments =
+        "rejections spheres-l1 --frames 100 --compare scb,ball --focus 1 --pick ";
     for (const char* at : {"60,90", "220,90"})
         EXPECT_NE(render(arguments + at).out.find(": node "), std::string::npos) << at;
     EXPECT_NE(render(arguments + "160,230").out.find(": nothing"), std::string::npos);

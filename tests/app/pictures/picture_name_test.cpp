@@ -75,7 +75,6 @@ TEST_F(PictureNames, SayWhatIsNotAsByDefault) {
     for (const auto& [options, part] :
          {std::pair{"--leaves", "pairs_leaves"},
           {"--heat volumes", "heat-volumes"},
-          {"--heat volumes --leaves", "heat-volumes"},
           {"--heat volumes --heat-end 50", "heat-volumes_heat-end-50"}})
         expect("render pairs cone --frames 80", options,
                std::string("cone_scb_") + part + "_frame-0080");

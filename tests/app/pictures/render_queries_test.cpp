@@ -129,9 +129,9 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
     without_leaves.erase("earlier");
     EXPECT_EQ(without_leaves, pairs);
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
-              (std::set<std::string>{"nothing", "node A", "node B"}));
+              (std::set<std::string>{"nothing", "node A", "node B", "triangle A", "triangle B"}));
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),
-              (std::set<std::string>{"nothing", "node B"}));
+              (std::set<std::string>{"nothing", "node B", "triangle B"}));
 }
 
 TEST_F(RenderQueries, TellWhatIsUnderAPixel) {
@@ -216,6 +216,10 @@ TEST_F(RenderQueries, RefuseDepthsAndOptionsThatAreNone) {
         EXPECT_NE(run.err.find(said), std::string::npos) << arguments << ": " << run.err;
         EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
     }
+    const ProgramRun heat =
+        run_scb("render pairs spheres-l1 --frames 100 --heat volumes --leaves -o " + out);
+    EXPECT_EQ(heat.status, 2);
+    EXPECT_NE(heat.err.find("leave out --leaves, or --heat"), std::string::npos) << heat.err;
 }
 
 TEST_F(RenderQueries, ACameraFollowsTheContact) {

@@ -69,6 +69,19 @@ TEST(MeshPainter, TrianglesHaveIdsAndColorsOfTheirOwn) {
         EXPECT_GT(pixel(rendering.image, 20, 30).b, pixel(rendering.image, 20, 30).r);
         EXPECT_EQ(pixel(rendering.image, 1, 1), picture.background);
     }
+    // One of them alone, and in stripes.
+    picture.panes[0].meshes[0].chosen = std::vector<std::uint32_t>{1};
+    const Rendering one = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*one.ids, 70, 80), 0u);
+    EXPECT_EQ(pixel(*one.ids, 20, 30), 8u);
+    picture.panes[0].meshes[0].hatched = true;
+    const Rendering striped = drawing.renderer.draw(picture);
+    int darker = 0;
+    for (int x = 20; x < 34; ++x)
+        darker += pixel(striped.image, x, 30).b < pixel(one.image, x, 30).b - 20;
+    EXPECT_GE(darker, 4);
+    EXPECT_LE(darker, 7);
+    picture.panes[0].meshes[0].chosen.reset();
     picture.panes[0].meshes[0].dim = 1;
     EXPECT_EQ(pixel(drawing.renderer.draw(picture).image, 70, 80), picture.background);
     picture.panes[0].meshes[0].first_id = 0;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "scb/triangle_overlap.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
 
@@ -32,10 +34,17 @@ struct Query {
         bodies[1].name = "lid";
         bodies[1].pose = pose;
     }
+    const Topology& topology() const { return topology_of(*bodies[0].hierarchy); }
+    bool at_triangle(const EndedPaths& node) const {
+        return topology().nodes[node.node].is_leaf() && !is_rejection(node.dominant);
+    }
     double paths_per_area(std::size_t side, const EndedPaths& node) const {
         const double size = std::visit([](const auto& v) { return diameter(v); },
                                        volume_of(bodies[side], node.node));
-        return node.tests / (size * size);
+        if (!at_triangle(node)) return node.tests / (size * size);
+        const auto at = corners(mesh.mesh, topology().order[topology().nodes[node.node].first]);
+        return node.tests /
+               (size * std::sqrt(std::sqrt(squared_norm(cross(at[1] - at[0], at[2] - at[0])))));
     }
 };
 
@@ -78,8 +87,10 @@ TEST(RejectionsFigure, BodiesAreToldApart) {
     ASSERT_FALSE(pane.volumes.empty());
     EXPECT_FALSE(pane.volumes.front().hatched);
     EXPECT_TRUE(pane.volumes.back().hatched);
-    ASSERT_EQ(pane.meshes.size(), 2u);
-    for (const MeshDraw& mesh : pane.meshes) EXPECT_TRUE(mesh.backdrop);
+    ASSERT_EQ(pane.meshes.size(), 4u);
+    for (const MeshDraw& mesh : pane.meshes) EXPECT_EQ(mesh.backdrop, !mesh.chosen);
+    EXPECT_FALSE(pane.meshes[0].hatched);
+    EXPECT_TRUE(pane.meshes[1].hatched);
     EXPECT_GE(pane.volumes.back().id, first_of_b);
     std::vector<std::string> labels;
     for (const PanelItem& item :
@@ -87,6 +98,38 @@ TEST(RejectionsFigure, BodiesAreToldApart) {
         if (const auto* row = std::get_if<PanelRow>(&item)) labels.push_back(row->label);
     EXPECT_NE(std::find(labels.begin(), labels.end(), "A"), labels.end());
     EXPECT_NE(std::find(labels.begin(), labels.end(), "B: lid, hatched"), labels.end());
+}
+
+TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
+    const Query query;
+    RejectionsStyle style;
+    style.sides = {true, false};
+    const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.tree, style);
+    const Pane pane = rejections_pane(query.bodies, ended, style);
+    std::vector<std::uint32_t> triangles;
+    for (const EndedPaths& node : ended[0])
+        if (query.at_triangle(node))
+            triangles.push_back(query.topology().order[query.topology().nodes[node.node].first]);
+    std::sort(triangles.begin(), triangles.end());
+    ASSERT_FALSE(triangles.empty());
+    ASSERT_LT(triangles.size(), ended[0].size());
+    EXPECT_EQ(pane.volumes.size(), ended[0].size() - triangles.size());
+    ASSERT_TRUE(pane.meshes[0].chosen);
+    EXPECT_EQ(*pane.meshes[0].chosen, triangles);
+    for (const std::uint32_t triangle : triangles) {
+        const Rgba8 color = pane.meshes[0].triangle_colors[triangle];
+        EXPECT_TRUE(color == ending_color(Outcome::triangles_apart, light_theme) ||
+                    color == ending_color(Outcome::triangles_meet, light_theme));
+    }
+    EXPECT_FALSE(shows_no_node(pane));
+    EXPECT_TRUE(shows_no_node(rejections_pane(query.bodies, {}, style)));
+}
+
+TEST(QueryBody, AMeshReachesAsFarAsItsVertices) {
+    const Query query;
+    for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(-0.6, 0, 0.8), Vec3(0, 0.6, -0.8)})
+        EXPECT_NEAR(mesh_reach(query.bodies[1], direction),
+                    support_of(query.mesh.mesh, query.bodies[1].pose)(direction), 1e-12);
 }
 
 TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {

@@ -13,8 +13,8 @@ namespace scb::render {
 namespace {
 
 TEST(VolumeColors, NamesAreReadBack) {
-    for (const ColorBy by :
-         {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness, ColorBy::subtree})
+    for (const ColorBy by : {ColorBy::body, ColorBy::depth, ColorBy::radius, ColorBy::thickness,
+                             ColorBy::subtree, ColorBy::surface})
         EXPECT_EQ(color_by_names.find(color_by_names[by]), by);
     EXPECT_FALSE(color_by_names.find("mood"));
 }
@@ -37,6 +37,16 @@ TEST(VolumeColors, MagnitudesFollowTheirScales) {
     EXPECT_EQ(color_magnitude(thickness, Scb{}, 0), 0);
 }
 
+TEST(VolumeColors, AnEqualShareOfTheSurfaceIsInTheMiddle) {
+    EXPECT_DOUBLE_EQ(surface_magnitude(1), 0.5);
+    EXPECT_DOUBLE_EQ(surface_magnitude(1 << surface_doublings), 1);
+    EXPECT_DOUBLE_EQ(surface_magnitude(1.0 / (1 << surface_doublings)), 0);
+    EXPECT_GT(surface_magnitude(2), 0.5);
+    EXPECT_EQ(surface_magnitude(0), 0);
+    // Of a mesh that has no surface.
+    EXPECT_EQ(surface_magnitude(std::nan("")), 0);
+}
+
 TEST(VolumeColors, BodiesKeepTheirHueAndNeighborsDiffer) {
     const ColorScale scale;
     const Ball ball{Vec3::Zero(), 1};
@@ -48,7 +58,7 @@ TEST(VolumeColors, BodiesKeepTheirHueAndNeighborsDiffer) {
 }
 
 TEST(VolumeColors, LegendsHaveRisingTicks) {
-    for (const ColorBy by : {ColorBy::depth, ColorBy::radius, ColorBy::thickness})
+    for (const ColorBy by : {ColorBy::depth, ColorBy::radius, ColorBy::thickness, ColorBy::surface})
         for (const int deepest : {0, 3, 22}) {
             const auto legend = legend_of({by, deepest, 2});
             ASSERT_TRUE(legend);

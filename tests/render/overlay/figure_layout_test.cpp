@@ -47,6 +47,9 @@ TEST(LevelSheetLayout, FitsWhateverTheNumberOfCells) {
                 EXPECT_GE(layout.view_width, 160);
                 EXPECT_EQ(layout.detail_size > 0, detail);
             }
+    // Flat bodies have flat views.
+    EXPECT_LT(level_sheet_layout(1, 4, false, 2).view_height,
+              level_sheet_layout(1, 4, false, 1).view_height);
     // Figure 6: four levels side by side.
     EXPECT_EQ(level_sheet_layout(2, 4, true).columns, 4);
     EXPECT_EQ(level_sheet_layout(2, 4, true).bands, 1);
