@@ -143,12 +143,12 @@ int run(const LevelOptions& options, const Console& console) {
     render::LevelFigure figure;
     figure.style = style;
     figure.center = render::center_of(support);
+    figure.with_panel = options.picture.panel;
     if (wish.inset)
         figure.detail = render::Detail{detail_camera(wish, *wish.inset, support, 1),
                                        wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
-    figure.camera =
-        camera_for(wish, support, render::aspect_of(render::figure_layout(width, height).view));
+    figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
     const NamedOptions named = named_options(options);

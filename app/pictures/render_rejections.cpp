@@ -150,6 +150,7 @@ struct Shot {
         figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
         figure.chart = render::endings_chart(source.header(), frame, tree, style);
         figure.theme = style.theme;
+        figure.with_panel = options.picture.panel;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
         } else if (ended[0].empty() && ended[1].empty()) {
@@ -301,7 +302,7 @@ int run(RejectionsOptions& options, const Console& console) {
             }
         },
         [&] {
-            if (stages[0].frames.size() > 1)
+            if (stages[0].frames.size() > 1 && options.picture.panel)
                 draw_stages(stages, sources, view, style, options, pictures);
             nlohmann::ordered_json head = query_index_head(view, "render rejections");
             head["options"]["by"] = render::node_color_names[options.by];

@@ -184,13 +184,14 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
 }
 
 Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay) {
-    const FigureLayout layout = figure_layout(width, height);
+    const FigureLayout layout = figure_layout(width, height, figure.with_panel);
     const Theme& theme = *figure.style.theme;
     Picture picture{width, height, samples, theme.background, {}};
     picture.panes.push_back(
         level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
 
     overlay.begin();
+    if (!figure.with_panel) return picture;
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     const int below =
         draw_side_panel(overlay, layout.panel, theme, layout.unit,

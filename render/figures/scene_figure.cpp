@@ -44,17 +44,22 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
     }
 }
 
-}  // namespace
-
-Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay) {
-    const FigureLayout layout = figure_layout(width, height);
+void draw_beside(Overlay& overlay, const FigureLayout& layout, const SceneFigure& figure) {
     const Theme& theme = *figure.theme;
-    Picture picture{width, height, samples, theme.background, {}};
-    overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
     draw_chart(overlay, layout, below, theme, figure.chart);
     draw_scale_bar(overlay, layout.view, figure.pane.camera, figure.center, theme, layout.unit);
+}
+
+}  // namespace
+
+Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay) {
+    const FigureLayout layout = figure_layout(width, height, figure.with_panel);
+    const Theme& theme = *figure.theme;
+    Picture picture{width, height, samples, theme.background, {}};
+    overlay.begin();
+    if (figure.with_panel) draw_beside(overlay, layout, figure);
     for (const SceneMarker& marker : figure.markers) {
         // Large enough to be found.
         const double least = layout.unit / 2.0 /
@@ -63,7 +68,7 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
                                           std::max(marker.radius, least)))
             overlay.frame(*square, theme.accent, std::max(2, layout.unit / 8));
     }
-    draw_remark(overlay, layout.view, figure.remark, theme, layout.unit);
+    if (figure.with_panel) draw_remark(overlay, layout.view, figure.remark, theme, layout.unit);
     figure.pane.viewport = layout.view;
     picture.panes.push_back(std::move(figure.pane));
     return picture;
