@@ -15,6 +15,7 @@
 #include "app/inspect/inspect_report.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -172,6 +173,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
                   header.growth};
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
+    asked.layouts = options.time;
     std::optional<Progress> progress;
     std::string what;
     const TuneProgress told = {[&](std::string_view part, std::size_t steps) {
@@ -181,12 +183,18 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
                                [&] {
                                    progress->step(what);
                                    return watch.signal() == 0;
-                               }};
+                               },
+                               [&] { return watch.signal() != 0; }};
     report.settings = tune_scene(query.scene, query.a, query.b,
                                  setting_frames(report, source.frames()), asked, told);
     if (!report.settings) return;
-    report.command = "scb collide" + scene_words(options, source) +
-                     setting_options(report.settings->rows[report.settings->recommended()].setting);
+    const SceneTuning& found = *report.settings;
+    const std::string scene = scene_words(options, source);
+    report.command =
+        "scb collide" + scene + setting_options(found.rows[found.recommended()].setting);
+    if (found.quicker_layout)
+        report.layout_command =
+            "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
 }
 
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.

@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
@@ -256,6 +257,9 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
         values["settings"] = setting_rows(*report.settings);
         values["settings_words"] = settings_words(report, "sums over");
         values["use"] = report.command;
+        const std::string packed = layout_sentence(*report.settings);
+        if (!packed.empty()) values["packed"] = packed;
+        if (!report.layout_command.empty()) values["use_packed"] = report.layout_command;
         values["timed"] =
             data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
     }

@@ -13,6 +13,7 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/picture_texts.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -85,12 +86,20 @@ std::string command_to_use(const TuneCommandOptions& options, const SceneTuning&
            setting_options(tuning.rows[tuning.recommended()].setting);
 }
 
+/// Where a packed layout is measurably quicker; queries with it are the library's and bench's.
+std::string layout_command(const TuneCommandOptions& options, const SceneTuning& tuning) {
+    if (!tuning.quicker_layout) return "";
+    return "scb bench" + options.of_scene +
+           layout_options(tuning, tuning.layouts[*tuning.quicker_layout]);
+}
+
 std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuning) {
     Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
     document.update(tune_json(tuning));
     document["margin"] = options.hierarchy.margin;
     document["split"] = split_method_name(options.hierarchy.split);
     document["command"] = command_to_use(options, tuning);
+    if (tuning.quicker_layout) document["layout_command"] = layout_command(options, tuning);
     if (!options.no_time) {
         document["repeats"] = options.repeats;
         document["compiler"] = compiler_text();
@@ -172,7 +181,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
                                  [&] {
                                      progress->step(what);
                                      return watch.signal() == 0;
-                                 }};
+                                 },
+                                 [&] { return watch.signal() != 0; }};
     const std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, report);
     if (!tuning) {
         console.note("scb: interrupted before the settings were compared; nothing was written.");
@@ -184,6 +194,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
         if (const std::string said = conditions(options, *tuning); !said.empty())
             text += "\n" + said + "\n";
         text += "\nTo use it: " + command_to_use(options, *tuning) + "\n";
+        if (tuning->quicker_layout)
+            text += "Quicker, packed: " + layout_command(options, *tuning) + "\n";
     }
     print_result(text);
     if (options.picture.open) open_file(folder / picture_file(options, scene), console);
@@ -220,7 +232,8 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "every volume with every split, and what differs from the base in one other thing; then, "
         "for volumes and splits that come near\n"
         "the best, everything that can be chosen. Counts are the same on every machine. Then it "
-        "times the base and the best. operations:\n"
+        "tries packed layouts\n"
+        "of the best, and times these, the base and the best. operations:\n"
         "arithmetic operations of the volume tests (Table 1 of the paper). B/tri: bytes of the "
         "hierarchies per triangle. The printed\n"
         "test misses pairs and is never best. Ctrl-C stops it, with exit status 130.\n\n"
