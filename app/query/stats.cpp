@@ -287,6 +287,7 @@ Json json_of(const Measured& m) {
 
 int run(const StatsOptions& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
+    note_doubts(options.hierarchy, kinds, console);
     const StatsOptions defaults;
     if (std::none_of(kinds.begin(), kinds.end(), can_pack))
         for (const auto& [option, given] :

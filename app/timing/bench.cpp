@@ -127,6 +127,7 @@ bool any_packed(const std::vector<BenchSubject>& subjects) {
 /// Notes which options have no effect on what is measured, and what else may surprise.
 void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
                     const Console& console) {
+    note_doubts(options.hierarchy, options.hierarchy.kinds(), console);
     const BenchCommandOptions defaults;
     const auto note = [&console](const char* option, const char* why) {
         console.note("scb: " + std::string(option) + " has no effect: " + why);
