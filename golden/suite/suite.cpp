@@ -28,10 +28,10 @@ constexpr const char *size_of_view = "240x180", *size_with_panel = "512x384";
 constexpr std::size_t most_presets = 16;
 
 constexpr std::string_view refused_arguments[] = {
-    "--output", "--json",     "--csv",  "--ids",     "--jobs",    "--video",     "--fps",
-    "--sheet",  "--no-sheet", "--pick", "--compare", "--steps",   "--pairs-out", "--samples",
-    "--quiet",  "--color",    "--gl",   "--models",  "--frame",   "--frames",    "--volume",
-    "--test",   "--size",     "--top",  "--panel",   "--no-panel"};
+    "--output", "--json",     "--csv",  "--ids",     "--jobs",  "--video",     "--fps",
+    "--sheet",  "--no-sheet", "--pick", "--compare", "--steps", "--pairs-out", "--samples",
+    "--quiet",  "--color",    "--gl",   "--models",  "--frame", "--frames",    "--volume",
+    "--test",   "--size",     "--top",  "--no-panel"};
 
 GoldenRun read_run(const scenes::JsonPlace& place) {
     const std::optional<GoldenRun> run = golden_run_names.find(scenes::read_text(place));
