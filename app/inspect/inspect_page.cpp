@@ -244,8 +244,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frame_rows)
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
-                                render::count_text(report.frames.size()) +
-                                " frames; frames.csv has all of them.";
+                                render::count_text(report.frames.size()) + " frames; " +
+                                report.files + "_frames.csv has all of them.";
     values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
                                                                       : data::type::bool_false);
     values["has_others"] =
@@ -264,6 +264,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
             data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
     }
     values["groups"] = groups_of(report, page);
+    values["files"] = report.files;
     values["version"] = SCB_VERSION;
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};

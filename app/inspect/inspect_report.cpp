@@ -47,7 +47,7 @@ std::string frames_text(const InspectReport& report) {
     for (std::size_t i = 0; i < rows; ++i)
         text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
     if (report.frames.size() > rows)
-        text += format("  ...  %zu more frames, which --json and frames.csv of -o list\n",
+        text += format("  ...  %zu more frames, which --json and the table of -o list\n",
                        report.frames.size() - rows);
     if (report.frames.size() > 1) text += frame_row("sum", report.sum);
     return text + "\n";

@@ -29,6 +29,7 @@ struct InspectReport {
     bool drawn = false;                   ///< there is a picture of each pair
     NamedOptions named;                   ///< what the names of pictures say
     NamedOptions named_frames;            ///< and that of the whole, which frames it is of
+    std::string files;                    ///< names of page and tables, without their endings
 };
 
 /// Tables of frames end here: more rows make a table that nobody reads.

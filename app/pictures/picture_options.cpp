@@ -26,8 +26,8 @@ int side_of(const std::string& size, std::size_t side) {
 }  // namespace
 
 void PictureOptions::check() const {
-    const int least_width = panel ? smallest_width : smallest_view,
-              least_height = panel ? smallest_height : smallest_view;
+    const int least_width = no_panel ? smallest_view : smallest_width,
+              least_height = no_panel ? smallest_view : smallest_height;
     const int most = samples == 4 ? largest / 2 : largest;
     if (width() < least_width || height() < least_height || width() > most || height() > most)
         throw InputError("--size " + size + ": give " + std::to_string(least_width) + "x" +
@@ -51,7 +51,7 @@ int PictureOptions::width() const { return side_of(size, 0); }
 int PictureOptions::height() const { return side_of(size, 1); }
 
 render::FigureLayout PictureOptions::layout() const {
-    return render::figure_layout(width(), height(), panel);
+    return render::figure_layout(width(), height(), !no_panel);
 }
 
 const render::Theme* PictureOptions::theme() const {
@@ -149,8 +149,8 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
 }
 
 void add_panel_option(const Command& command, PictureOptions& options) {
-    command.add_flag("--panel,!--no-panel", options.panel,
-                     "Heading, numbers and legend beside the view; --no-panel: the view alone");
+    command.add_flag("--no-panel", options.no_panel,
+                     "The view alone, without heading, numbers and legend");
 }
 
 void add_picture_options(const Command& command, PictureOptions& options) {

@@ -29,7 +29,7 @@ struct PictureOptions {
     bool ids = false;
     bool json = false;
     bool open = false;                    ///< what was made is opened, see open_file
-    bool panel = true;                    ///< beside a view; else that alone
+    bool no_panel = false;                ///< the view alone
     bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};

@@ -123,6 +123,7 @@ int run(const LevelOptions& options, const Console& console) {
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
 
+    note_doubts(options.hierarchy, kinds, console);
     PictureRun pictures(options.picture, scene.name);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
@@ -143,7 +144,7 @@ int run(const LevelOptions& options, const Console& console) {
     render::LevelFigure figure;
     figure.style = style;
     figure.center = render::center_of(support);
-    figure.with_panel = options.picture.panel;
+    figure.with_panel = !options.picture.no_panel;
     if (wish.inset)
         figure.detail = render::Detail{detail_camera(wish, *wish.inset, support, 1),
                                        wish.inset->center, wish.inset->radius};

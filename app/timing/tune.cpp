@@ -107,7 +107,8 @@ std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuni
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
+/// What of a run is in the names of its files.
+NamedOptions named_run(const TuneCommandOptions& options, const scenes::Scene& scene) {
     const TuneCommandOptions usual;
     NamedOptions named;
     named.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
@@ -126,8 +127,19 @@ std::string picture_file(const TuneCommandOptions& options, const scenes::Scene&
     named.add_if(options.no_time, "no-time");
     named.add_if(!options.no_time && options.repeats != usual.repeats, "repeat",
                  std::to_string(options.repeats));
+    return named;
+}
+
+std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
+    NamedOptions named = named_run(options, scene);
     name_picture(named, options.picture);
     return picture_name(scene.name, "tune", named, "") + ".png";
+}
+
+/// The tables are the same with any picture.
+std::string table_file(const TuneCommandOptions& options, const scenes::Scene& scene,
+                       const char* ending) {
+    return picture_name(scene.name, "tune", named_run(options, scene), "") + ending;
 }
 
 void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
@@ -142,8 +154,9 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
     const std::vector<std::uint8_t> png = render::encode_png(
         renderer.draw(picture, &overlay).image, picture_texts(options.picture, scene.name));
     render::write_file_whole(folder / picture_file(options, scene), png);
-    render::write_file_whole(folder / "tune.csv", tune_csv(tuning));
-    render::write_file_whole(folder / "tune.json", json_text(options, tuning));
+    render::write_file_whole(folder / table_file(options, scene, ".csv"), tune_csv(tuning));
+    render::write_file_whole(folder / table_file(options, scene, ".json"),
+                             json_text(options, tuning));
 }
 
 int run(const TuneCommandOptions& options, const Console& console) {
@@ -152,7 +165,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
     const scenes::Scene scene = options.scene.load();
     if (!options.picture.output.empty())
         for (const std::string& file :
-             {std::string("tune.csv"), std::string("tune.json"), picture_file(options, scene)})
+             {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),
+              picture_file(options, scene)})
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
@@ -224,7 +238,7 @@ void add_tune(const Command& program, const Console& console, Action& action) {
                      "Count every setting, also of volumes and splits that are far from the best");
     command.add_flag("--no-time", options->no_time,
                      "Counts only, which are the same on every machine");
-    add_figure_options(command, options->picture, "Folder for tune.csv, tune.json and a picture");
+    add_figure_options(command, options->picture, "Folder for tables (CSV, JSON) and a picture");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
         "--volume, --split, --test, --threshold, --descent and --growth give the base, with which "

@@ -301,8 +301,8 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("rejections spheres-l1 --opacity 0", "--opacity");
     refused("pairs spheres-l1 --compare scb,ball --no-panel", "only captions say which is which");
     refused("pairs spheres-l1 --no-panel --size 63x64", "give 64x64 to");
-    refused("rejections spheres-l1 --focus 0", "--focus: give a share");
-    refused("rejections spheres-l1 --focus 1.5", "--focus: give a share");
+    refused("rejections spheres-l1 --focus 0", "--focus 0: give a share");
+    refused("rejections spheres-l1 --focus 1.5", "--focus 1.5: give a share");
     refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");

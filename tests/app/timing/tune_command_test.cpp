@@ -188,8 +188,12 @@ TEST(TuneCommand, TakesEveryVolumeAsItsBase) {
         EXPECT_FALSE(base.contains("test"));
         const json mean = json::parse(run_scb("collide cone --json" + asked).out)["mean"];
         for (const char* count : {"n_v", "n_p", "pairs"}) EXPECT_EQ(base[count], mean[count]);
-        EXPECT_EQ(lines_of(file_text(folder.path / "tune.csv")), lines_of_csv(found));
+        EXPECT_EQ(lines_of(file_text(folder / ("cone_tune_volume-" + std::string(volume) +
+                                               "_margin-0.1_frames-80_no-time.csv"))),
+                  lines_of_csv(found));
     }
+    // Each run has tables of its own.
+    EXPECT_EQ(files_in(folder.path.string()), 12u);
     const ProgramRun run = run_scb("tune cone --frames 80 --no-time --volume scb2 --threshold 0.3");
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.err.find("--threshold has no effect"), std::string::npos) << run.err;
@@ -203,8 +207,9 @@ TEST(TuneCommand, WithoutTimesIsTheSameEachTime) {
     EXPECT_EQ(first.status, 0) << first.err;
     EXPECT_EQ(first.out, second.out);
     EXPECT_EQ(first.out.find("ms"), std::string::npos);
-    for (const char* file :
-         {"tune.csv", "tune.json", "cone_tune_frames-0-to-160-by-40_no-time.png"})
+    for (const char* file : {"cone_tune_frames-0-to-160-by-40_no-time.csv",
+                             "cone_tune_frames-0-to-160-by-40_no-time.json",
+                             "cone_tune_frames-0-to-160-by-40_no-time.png"})
         EXPECT_EQ(file_text(folder.path / "a" / file), file_text(folder.path / "b" / file)) << file;
 }
 
@@ -224,8 +229,9 @@ TEST(TuneCommand, TimesTheBestSettingsAndWritesFiles) {
     EXPECT_GE(timed, 5u);
     EXPECT_TRUE(found["settings"][0].contains("ms"));
     EXPECT_TRUE(found["settings"][found["best"]["time"].get<std::size_t>()].contains("ms"));
-    EXPECT_EQ(json::parse(file_text(fs::path(out) / "tune.json")), found);
-    EXPECT_EQ(lines_of(file_text(fs::path(out) / "tune.csv")), lines_of_csv(found));
+    EXPECT_EQ(json::parse(file_text(out + "/cone_tune_frames-60-80_repeat-1.json")), found);
+    EXPECT_EQ(lines_of(file_text(out + "/cone_tune_frames-60-80_repeat-1.csv")),
+              lines_of_csv(found));
     for (const json& layout : found["layouts"]) EXPECT_GT(layout["ms_least"], 0);
     const render::Image picture =
         render::read_png(fs::path(out) / "cone_tune_frames-60-80_repeat-1_size-640x480.png");
@@ -251,12 +257,13 @@ TEST(TuneCommand, EndsWhenInterrupted) {
                 " & child=$!; sleep 1; kill -TERM $child; wait $child");
     EXPECT_EQ(run.status, 143) << run.err;
     EXPECT_EQ(run.out, "");
-    EXPECT_FALSE(fs::exists(folder / "out/tune.json"));
+    EXPECT_EQ(files_in(folder / "out"), 0u);
 }
 
 TEST(TuneCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     const TemporaryFolder folder;
-    const std::string scene = folder / "tune.json", text = run_scb("scenes cone").out;
+    const std::string scene = folder / "cone_tune_frames-1_no-time.json",
+                      text = run_scb("scenes cone").out;
     write_text(scene, text);
     const ProgramRun run =
         run_scb("tune " + scene + " --frames 1 --no-time -o " + folder.path.string());
