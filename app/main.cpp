@@ -92,6 +92,12 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
             break;
         }
     }
+    for (int i = 1; i < argc && std::strcmp(argv[i], "--") != 0; ++i)
+        if (argv[i][0] == '-' && argv[i][1] != '-' && std::filesystem::exists(argv[i])) {
+            sentence = "'" + std::string(argv[i]) +
+                       "' begins like an option; put -- before names like that, behind all options";
+            break;
+        }
     for (char& c : sentence)
         if (c == '\n') c = ' ';
     return sentence + "; see `" + command + " --help`.";

@@ -19,14 +19,16 @@ std::string option_text(const CLI::Option& option, const std::string& name, bool
     for (const std::string& value : option.results()) {
         const std::string told = with_folders ? value : value.substr(value.rfind('/') + 1);
         const char* separator = values.empty() ? "" : positional ? " " : ",";
-        // A name that begins like an option.
-        const bool dashed = positional && told.starts_with('-');
-        values += separator + golden::shell_word(dashed ? "./" + told : told);
+        values += separator + (positional ? file_word(told) : golden::shell_word(told));
     }
     return text + " " + values;
 }
 
 }  // namespace
+
+std::string file_word(const std::string& name) {
+    return golden::shell_word(name.starts_with('-') ? "./" + name : name);
+}
 
 std::string given_text(const Command& command, const std::vector<std::string>& options) {
     std::string text;

@@ -17,4 +17,7 @@ std::string given_text(const Command& command, const std::vector<std::string>& o
 /// text says nothing of the machine.
 std::string told_command(const Command& command, const std::vector<std::string>& left_out);
 
+/// The name of a file as a word of the shell that is not taken for an option.
+std::string file_word(const std::string& name);
+
 }  // namespace scb::app

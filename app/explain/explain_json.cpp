@@ -40,8 +40,8 @@ Json json_of(const Obb& box) {
 Json json_of(const ConvexShape& shape) {
     Json reach = Json::array();
     for (int i = 0; i < 3; ++i)
-        reach.push_back({-support(shape, Vec3(-shape.axes.col(i))),
-                         support(shape, Vec3(shape.axes.col(i)))});
+        reach.push_back(
+            {-support(shape, Vec3(-shape.axes.col(i))), support(shape, Vec3(shape.axes.col(i)))});
     return {{"center", json_of(shape.center)},
             {"rounding", shape.rounding},
             {"axes",

@@ -167,7 +167,11 @@ std::string results_text(const golden::SuiteResult& result) {
     for (const golden::CaseResult& c : result.cases) {
         ++counts[c.verdict];
         tolerated += golden::is_tolerated(c);
-        if (c.verdict == golden::Verdict::same) continue;
+        if (c.verdict == golden::Verdict::same) {
+            for (const std::string& line : c.lines)
+                text += golden::plain_text(c.name + ": same. " + line) + "\n";
+            continue;
+        }
         text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_names[c.verdict]) +
                 ". " + golden::plain_text(golden::first_words(c)) + "\n";
         for (const std::string& line : golden::result_lines(c)) text += "    " + line + "\n";

@@ -15,10 +15,10 @@
 #include "app/inspect/inspect_report.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "golden/suite/shell_word.h"
 #include "scb/error.h"
 #include "scenes/scene/pose_rows.h"
 
@@ -27,9 +27,6 @@ namespace {
 
 /// With -o: nobody looks at more, and they fill disks.
 constexpr int most_pictured = 200;
-
-/// What is written at the end, beside index.json.
-const std::vector<std::string> tables = {"index.html", "frames.csv", "pairs.csv"};
 
 struct InspectOptions {
     SceneOptions scene;
@@ -150,7 +147,7 @@ constexpr std::size_t most_named_frames = 20;
 std::string scene_words(const InspectOptions& options, const QuerySource& source) {
     if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
     std::string words;
-    for (const std::string& name : source.header().source) words += " " + golden::shell_word(name);
+    for (const std::string& name : source.header().source) words += " " + file_word(name);
     std::string frames;
     for (const int frame : source.frames())
         frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
@@ -172,6 +169,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
                   header.growth};
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
+    asked.layouts = options.time;
     std::optional<Progress> progress;
     std::string what;
     const TuneProgress told = {[&](std::string_view part, std::size_t steps) {
@@ -181,12 +179,31 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
                                [&] {
                                    progress->step(what);
                                    return watch.signal() == 0;
-                               }};
+                               },
+                               [&] { return watch.signal() != 0; }};
     report.settings = tune_scene(query.scene, query.a, query.b,
                                  setting_frames(report, source.frames()), asked, told);
     if (!report.settings) return;
-    report.command = "scb collide" + scene_words(options, source) +
-                     setting_options(report.settings->rows[report.settings->recommended()].setting);
+    const SceneTuning& found = *report.settings;
+    const std::string scene = scene_words(options, source);
+    report.command =
+        "scb collide" + scene + setting_options(found.rows[found.recommended()].setting);
+    if (found.quicker_layout)
+        report.layout_command =
+            "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
+}
+
+/// What of a report is in the names of its files.
+void name_files(InspectReport& report, const InspectOptions& options, const QuerySource& source) {
+    const InspectOptions usual;
+    name_query(report.named, source, source);
+    name_picture(report.named, options.picture);
+    if (source.frames().size() != static_cast<std::size_t>(source.query().scene.frames))
+        name_frames(report.named_frames, source.frames());
+    NamedOptions of_page;
+    of_page.add_if(options.top != usual.top, "top", std::to_string(options.top));
+    of_page.add_if(options.time, "time");
+    report.files = inspect_name(report, of_page);
 }
 
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
@@ -204,7 +221,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     std::string bodies;
     if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
     whole = whole && step();
-    const InspectPage page{inspect_summary_name(report) + ".png",
+    const InspectPage page{inspect_name(report) + ".png",
                            bodies,
                            options.picture.width(),
                            options.picture.height(),
@@ -215,9 +232,9 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     head.update(inspect_json(report));
     head["poses"] = poses_json(query.scene, query.frames);
     if (whole) {
-        pictures.write("frames.csv", frames_csv(report));
-        pictures.write("pairs.csv", pairs_csv(report));
-        pictures.write("index.html", inspect_html(report, page));
+        pictures.write(report.files + "_frames.csv", frames_csv(report));
+        pictures.write(report.files + "_pairs.csv", pairs_csv(report));
+        pictures.write(report.files + ".html", inspect_html(report, page));
         pictures.finish(std::move(head), console);
     }
     return whole;
@@ -234,10 +251,19 @@ int run(InspectOptions& options, const Console& console) {
     sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits);
     QuerySource& source = sources.front();
     const SceneQuery& query = source.query();
+    note_doubts(options.hierarchy, {query.kind}, console);
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
     std::optional<PictureRun> pictures;
-    if (options.draws()) pictures.emplace(options.picture, query.scene.name, tables);
+    if (options.draws()) {
+        InspectReport named;
+        named.header = source.header();
+        name_files(named, options, source);
+        pictures.emplace(
+            options.picture, query.scene.name,
+            std::vector<std::string>{named.files + ".html", named.files + "_frames.csv",
+                                     named.files + "_pairs.csv"});
+    }
 
     Progress progress(console, source.frames().size());
     Inspector inspector(source, options.top);
@@ -255,10 +281,7 @@ int run(InspectOptions& options, const Console& console) {
         find_settings(report, options, source, console, watch);
     if (pictures && watch.signal() == 0) {
         report.drawn = true;
-        name_query(report.named, source, source);
-        name_picture(report.named, options.picture);
-        if (source.frames().size() != static_cast<std::size_t>(query.scene.frames))
-            name_frames(report.named_frames, source.frames());
+        name_files(report, options, source);
         if (options.picture.json)
             pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
         else

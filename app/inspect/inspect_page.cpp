@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
@@ -243,8 +244,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frame_rows)
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
-                                render::count_text(report.frames.size()) +
-                                " frames; frames.csv has all of them.";
+                                render::count_text(report.frames.size()) + " frames; " +
+                                report.files + "_frames.csv has all of them.";
     values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
                                                                       : data::type::bool_false);
     values["has_others"] =
@@ -256,10 +257,14 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
         values["settings"] = setting_rows(*report.settings);
         values["settings_words"] = settings_words(report, "sums over");
         values["use"] = report.command;
+        const std::string packed = layout_sentence(*report.settings);
+        if (!packed.empty()) values["packed"] = packed;
+        if (!report.layout_command.empty()) values["use_packed"] = report.layout_command;
         values["timed"] =
             data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
     }
     values["groups"] = groups_of(report, page);
+    values["files"] = report.files;
     values["version"] = SCB_VERSION;
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};

@@ -61,7 +61,7 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     figure.theme = options.theme();
     const render::Picture picture =
         render::compose(figure, options.width(), options.height(), pictures.overlay());
-    pictures.draw(inspect_summary_name(report), picture, Json{{"summary", true}});
+    pictures.draw(inspect_name(report), picture, Json{{"summary", true}});
 }
 
 void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
@@ -85,10 +85,10 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
 
 }  // namespace
 
-std::string inspect_summary_name(const InspectReport& report) {
+std::string inspect_name(const InspectReport& report, const NamedOptions& more) {
     return picture_name(report.header.scene,
                         std::string(volume_kind_name(report.header.volume)) + "_inspect",
-                        report.named + report.named_frames, "");
+                        report.named + report.named_frames + more, "");
 }
 
 bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,

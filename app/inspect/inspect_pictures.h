@@ -6,8 +6,8 @@
 
 namespace scb::app {
 
-/// The name of the picture of the whole, without .png.
-std::string inspect_summary_name(const InspectReport& report);
+/// The name of the picture of the whole, without .png; `more` names further options.
+std::string inspect_name(const InspectReport& report, const NamedOptions& more = {});
 
 /// Draws the whole, and every pair of the report. Ends early, with false, where `step`, which is
 /// called after each picture, returns false.

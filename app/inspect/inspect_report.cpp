@@ -47,7 +47,7 @@ std::string frames_text(const InspectReport& report) {
     for (std::size_t i = 0; i < rows; ++i)
         text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
     if (report.frames.size() > rows)
-        text += format("  ...  %zu more frames, which --json and frames.csv of -o list\n",
+        text += format("  ...  %zu more frames, which --json and the table of -o list\n",
                        report.frames.size() - rows);
     if (report.frames.size() > 1) text += frame_row("sum", report.sum);
     return text + "\n";
@@ -140,8 +140,13 @@ std::string settings_text(const InspectReport& report) {
     if (!report.settings) return "";
     return "\nwhat would have helped, the best first: " +
            settings_words(report, "means per frame over") + "\n" +
-           tune_rows_text(*report.settings, most_settings) + "\nTo use it: " + report.command +
-           "\n";
+           tune_rows_text(*report.settings, most_settings) +
+           (report.settings->timed()
+                ? ""
+                : "Packed layouts change time and memory: --time tries them.\n") +
+           "\nTo use it: " + report.command + "\n" +
+           (report.layout_command.empty() ? ""
+                                          : "Quicker, packed: " + report.layout_command + "\n");
 }
 
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
@@ -267,9 +272,12 @@ Json inspect_json(const InspectReport& report) {
     if (report.settings) {
         const Json settings = tune_json(*report.settings);
         json["settings"] = Json::object();
-        for (const char* key : {"frames", "timed_frames", "settings", "best_first", "best"})
+        for (const char* key :
+             {"frames", "timed_frames", "settings", "best_first", "best", "layouts"})
             if (settings.contains(key)) json["settings"][key] = settings[key];
         json["settings"]["command"] = report.command;
+        if (!report.layout_command.empty())
+            json["settings"]["layout_command"] = report.layout_command;
     }
     return json;
 }

@@ -25,9 +25,11 @@ struct InspectReport {
     WasteCauses causes;
     std::optional<SceneTuning> settings;  ///< what would have helped; not of parts of queries
     std::string command;                  ///< that makes the queries with the best of these
+    std::string layout_command;           ///< the same packed, where that is measurably quicker
     bool drawn = false;                   ///< there is a picture of each pair
     NamedOptions named;                   ///< what the names of pictures say
     NamedOptions named_frames;            ///< and that of the whole, which frames it is of
+    std::string files;                    ///< names of page and tables, without their endings
 };
 
 /// Tables of frames end here: more rows make a table that nobody reads.

@@ -1,7 +1,11 @@
 #include "app/pictures/folder_index.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <utility>
 
+#include "render/files/folder_lock.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/json_reader.h"
@@ -47,13 +51,6 @@ std::vector<Json> runs_of(Json index) {
     return runs;
 }
 
-/// An index of runs, of which there are some.
-Json index_of(const std::vector<Json>& runs) {
-    Json index = runs.front();
-    if (runs.size() > 1) index["earlier"] = std::vector<Json>(runs.begin() + 1, runs.end());
-    return index;
-}
-
 }  // namespace
 
 FolderIndex::FolderIndex(std::filesystem::path file) : file_(std::move(file)) {
@@ -62,6 +59,20 @@ FolderIndex::FolderIndex(std::filesystem::path file) : file_(std::move(file)) {
         throw InputError(file_.string() +
                          ": a folder has the name of the index of pictures; move it away, or name "
                          "another folder with -o.");
+    read_if_changed();
+}
+
+FolderIndex::Version FolderIndex::version() const {
+    struct stat status {};
+    if (::stat(file_.c_str(), &status) != 0) return {};
+    return {status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size};
+}
+
+void FolderIndex::read_if_changed() {
+    const Version now = version();
+    if (now == read_) return;
+    runs_.clear();
+    read_ = now;
     if (!render::is_there(file_)) return;
     Json index = Json::parse(scenes::read_text_file(file_.string(), largest_index), nullptr, false);
     for (Json& json : runs_of(std::move(index))) {
@@ -78,38 +89,55 @@ FolderIndex::FolderIndex(std::filesystem::path file) : file_(std::move(file)) {
 
 void FolderIndex::about_to_write(const std::string& picture) {
     replaced_.insert(picture);
-    bool changed = false;
-    for (Run& run : runs_)
-        if (run.on_disk && run.pictures.contains(picture)) {
-            run.on_disk = false;
-            changed = true;
-        }
-    if (changed) write_rest();
+    const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
+    read_if_changed();
+    const std::size_t before = runs_.size();
+    for (std::size_t i = before; i-- > 0;) {
+        if (!runs_[i].pictures.contains(picture)) continue;
+        const auto at = runs_.begin() + static_cast<std::ptrdiff_t>(i);
+        std::size_t older = runs_.size() - 1 - i;
+        const auto place = std::find_if(taken_.begin(), taken_.end(), [&older](TakenRun& other) {
+            if (other.older > older) return true;
+            ++older;
+            return false;
+        });
+        taken_.insert(place, {std::move(*at), older});
+        runs_.erase(at);
+    }
+    if (runs_.size() != before) write_runs();
 }
 
-void FolderIndex::write_rest() const {
-    std::vector<Json> rest;
-    for (const Run& run : runs_)
-        if (run.on_disk) rest.push_back(run.json);
-    if (!rest.empty()) {
-        render::write_file_whole(file_, index_text(index_of(rest)));
-        return;
+void FolderIndex::write_runs() {
+    if (runs_.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(file_, ignored);
+    } else {
+        Json index = runs_.front().json;
+        for (std::size_t i = 1; i < runs_.size(); ++i) index["earlier"].push_back(runs_[i].json);
+        render::write_file_whole(file_, index_text(index));
     }
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
+    read_ = version();
 }
 
 void FolderIndex::write(const Json& run) {
-    std::vector<Json> all = {run};
-    for (const Run& earlier : runs_) {
+    const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
+    read_if_changed();
+    for (TakenRun& taken : taken_)
+        runs_.insert(runs_.end() - static_cast<std::ptrdiff_t>(std::min(taken.older, runs_.size())),
+                     std::move(taken.run));
+    taken_.clear();
+    for (Run& earlier : runs_) {
         Json files = Json::array();
-        for (const Json& entry : earlier.json["files"])
-            if (!replaced_.contains(entry["file"].get<std::string>())) files.push_back(entry);
-        if (files.empty()) continue;
-        all.push_back(earlier.json);
-        all.back()["files"] = std::move(files);
+        for (const Json& entry : earlier.json["files"]) {
+            const std::string name = entry["file"];
+            if (!replaced_.contains(name) && render::is_there(file_.parent_path() / name))
+                files.push_back(entry);
+        }
+        earlier.json["files"] = std::move(files);
     }
-    render::write_file_whole(file_, index_text(index_of(all)));
+    std::erase_if(runs_, [](const Run& earlier) { return earlier.json["files"].empty(); });
+    runs_.insert(runs_.begin(), {run, replaced_});
+    write_runs();
 }
 
 std::string index_text(const Json& index) {

@@ -33,6 +33,7 @@ void add_level_options(const Command& command, LevelOptions& options) {
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);
+    add_panel_option(command, options.picture);
     add_choice(command, "--color-by", options.color_by,
                optional_choices(choices_of(render::color_by_names), "auto"),
                "body, depth, radius, thickness, subtree, or the share of the surface that a volume "

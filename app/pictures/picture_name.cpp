@@ -115,6 +115,7 @@ void name_picture(NamedOptions& named, const PictureOptions& options) {
     const PictureOptions usual;
     const bool usual_size = options.width() == usual.width() && options.height() == usual.height();
     named.add_if(!usual_size, "size", format("%dx%d", options.width(), options.height()));
+    named.add_if(options.no_panel, "no-panel");
     named.add_if(options.background != usual.background, "background", options.background);
 }
 

@@ -12,8 +12,9 @@
 namespace scb::app {
 namespace {
 
-// Smaller ones have no room for a heading and numbers; larger ones no OpenGL library draws.
-constexpr int smallest_width = 320, smallest_height = 240, largest = 16384;
+// Smaller ones have no room for a heading and numbers, or show nothing; larger ones no OpenGL
+// library draws.
+constexpr int smallest_width = 320, smallest_height = 240, smallest_view = 64, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
     const std::vector<std::string> parts = scenes::split_list(size, 'x');
@@ -25,10 +26,12 @@ int side_of(const std::string& size, std::size_t side) {
 }  // namespace
 
 void PictureOptions::check() const {
+    const int least_width = no_panel ? smallest_view : smallest_width,
+              least_height = no_panel ? smallest_view : smallest_height;
     const int most = samples == 4 ? largest / 2 : largest;
-    if (width() < smallest_width || height() < smallest_height || width() > most || height() > most)
-        throw InputError("--size " + size + ": give " + std::to_string(smallest_width) + "x" +
-                         std::to_string(smallest_height) + " to " + std::to_string(most) + "x" +
+    if (width() < least_width || height() < least_height || width() > most || height() > most)
+        throw InputError("--size " + size + ": give " + std::to_string(least_width) + "x" +
+                         std::to_string(least_height) + " to " + std::to_string(most) + "x" +
                          std::to_string(most) + " pixels" +
                          (samples == 4 && (width() > most || height() > most) &&
                                   width() <= largest && height() <= largest
@@ -46,6 +49,10 @@ void PictureOptions::check() const {
 
 int PictureOptions::width() const { return side_of(size, 0); }
 int PictureOptions::height() const { return side_of(size, 1); }
+
+render::FigureLayout PictureOptions::layout() const {
+    return render::figure_layout(width(), height(), !no_panel);
+}
 
 const render::Theme* PictureOptions::theme() const {
     if (background == "light") return &render::light_theme;
@@ -139,6 +146,11 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
     add_json(command, options);
+}
+
+void add_panel_option(const Command& command, PictureOptions& options) {
+    command.add_flag("--no-panel", options.no_panel,
+                     "The view alone, without heading, numbers and legend");
 }
 
 void add_picture_options(const Command& command, PictureOptions& options) {

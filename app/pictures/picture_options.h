@@ -8,6 +8,7 @@
 #include "app/pictures/scene_camera.h"
 #include "app/pictures/video_options.h"
 #include "render/gl/context.h"
+#include "render/overlay/figure_layout.h"
 #include "render/view/palette.h"
 
 namespace scb::app {
@@ -28,6 +29,7 @@ struct PictureOptions {
     bool ids = false;
     bool json = false;
     bool open = false;                    ///< what was made is opened, see open_file
+    bool no_panel = false;                ///< the view alone
     bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};
@@ -38,6 +40,8 @@ struct PictureOptions {
 
     int width() const;
     int height() const;
+    /// Of a picture with one view.
+    render::FigureLayout layout() const;
     const render::Theme* theme() const;
     render::GlBackend backend() const;
     std::size_t jobs() const;
@@ -46,6 +50,8 @@ struct PictureOptions {
 };
 
 void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera);
+/// Whether there is anything beside the view.
+void add_panel_option(const Command& command, PictureOptions& options);
 /// Of pictures without a view of the scene: neither camera nor samples nor ids.
 void add_picture_options(const Command& command, PictureOptions& options);
 /// Of the pictures that go with tables into a folder: `files` says which, and without -o there are

@@ -109,8 +109,7 @@ render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const 
 
 double QueryView::aspect() const {
     if (layout_) return render::aspect_of(layout_->sides[0].view);
-    return render::aspect_of(
-        render::figure_layout(options_.picture.width(), options_.picture.height()).view);
+    return render::aspect_of(options_.picture.layout().view);
 }
 
 render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) const {

@@ -1,7 +1,6 @@
 #include "app/pictures/query_view_options.h"
 
 #include "app/query/output_guard.h"
-#include "render/overlay/figure_layout.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -32,6 +31,11 @@ void QueryViewOptions::check() {
 QuerySources QueryViewOptions::open(const Console& console) const {
     QuerySources sources =
         open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+    if (picture.no_panel && sources.size() == 2)
+        throw InputError(
+            "--no-panel: of two queries that are compared, only captions say which is which; leave "
+            "it "
+            "out, or draw each alone.");
     if (picture.video.wanted()) check_output(picture.video.file, "--video", picture.output);
     return sources;
 }
@@ -40,7 +44,7 @@ std::optional<SheetRun> QueryViewOptions::planned_sheet(
     std::size_t count, const std::optional<render::ComparisonLayout>& layout) const {
     if (!sheet) return std::nullopt;
     SheetRun run;
-    run.view = render::figure_layout(picture.width(), picture.height()).view;
+    run.view = picture.layout().view;
     if (layout) {
         // Both views, and what is between them.
         const render::PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
@@ -70,6 +74,7 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
     options.shown = shown;
     if (shown != Shown::nothing) {
         add_picture_options(command, options.picture, options.camera);
+        add_panel_option(command, options.picture);
         command.get_option("--camera")
             .description(
                 "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "

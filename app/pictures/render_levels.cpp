@@ -123,6 +123,7 @@ int run(const LevelOptions& options, const Console& console) {
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
 
+    note_doubts(options.hierarchy, kinds, console);
     PictureRun pictures(options.picture, scene.name);
     std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
     for (const VolumeKind kind : kinds)
@@ -143,12 +144,12 @@ int run(const LevelOptions& options, const Console& console) {
     render::LevelFigure figure;
     figure.style = style;
     figure.center = render::center_of(support);
+    figure.with_panel = !options.picture.no_panel;
     if (wish.inset)
         figure.detail = render::Detail{detail_camera(wish, *wish.inset, support, 1),
                                        wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
-    figure.camera =
-        camera_for(wish, support, render::aspect_of(render::figure_layout(width, height).view));
+    figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
     figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
 
     const NamedOptions named = named_options(options);

@@ -114,6 +114,7 @@ int run(PairsOptions& options, const Console& console) {
             figure.pane.camera = view.camera(region);
             figure.center = view.center(region);
             figure.theme = style.theme;
+            figure.with_panel = !options.picture.no_panel;
             nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
             if (!options.heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
             pictures.explain(figure);

@@ -96,11 +96,13 @@ render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySo
                              "; give one of them.");
     }
     if (!(options.opacity > 0 && options.opacity <= 1))
-        throw InputError("--opacity: give a number above 0 (clear) up to 1 (opaque).");
+        throw InputError(format("--opacity %g: give a number above 0 (clear) up to 1 (opaque).",
+                                options.opacity));
     style.opacity = options.opacity;
     style.nested = options.nested;
     if (options.focus && !(*options.focus > 0 && *options.focus <= 1))
-        throw InputError("--focus: give a share of the ended paths, above 0 up to 1 (all).");
+        throw InputError(format(
+            "--focus %g: give a share of the ended paths, above 0 up to 1 (all).", *options.focus));
     // Animations show every test.
     const bool whole = options.steps || options.nested;
     style.focus = options.focus.value_or(whole ? 1 : default_focus);
@@ -157,6 +159,7 @@ struct Shot {
         figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
         figure.chart = render::endings_chart(source.header(), frame, tree, style);
         figure.theme = style.theme;
+        figure.with_panel = !options.picture.no_panel;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
         } else if (ended[0].empty() && ended[1].empty()) {
@@ -310,7 +313,7 @@ int run(RejectionsOptions& options, const Console& console) {
             }
         },
         [&] {
-            if (stages[0].frames.size() > 1)
+            if (stages[0].frames.size() > 1 && !options.picture.no_panel)
                 draw_stages(stages, sources, view, style, options, pictures);
             nlohmann::ordered_json head = query_index_head(view, "render rejections");
             head["options"]["by"] = render::node_color_names[options.by];

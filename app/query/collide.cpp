@@ -161,6 +161,7 @@ int run(const CollideCommandOptions& options, const Console& console) {
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
+    note_doubts(options.hierarchy, {query.kind}, console);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     std::vector<Stage> stages = counted_stages(query.kind, query.options.overlap);

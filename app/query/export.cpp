@@ -49,6 +49,7 @@ int run(const ExportOptions& options, const Console& console) {
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
     check_output(options.output, "-o");
+    note_doubts(options.hierarchy, kinds, console);
     const scenes::Scene scene = options.scene.load();
     check_output(options.output, "-o");
     const int frame = options.scene.frame_of(scene);

@@ -111,12 +111,14 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         }
     } else if (compare.names.empty()) {
         sources.emplace_back(scene, hierarchy, query, limits);
+        note_doubts(hierarchy, {sources[0].query().kind}, console);
         note_doubts(scene, query, {sources[0].query().kind}, console);
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
             sources.emplace_back(scene, side.hierarchy, side.query, limits);
             note_doubts(scene, side.query, {sources.back().query().kind}, console);
         }
+        note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, console);
     }
     return sources;
 }

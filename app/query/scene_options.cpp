@@ -134,6 +134,24 @@ std::vector<SplitMethod> splits_of(const std::string& list) {
     return splits;
 }
 
+void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console) {
+    const HierarchyOptions usual;
+    const bool asks_margin = options.margin != usual.margin,
+               asks_growth = options.growth != usual.growth;
+    const bool no_margin = asks_margin && std::none_of(kinds.begin(), kinds.end(), has_margin),
+               no_growth = asks_growth && std::none_of(kinds.begin(), kinds.end(), has_growth);
+    std::string volumes;
+    for (const VolumeKind kind : kinds)
+        volumes += (volumes.empty() ? "" : ", ") + std::string(volume_kind_name(kind));
+    if (no_margin || no_growth)
+        console.note("scb: " +
+                     std::string(no_margin && no_growth ? "--margin and --growth have"
+                                 : no_margin            ? "--margin has"
+                                                        : "--growth has") +
+                     " no effect on " + volumes + ".");
+}
+
 void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several,
                            std::string* splits) {
     command

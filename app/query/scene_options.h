@@ -44,6 +44,9 @@ struct HierarchyOptions {
     /// The one volume asked for; throws InputError where there are several.
     VolumeKind kind() const;
 };
+/// Says which options have no effect on any of the volumes.
+void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>& kinds,
+                 const Console& console);
 /// `several`: whether --volume takes a list. Where there are `splits`, a list of names, --split
 /// takes one and sets them instead of the one split.
 void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several = true,

@@ -113,6 +113,7 @@ int run(const StatsOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
+    note_doubts(options.hierarchy, kinds, console);
     const StatsOptions defaults;
     if (std::none_of(kinds.begin(), kinds.end(), can_pack))
         for (const auto& [option, given] :

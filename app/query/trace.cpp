@@ -41,6 +41,7 @@ int record(const TraceOptions& options, const Console& console) {
     check_output(options.output, "-o");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o");
+    note_doubts(options.hierarchy, {query.kind}, console);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;

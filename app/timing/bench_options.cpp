@@ -72,6 +72,7 @@ bool any_packed(const std::vector<BenchSubject>& subjects) {
 
 void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
                     const Console& console) {
+    note_doubts(options.hierarchy, options.hierarchy.kinds(), console);
     const BenchCommandOptions defaults;
     const auto note = [&console](const char* option, const char* why) {
         console.note("scb: " + std::string(option) + " has no effect: " + why);

@@ -97,16 +97,10 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     const auto packed_query = [&](std::size_t s, std::size_t i) {
         PackedOptions packed_options = options.packed;
         packed_options.give_up_after = options.max_pairs;
-        PackedCollision found =
-            collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
-                           scene.meshes[mesh_b].mesh, poses[i], packed_options, &workspace,
-                           options.subjects[s].coherent ? &fronts[s] : nullptr);
-        Collision result;
-        result.pairs = std::move(found.pairs);
-        result.n_v = found.n_v;
-        result.n_p = found.n_p;
-        result.complete = found.complete;
-        return result;
+        return collision_of(collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
+                                           scene.meshes[mesh_b].mesh, poses[i], packed_options,
+                                           &workspace,
+                                           options.subjects[s].coherent ? &fronts[s] : nullptr));
     };
     const auto any_query = [&](std::size_t s, std::size_t i) {
         if (!packed[s].empty()) return packed_query(s, i);

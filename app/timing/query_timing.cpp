@@ -2,6 +2,8 @@
 
 #include <time.h>
 
+#include <utility>
+
 #include "core/base/statistics.h"
 
 namespace scb::app {
@@ -16,6 +18,15 @@ double milliseconds(bool wall) {
 }
 
 }  // namespace
+
+Collision collision_of(PackedCollision found) {
+    Collision result;
+    result.pairs = std::move(found.pairs);
+    result.n_v = found.n_v;
+    result.n_p = found.n_p;
+    result.complete = found.complete;
+    return result;
+}
 
 std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing) {
     const std::size_t subjects = timing.subjects, frames = timing.frames;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scb/collide.h"
+#include "scb/packed_collide.h"
 
 namespace scb::app {
 
@@ -27,6 +28,9 @@ struct QueryTiming {
     /// Called after each query; ends the measurement by returning false.
     std::function<bool()> step;
 };
+
+/// What a packed query found, as others have it.
+Collision collision_of(PackedCollision found);
 
 /// The processor time of every query in milliseconds, or the time that passes, per subject and
 /// frame: the median of the repeats. Nothing where it was ended.

@@ -13,6 +13,7 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/picture_texts.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -85,12 +86,20 @@ std::string command_to_use(const TuneCommandOptions& options, const SceneTuning&
            setting_options(tuning.rows[tuning.recommended()].setting);
 }
 
+/// Where a packed layout is measurably quicker; queries with it are the library's and bench's.
+std::string layout_command(const TuneCommandOptions& options, const SceneTuning& tuning) {
+    if (!tuning.quicker_layout) return "";
+    return "scb bench" + options.of_scene +
+           layout_options(tuning, tuning.layouts[*tuning.quicker_layout]);
+}
+
 std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuning) {
     Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
     document.update(tune_json(tuning));
     document["margin"] = options.hierarchy.margin;
     document["split"] = split_method_name(options.hierarchy.split);
     document["command"] = command_to_use(options, tuning);
+    if (tuning.quicker_layout) document["layout_command"] = layout_command(options, tuning);
     if (!options.no_time) {
         document["repeats"] = options.repeats;
         document["compiler"] = compiler_text();
@@ -98,7 +107,8 @@ std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuni
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
+/// What of a run is in the names of its files.
+NamedOptions named_run(const TuneCommandOptions& options, const scenes::Scene& scene) {
     const TuneCommandOptions usual;
     NamedOptions named;
     named.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
@@ -117,8 +127,19 @@ std::string picture_file(const TuneCommandOptions& options, const scenes::Scene&
     named.add_if(options.no_time, "no-time");
     named.add_if(!options.no_time && options.repeats != usual.repeats, "repeat",
                  std::to_string(options.repeats));
+    return named;
+}
+
+std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
+    NamedOptions named = named_run(options, scene);
     name_picture(named, options.picture);
     return picture_name(scene.name, "tune", named, "") + ".png";
+}
+
+/// The tables are the same with any picture.
+std::string table_file(const TuneCommandOptions& options, const scenes::Scene& scene,
+                       const char* ending) {
+    return picture_name(scene.name, "tune", named_run(options, scene), "") + ending;
 }
 
 void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
@@ -133,8 +154,9 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
     const std::vector<std::uint8_t> png = render::encode_png(
         renderer.draw(picture, &overlay).image, picture_texts(options.picture, scene.name));
     render::write_file_whole(folder / picture_file(options, scene), png);
-    render::write_file_whole(folder / "tune.csv", tune_csv(tuning));
-    render::write_file_whole(folder / "tune.json", json_text(options, tuning));
+    render::write_file_whole(folder / table_file(options, scene, ".csv"), tune_csv(tuning));
+    render::write_file_whole(folder / table_file(options, scene, ".json"),
+                             json_text(options, tuning));
 }
 
 int run(const TuneCommandOptions& options, const Console& console) {
@@ -143,7 +165,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
     const scenes::Scene scene = options.scene.load();
     if (!options.picture.output.empty())
         for (const std::string& file :
-             {std::string("tune.csv"), std::string("tune.json"), picture_file(options, scene)})
+             {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),
+              picture_file(options, scene)})
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
@@ -172,7 +195,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
                                  [&] {
                                      progress->step(what);
                                      return watch.signal() == 0;
-                                 }};
+                                 },
+                                 [&] { return watch.signal() != 0; }};
     const std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, report);
     if (!tuning) {
         console.note("scb: interrupted before the settings were compared; nothing was written.");
@@ -184,6 +208,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
         if (const std::string said = conditions(options, *tuning); !said.empty())
             text += "\n" + said + "\n";
         text += "\nTo use it: " + command_to_use(options, *tuning) + "\n";
+        if (tuning->quicker_layout)
+            text += "Quicker, packed: " + layout_command(options, *tuning) + "\n";
     }
     print_result(text);
     if (options.picture.open) open_file(folder / picture_file(options, scene), console);
@@ -212,7 +238,7 @@ void add_tune(const Command& program, const Console& console, Action& action) {
                      "Count every setting, also of volumes and splits that are far from the best");
     command.add_flag("--no-time", options->no_time,
                      "Counts only, which are the same on every machine");
-    add_figure_options(command, options->picture, "Folder for tune.csv, tune.json and a picture");
+    add_figure_options(command, options->picture, "Folder for tables (CSV, JSON) and a picture");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
         "--volume, --split, --test, --threshold, --descent and --growth give the base, with which "
@@ -220,7 +246,8 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "every volume with every split, and what differs from the base in one other thing; then, "
         "for volumes and splits that come near\n"
         "the best, everything that can be chosen. Counts are the same on every machine. Then it "
-        "times the base and the best. operations:\n"
+        "tries packed layouts\n"
+        "of the best, and times these, the base and the best. operations:\n"
         "arithmetic operations of the volume tests (Table 1 of the paper). B/tri: bytes of the "
         "hierarchies per triangle. The printed\n"
         "test misses pairs and is never best. Ctrl-C stops it, with exit status 130.\n\n"

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
+#include "app/timing/tune_layout_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
@@ -29,21 +30,17 @@ std::string setting_columns(const TuneSetting& s) {
                   has_growth(s.volume) ? std::string(ball_growth_name(s.growth)).c_str() : "");
 }
 
-double over(std::uint64_t count, std::uint64_t base) {
-    return ratio(static_cast<double>(count), static_cast<double>(base), 1);
-}
-
 std::string table_row(const SceneTuning& tuning, std::size_t r) {
     const TuneRow &row = tuning.rows[r], &base = tuning.base();
     std::string line =
         setting_columns(row.setting) +
         format(" %11.1f %6.3f %10.1f %6.3f %13.1f %6.3f %7.0f",
                tuning.mean(row.counts.volume_tests),
-               over(row.counts.volume_tests, base.counts.volume_tests),
+               multiple_of(row.counts.volume_tests, base.counts.volume_tests),
                tuning.mean(row.counts.triangle_tests),
-               over(row.counts.triangle_tests, base.counts.triangle_tests),
+               multiple_of(row.counts.triangle_tests, base.counts.triangle_tests),
                tuning.mean(row.counts.operations),
-               over(row.counts.operations, base.counts.operations), row.bytes_per_triangle);
+               multiple_of(row.counts.operations, base.counts.operations), row.bytes_per_triangle);
     if (tuning.timed()) line += format(" %9.1f", row.build_ms);
     if (row.ms) line += format("  %8.4f [%.4f, %.4f]", row.ms->median, row.ms->low, row.ms->high);
     if (row.misses_pairs) line += "  misses pairs";
@@ -94,6 +91,10 @@ std::string count_text(std::size_t count, const char* one, const char* many) {
 
 }  // namespace
 
+double multiple_of(std::uint64_t count, std::uint64_t base) {
+    return ratio(static_cast<double>(count), static_cast<double>(base), 1);
+}
+
 std::string setting_options(const TuneSetting& s) {
     const TuneSetting usual;
     std::string text;
@@ -135,12 +136,12 @@ std::string tune_rows_text(const SceneTuning& tuning, std::size_t most) {
             text += table_row(tuning, r);
     return text + "\n" +
            best_line(tuning, "Fewest volume tests", tuning.best[0],
-                     over(tuning.rows[tuning.best[0]].counts.volume_tests,
-                          tuning.base().counts.volume_tests)) +
+                     multiple_of(tuning.rows[tuning.best[0]].counts.volume_tests,
+                                 tuning.base().counts.volume_tests)) +
            best_line(tuning, "Fewest operations", tuning.fewest_operations,
-                     over(tuning.rows[tuning.fewest_operations].counts.operations,
-                          tuning.base().counts.operations)) +
-           (tuning.timed() ? time_line(tuning) : "");
+                     multiple_of(tuning.rows[tuning.fewest_operations].counts.operations,
+                                 tuning.base().counts.operations)) +
+           (tuning.timed() ? time_line(tuning) : "") + layout_rows_text(tuning, most);
 }
 
 std::string tune_table(const SceneTuning& tuning) {
@@ -179,6 +180,7 @@ Json tune_json(const SceneTuning& tuning) {
     }
     Json best = {{"tests", tuning.best[0]}, {"operations", tuning.fewest_operations}};
     if (tuning.timed()) best["time"] = tuning.least_time;
+    if (tuning.quicker_layout) best["layout"] = *tuning.quicker_layout;
     Json json = {{"scene", tuning.scene},
                  {"bodies", tuning.bodies},
                  {"triangles", tuning.triangles},
@@ -187,14 +189,19 @@ Json tune_json(const SceneTuning& tuning) {
     json.update(Json{{"volume", volume_kind_name(tuning.base().setting.volume)},
                      {"settings", settings},
                      {"best_first", tuning.best},
-                     {"best", best}});
+                     {"best", best},
+                     {"layouts", layouts_json(tuning)}});
     return json;
 }
 
 std::string tune_csv(const SceneTuning& tuning) {
     std::string text =
         "tuned,volume,split,test,threshold,descent,growth,n_v,n_p,operations,pairs,misses_pairs,"
-        "bytes_per_triangle,build_ms,ms,ms_least,ms_most\n";
+        "bytes_per_triangle,build_ms,ms,ms_least,ms_most,layout,leaf\n";
+    const auto times = [&](double build_ms, const std::optional<TimeInterval>& ms) {
+        return (tuning.timed() ? format("%.3f,", build_ms) : std::string(",")) +
+               (ms ? format("%.6f,%.6f,%.6f,", ms->median, ms->low, ms->high) : std::string(",,,"));
+    };
     for (const TuneRow& row : tuning.rows) {
         const TuneSetting& s = row.setting;
         const bool threshold = has_tests(s) && has_threshold(s.overlap.test);
@@ -208,9 +215,18 @@ std::string tune_csv(const SceneTuning& tuning) {
                 format(",%.6f,%.6f,%.6f,%.6f,%d,%.3f,", tuning.mean(row.counts.volume_tests),
                        tuning.mean(row.counts.triangle_tests), tuning.mean(row.counts.operations),
                        tuning.mean(row.pairs), row.misses_pairs ? 1 : 0, row.bytes_per_triangle) +
-                (tuning.timed() ? format("%.3f,", row.build_ms) : std::string(",")) +
-                (row.ms ? format("%.6f,%.6f,%.6f\n", row.ms->median, row.ms->low, row.ms->high)
-                        : std::string(",,\n"));
+                times(row.build_ms, row.ms) + ",\n";
+    }
+    for (const TuneLayout& layout : tuning.layouts) {
+        const TuneSetting& s = tuning.rows[layout.row].setting;
+        text += "layout," + std::string(volume_kind_name(s.volume)) + "," +
+                std::string(split_method_name(s.split)) + ",,,," +
+                std::string(ball_growth_name(s.growth)) +
+                format(",%.6f,%.6f,,%.6f,%d,%.3f,", tuning.mean(layout.n_v),
+                       tuning.mean(layout.n_p), tuning.mean(layout.pairs),
+                       layout.misses_pairs ? 1 : 0, layout.bytes_per_triangle) +
+                times(layout.build_ms, layout.ms) + packed_layout_name(layout.layout) + "," +
+                std::to_string(layout.layout.leaf_triangles) + "\n";
     }
     return text;
 }
@@ -220,16 +236,18 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
     render::TuneFigure figure;
     figure.title = tuning.scene + " · settings";
     figure.subtitle = render::frames_text(tuning.frames) + ", base: " + setting_text(base.setting);
+    const auto times = [&](const TimeInterval& ms) {
+        const double of_base = base.ms->median;
+        return render::TuneBar::Times{ratio(ms.low, of_base, 1), ratio(ms.median, of_base, 1),
+                                      ratio(ms.high, of_base, 1)};
+    };
     const auto add = [&](std::size_t r) {
         const TuneRow& row = tuning.rows[r];
         render::TuneBar bar;
         bar.name = r == 0 ? "base" : bar_name(row.setting);
-        bar.n_v = over(row.counts.volume_tests, base.counts.volume_tests);
-        bar.operations = over(row.counts.operations, base.counts.operations);
-        if (row.ms)
-            bar.time = {ratio(row.ms->low, base.ms->median, 1),
-                        ratio(row.ms->median, base.ms->median, 1),
-                        ratio(row.ms->high, base.ms->median, 1)};
+        bar.n_v = multiple_of(row.counts.volume_tests, base.counts.volume_tests);
+        bar.operations = multiple_of(row.counts.operations, base.counts.operations);
+        if (row.ms) bar.time = times(*row.ms);
         bar.misses_pairs = row.misses_pairs;
         bar.fewest_tests = r == tuning.best[0];
         bar.fewest_operations = r == tuning.fewest_operations;
@@ -242,6 +260,19 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
         if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
                        r == tuning.fewest_operations || (tuning.timed() && r == tuning.least_time)))
             add(r);
+    if (tuning.quicker_layout) {
+        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+        for (render::TuneBar& bar : figure.bars) bar.least_time = false;
+        render::TuneBar& bar = figure.bars.emplace_back();
+        TuneSetting packed;
+        packed.volume = tuning.rows[layout.row].setting.volume;
+        packed.split = tuning.rows[layout.row].setting.split;
+        packed.growth = tuning.rows[layout.row].setting.growth;
+        bar.name = bar_name(packed) + ", " + packed_layout_name(layout.layout);
+        bar.n_v = multiple_of(layout.n_v, base.counts.volume_tests);
+        bar.time = times(*layout.ms);
+        bar.least_time = true;
+    }
     return figure;
 }
 

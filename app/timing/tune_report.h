@@ -8,6 +8,9 @@
 
 namespace scb::app {
 
+/// `count` as a multiple of `base`; 1 where that is 0.
+double multiple_of(std::uint64_t count, std::uint64_t base);
+
 /// The options that ask for the setting, but for those that are as by default: " --volume scb2
 /// --split cost".
 std::string setting_options(const TuneSetting& setting);

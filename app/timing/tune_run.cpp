@@ -1,117 +1,47 @@
 #include "app/timing/tune_run.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "app/timing/query_timing.h"
+#include "app/timing/tune_subject.h"
 #include "core/analysis/operation_cost.h"
 #include "core/base/parallel_for.h"
 #include "core/base/statistics.h"
+#include "scb/error.h"
 
 namespace scb::app {
 namespace {
 
 /// Volume tests and triangle tests of all timed queries: some ten seconds.
 constexpr double most_timed_tests = 1e8;
+/// So many tests of packed layouts take as long as one of others.
+constexpr std::uint64_t packed_tests_per_test = 4;
 
-double process_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+/// All layouts with large leaves, and the one that is mostly the quickest with smaller ones too.
+std::vector<PackedLayout> tried_layouts() {
+    std::vector<PackedLayout> tried;
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        tried.push_back(layout);
+        if (layout.width != QuickestCodec::width || layout.corners != LeafCorners::stored ||
+            layout.numbers != PackedLayout::Numbers::quantized)
+            continue;
+        for (const int leaf_triangles : {2, 1}) {
+            tried.push_back(layout);
+            tried.back().leaf_triangles = leaf_triangles;
+        }
+    }
+    return tried;
 }
-
-/// The hierarchies of a setting, one per mesh.
-struct BuiltSetting {
-    TuneSetting setting;
-    std::vector<AnyHierarchy> hierarchies;
-    double ms = 0;
-};
-
-/// The scene, and what queries of it need.
-class Subject {
-  public:
-    Subject(const scenes::Scene& scene, std::size_t a, std::size_t b,
-            const std::vector<int>& frames, const BuildOptions& build)
-        : scene_(scene),
-          build_(build),
-          mesh_a_(scene.bodies[a].mesh),
-          mesh_b_(scene.bodies[b].mesh) {
-        for (const int frame : frames)
-            poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
-                                           scenes::pose_at(scene.bodies[b].motion, frame)));
-    }
-
-    std::size_t frames() const { return poses_.size(); }
-
-    BuiltSetting build(const TuneSetting& setting) {
-        BuildOptions options = build_;
-        options.split = setting.split;
-        options.fit.growth = setting.growth;
-        Split* split = &splits_[setting.split == SplitMethod::cost ? 1 : 0];
-        if (split->topologies.empty()) {
-            const double start = process_milliseconds();
-            split->topologies = scenes::build_topologies(scene_, options.topology());
-            split->ms = process_milliseconds() - start;
-        }
-        BuiltSetting built{setting, {}, 0};
-        const double start = process_milliseconds();
-        built.hierarchies = scenes::fit_meshes(split->topologies, setting.volume, options);
-        built.ms = split->ms + process_milliseconds() - start;
-        return built;
-    }
-
-    double bytes_per_triangle(const BuiltSetting& built) const {
-        std::size_t bytes = 0, triangles = 0;
-        for (const std::size_t m : {mesh_a_, mesh_b_}) {
-            bytes += bytes_of(built.hierarchies[m]);
-            triangles += scene_.meshes[m].mesh.triangles.size();
-        }
-        return ratio(static_cast<double>(bytes), static_cast<double>(triangles));
-    }
-
-    Collision query(const BuiltSetting& built, const TuneSetting& setting,
-                    std::size_t frame) const {
-        CollideOptions options;
-        options.overlap = setting.overlap;
-        options.descent = setting.descent;
-        return collide(built.hierarchies[mesh_a_], scene_.meshes[mesh_a_].mesh,
-                       built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame],
-                       options);
-    }
-
-    /// What makes a timed query independent of the one before it. Settings are so much alike that
-    /// one is quicker right after another with the same hierarchies, which are in the caches then,
-    /// or the same overlap test, whose branches it repeats. So before each its nodes are brought
-    /// into the caches by a query with the slowest test, A and B exchanged.
-    void prepare(const BuiltSetting& built, std::size_t frame) const {
-        CollideOptions slow;
-        slow.overlap.test = OverlapTest::extents;
-        collide(built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, built.hierarchies[mesh_a_],
-                scene_.meshes[mesh_a_].mesh, relative_pose(poses_[frame], Pose{}), slow);
-    }
-
-  private:
-    struct Split {
-        std::vector<MeshTopology> topologies;
-        double ms = 0;
-    };
-
-    const scenes::Scene& scene_;
-    BuildOptions build_;
-    std::size_t mesh_a_, mesh_b_;
-    Split splits_[2];
-    std::vector<Pose> poses_;  // per frame
-};
 
 class Run {
   public:
-    Run(Subject& subject, int threads, const TuneProgress& progress)
+    Run(TuneSubject& subject, int threads, const TuneProgress& progress)
         : subject_(subject), threads_(threads), progress_(progress), most_(subject.frames()) {}
 
     std::vector<TuneRow> rows;
+    std::vector<TuneLayout> layouts;
 
     std::vector<TuneSetting> settings() const {
         std::vector<TuneSetting> result;
@@ -149,37 +79,73 @@ class Run {
         return true;
     }
 
-    /// Times the rows in some of the frames, in turns.
+    /// Adds the layouts of the rows' hierarchies. Throws InputError where they cannot be packed.
+    bool count_layouts(const std::vector<std::size_t>& packed) {
+        const std::vector<PackedLayout> tried = tried_layouts();
+        progress_.begin("layouts counted", packed.size() * tried.size());
+        for (const std::size_t r : packed) {
+            const BuiltSetting built = subject_.build(rows[r].setting);
+            for (const PackedLayout& layout : tried) {
+                const BuiltLayout in_layout = subject_.pack(built, layout);
+                TuneLayout& found = layouts.emplace_back();
+                found.row = r;
+                found.layout = layout;
+                for (std::size_t i = 0; i < subject_.frames() && !progress_.ends(); ++i) {
+                    const Collision at = subject_.query(in_layout, i);
+                    found.n_v += at.n_v;
+                    found.n_p += at.n_p;
+                    found.pairs += at.pairs.size();
+                    found.misses_pairs |= at.pairs.size() != pairs_[r][i];
+                }
+                found.bytes_per_triangle = subject_.bytes_per_triangle(in_layout);
+                found.build_ms = in_layout.ms;
+                if (!progress_.step()) return false;
+            }
+        }
+        return true;
+    }
+
+    /// Times the rows, and all layouts, in some of the frames, in turns.
     bool time(const std::vector<std::size_t>& timed, const std::vector<std::size_t>& frames,
               int repeats) {
         std::vector<BuiltSetting> built;
-        std::vector<std::size_t> built_of;
-        for (const std::size_t r : timed) {
+        const auto built_of = [&](std::size_t r) {
             std::size_t k = 0;
             while (k < built.size() && !same_hierarchies(built[k].setting, rows[r].setting)) ++k;
             if (k == built.size()) built.push_back(subject_.build(rows[r].setting));
-            built_of.push_back(k);
-        }
+            return k;
+        };
+        std::vector<std::size_t> of_timed;
+        for (const std::size_t r : timed) of_timed.push_back(built_of(r));
+        std::vector<BuiltLayout> packed;
+        for (const TuneLayout& layout : layouts)
+            packed.push_back(subject_.pack(built[built_of(layout.row)], layout.layout));
         QueryTiming timing;
-        timing.subjects = timed.size();
+        timing.subjects = timed.size() + packed.size();
         timing.frames = frames.size();
         timing.before = [&](std::size_t s, std::size_t i) {
-            subject_.prepare(built[built_of[s]], frames[i]);
+            if (s < timed.size())
+                subject_.prepare(built[of_timed[s]], frames[i]);
+            else
+                subject_.prepare(packed[s - timed.size()], frames[i]);
         };
         timing.query = [&](std::size_t s, std::size_t i) {
-            return subject_.query(built[built_of[s]], rows[timed[s]].setting, frames[i]);
+            return s < timed.size()
+                       ? subject_.query(built[of_timed[s]], rows[timed[s]].setting, frames[i])
+                       : subject_.query(packed[s - timed.size()], frames[i]);
         };
         timing.step = progress_.step;
         progress_.begin("settings timed",
-                        timed.size() * frames.size() * static_cast<std::size_t>(repeats));
-        std::vector<std::vector<double>> runs(timed.size());
+                        timing.subjects * frames.size() * static_cast<std::size_t>(repeats));
+        std::vector<std::vector<double>> runs(timing.subjects);
         for (int repeat = 0; repeat < repeats; ++repeat) {
             const auto ms = time_queries(timing);
             if (!ms) return false;
-            for (std::size_t s = 0; s < timed.size(); ++s) runs[s].push_back(mean((*ms)[s]));
+            for (std::size_t s = 0; s < runs.size(); ++s) runs[s].push_back(mean((*ms)[s]));
         }
-        for (std::size_t s = 0; s < timed.size(); ++s)
-            rows[timed[s]].ms = time_interval(std::move(runs[s]));
+        for (std::size_t s = 0; s < runs.size(); ++s)
+            (s < timed.size() ? rows[timed[s]].ms : layouts[s - timed.size()].ms) =
+                time_interval(std::move(runs[s]));
         return true;
     }
 
@@ -188,6 +154,7 @@ class Run {
         TuneRow& row = rows[r];
         std::vector<Work> counts(subject_.frames());
         parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
+            if (progress_.ends()) return;
             const Collision found = subject_.query(built, row.setting, i);
             counts[i] = {found.n_v, found.n_p,
                          operation_count(row.setting.volume, row.setting.overlap, found.stages)};
@@ -202,7 +169,7 @@ class Run {
         row.build_ms = built.ms;
     }
 
-    Subject& subject_;
+    TuneSubject& subject_;
     int threads_;
     const TuneProgress& progress_;
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame
@@ -256,11 +223,45 @@ std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     return timed;
 }
 
-/// The tests that timing the rows in all frames takes, each query after another of its nodes.
+/// The best row of each volume that can be packed.
+std::vector<std::size_t> packed_rows(const SceneTuning& tuning) {
+    std::vector<std::size_t> packed;
+    for (const std::size_t r : tuning.best) {
+        const VolumeKind kind = tuning.rows[r].setting.volume;
+        if (can_pack(kind) && std::none_of(packed.begin(), packed.end(), [&](std::size_t other) {
+                return tuning.rows[other].setting.volume == kind;
+            }))
+            packed.push_back(r);
+    }
+    return packed;
+}
+
+/// See SceneTuning::quicker_layout.
+std::optional<std::size_t> quicker_layout_of(const SceneTuning& tuning) {
+    const TuneLayout* least = nullptr;
+    for (const TuneLayout& layout : tuning.layouts)
+        if (!layout.misses_pairs && (least == nullptr || layout.ms->median < least->ms->median))
+            least = &layout;
+    std::optional<std::size_t> found;
+    const TimeInterval& plain = *tuning.rows[tuning.least_time].ms;
+    for (std::size_t i = 0; i < tuning.layouts.size(); ++i) {
+        const TuneLayout& layout = tuning.layouts[i];
+        if (!layout.misses_pairs && !apart(*layout.ms, *least->ms) && layout.ms->high < plain.low &&
+            (!found || layout.bytes_per_triangle < tuning.layouts[*found].bytes_per_triangle))
+            found = i;
+    }
+    return found;
+}
+
+/// The tests that timing the rows in all frames takes, and the layouts, each query after another of
+/// its nodes.
 double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& timed, int repeats) {
-    Work work;
-    for (const std::size_t r : timed) work += tuning.rows[r].counts;
-    return 2.0 * repeats * static_cast<double>(work.volume_tests + work.triangle_tests);
+    std::uint64_t tests = 0;
+    for (const std::size_t r : timed)
+        tests += tuning.rows[r].counts.volume_tests + tuning.rows[r].counts.triangle_tests;
+    for (const TuneLayout& layout : tuning.layouts)
+        tests += (layout.n_v + layout.n_p) / packed_tests_per_test;
+    return 2.0 * repeats * static_cast<double>(tests);
 }
 
 }  // namespace
@@ -300,7 +301,7 @@ std::size_t SceneTuning::equals(std::size_t row) const {
 std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
-    Subject subject(scene, a, b, frames, options.build);
+    TuneSubject subject(scene, a, b, frames, options.build);
     Run run(subject, options.build.threads, progress);
     if (!run.count(first_trials(options.base))) return std::nullopt;
     const std::vector<TuneSetting> first = run.settings();
@@ -333,6 +334,15 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
             return result.rows[x].counts.operations < result.rows[y].counts.operations;
         });
+    if (options.layouts) {
+        try {
+            if (!run.count_layouts(packed_rows(result))) return std::nullopt;
+        } catch (const InputError& error) {
+            run.layouts.clear();
+            result.no_layouts = std::string("No packed layout was tried: ") + error.what();
+        }
+        result.layouts = run.layouts;
+    }
     if (options.repeats > 0) {
         const std::vector<std::size_t> timed = timed_rows(result),
                                        places = affordable_frames(
@@ -342,7 +352,9 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         if (!run.time(timed, places, options.repeats)) return std::nullopt;
         for (const std::size_t i : places) result.timed_frames.push_back(frames[i]);
         result.rows = std::move(run.rows);
+        result.layouts = std::move(run.layouts);
         result.least_time = least_time_of(result.rows, result.best);
+        result.quicker_layout = quicker_layout_of(result);
     }
     return result;
 }

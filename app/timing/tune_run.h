@@ -8,6 +8,7 @@
 
 #include "app/query/scene_query.h"
 #include "core/analysis/tuning.h"
+#include "scb/packed_layout.h"
 
 namespace scb::app {
 
@@ -22,6 +23,18 @@ struct TuneRow {
     std::optional<TimeInterval> ms;  ///< of a query, the mean over the timed frames; of some rows
 };
 
+/// What the hierarchies of a setting take in a packed layout, over all frames. Layouts have a test
+/// and a descent of their own, and wide nodes and large leaves have other counts.
+struct TuneLayout {
+    std::size_t row = 0;  ///< whose hierarchies are packed
+    PackedLayout layout;
+    std::uint64_t n_v = 0, n_p = 0, pairs = 0;
+    bool misses_pairs = false;  ///< finds others than the row does: there is an error then
+    double bytes_per_triangle = 0;
+    double build_ms = 0;  ///< that of the row and packing
+    std::optional<TimeInterval> ms;
+};
+
 /// The settings of one scene, the base first.
 struct SceneTuning {
     std::string scene;
@@ -33,7 +46,12 @@ struct SceneTuning {
     std::vector<std::size_t> best;  ///< rows that find all pairs, by counts, the best first; of
                                     ///< rows with equal counts only the first
     std::size_t fewest_operations = 0;
-    std::size_t least_time = 0;  ///< see least_time_of; 0 where nothing is timed
+    std::size_t least_time = 0;       ///< see least_time_of; 0 where nothing is timed
+    std::vector<TuneLayout> layouts;  ///< of the best row of each volume that can be packed
+    std::string no_layouts;           ///< why some are not there: a sentence
+    /// The layout with the least time, if that is measurably less than that of `recommended`; of
+    /// those that no other is measurably quicker than, the one with the least memory.
+    std::optional<std::size_t> quicker_layout;
 
     double mean(std::uint64_t sum) const {
         return static_cast<double>(sum) / static_cast<double>(frames.size());
@@ -53,8 +71,9 @@ struct SceneTuning {
 struct TuneOptions {
     TuneSetting base;  ///< overlap and growth as by default where they mean nothing to the volume
     BuildOptions build;
-    bool every = false;  ///< all settings together, not just those of the volumes worth it
-    int repeats = 0;     ///< of each timed query; 0: nothing is timed
+    bool every = false;   ///< all settings together, not just those of the volumes worth it
+    int repeats = 0;      ///< of each timed query; 0: nothing is timed
+    bool layouts = true;  ///< whether packed layouts are tried
 };
 
 /// Places of `frames` frames, evenly spread: all, or so few that they have about `most` of their
@@ -62,10 +81,12 @@ struct TuneOptions {
 std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most);
 
 /// Told of a part of the run that begins, with how many steps it has; then of each step, by
-/// `step`, which ends the run by returning false.
+/// `step`, which ends the run by returning false. Within a step, which may be long, threads ask
+/// whether the run is to end.
 struct TuneProgress {
     std::function<void(std::string_view what, std::size_t steps)> begin;
     std::function<bool()> step;
+    std::function<bool()> ends;
 };
 
 /// So many settings with the fewest tests are timed, beside the base, the base with the other
@@ -74,8 +95,8 @@ inline constexpr std::size_t most_timed = 8;
 
 /// Counts what the settings take in the frames, all of them: those that change one thing or take
 /// another volume and split, then of the volumes that are worth it all that can be chosen. Then
-/// times some, which take turns at each frame, so many frames as keep the run short. Nothing where
-/// it was ended.
+/// tries packed layouts of the best, and times some, which take turns at each frame, so many frames
+/// as keep the run short. Nothing where it was ended.
 std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress);

@@ -68,8 +68,8 @@ std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t 
 }
 
 /// Of convex volumes 24 for B's center, and for each direction 46, which is turned into B's frame
-/// and its farthest point back, two farthest points, and from the second on 80 for the closest point
-/// of the simplex. Searches differ in length: it is counted as four directions.
+/// and its farthest point back, two farthest points, and from the second on 80 for the closest
+/// point of the simplex. Searches differ in length: it is counted as four directions.
 std::uint32_t of_search(Stage stage, std::uint32_t support) {
     const std::uint32_t direction = 46 + 2 * support;
     return stage == Stage::center_line ? 24 + direction : 24 + 4 * direction + 3 * 80;

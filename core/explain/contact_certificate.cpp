@@ -209,9 +209,8 @@ bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
 }
 
 bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate& certificate) {
-    return verify_within(
-        a, b, certificate,
-        std::max({diameter(a), diameter(b), (b.center - a.center).stableNorm()}));
+    return verify_within(a, b, certificate,
+                         std::max({diameter(a), diameter(b), (b.center - a.center).stableNorm()}));
 }
 
 }  // namespace scb

@@ -12,7 +12,7 @@ constexpr EnumNames<Stage, stage_count> stage_names = {
     "slab-a",        "slab-b",        "center-line", "axis-a0",    "axis-a1",       "axis-a2",
     "axis-b0",       "axis-b1",       "axis-b2",     "axis-a0xb0", "axis-a0xb1",    "axis-a0xb2",
     "axis-a1xb0",    "axis-a1xb1",    "axis-a1xb2",  "axis-a2xb0", "axis-a2xb1",    "axis-a2xb2",
-    "second-slab-a", "second-slab-b", "long-axes", "search"};
+    "second-slab-a", "second-slab-b", "long-axes",   "search"};
 static_assert(static_cast<std::size_t>(Stage::search) + 1 == stage_count);
 
 }  // namespace

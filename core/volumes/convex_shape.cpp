@@ -23,9 +23,8 @@ ConvexShape placed(const ConvexShape& shape, const Pose& pose) {
 bool identical(const ConvexShape& a, const ConvexShape& b) {
     const auto directions = measured_directions();
     return a.center == b.center && a.rounding == b.rounding &&
-           std::all_of(directions.begin(), directions.end(), [&](const Vec3& d) {
-               return a.support_point(d) == b.support_point(d);
-           });
+           std::all_of(directions.begin(), directions.end(),
+                       [&](const Vec3& d) { return a.support_point(d) == b.support_point(d); });
 }
 
 }  // namespace scb

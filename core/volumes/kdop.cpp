@@ -45,8 +45,8 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
         const Vec3 columns[3] = {cross(q.normal, r.normal), cross(r.normal, p.normal),
                                  cross(p.normal, q.normal)};
         const double determinant = dot(p.normal, columns[0]);
-        corner = (p.offset * columns[0] + q.offset * columns[1] + r.offset * columns[2]) /
-                 determinant;
+        corner =
+            (p.offset * columns[0] + q.offset * columns[1] + r.offset * columns[2]) / determinant;
         if (step == most_steps) return corner;
         double most = slop;
         Plane entering{Vec3::Zero(), 0};
@@ -69,7 +69,8 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
             }
         }
         if (leaving == 3) return corner;  // no points at all
-        for (std::size_t i = 0; i < 3; ++i) weights[i] = std::max(0.0, weights[i] - least * shares[i]);
+        for (std::size_t i = 0; i < 3; ++i)
+            weights[i] = std::max(0.0, weights[i] - least * shares[i]);
         weights[leaving] = least;
         basis[leaving] = entering;
     }

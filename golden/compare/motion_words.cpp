@@ -26,8 +26,8 @@ std::string motion_words(const Pose& before, const Pose& after) {
             lengths +=
                 (lengths.empty() ? "" : ", ") + format("%.4g along ", moved[axis]) + "xyz"[axis];
     std::string turn;
-    if (angle != 0 && angle > rounding * largest)
-        turn = format("%.4g", angle * degrees_per_radian) + " degrees";
+    if (angle != 0 && angle > rounding * largest) turn = format("%.4g", angle * degrees_per_radian);
+    if (!turn.empty()) turn += turn == "1" ? " degree" : " degrees";
     if (lengths.empty()) return turn.empty() ? "" : "turned: " + turn;
     return "moved: " + lengths + (turn.empty() ? "" : ", " + turn);
 }

@@ -79,6 +79,18 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
                                               "more things have other colors."));
 }
 
+/// What a case that is the same has to say: it would be too late where it differs.
+void check_record(CaseResult& result, const ComparisonFolders& folders) {
+    try {
+        read_record(case_files(folders.baselines, result.name).meta);
+    } catch (const InputError& error) {
+        result.lines.push_back(
+            std::string(error.what()) +
+            " It is not compared, but a failure will have no cause; restore the file, or update "
+            "the case by name.");
+    }
+}
+
 /// Finds out why it may differ, by what is recorded of both.
 Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
     try {
@@ -97,6 +109,7 @@ Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
 
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders) {
+    if (result.verdict == Verdict::same) check_record(result, folders);
     if (result.verdict != Verdict::different && result.verdict != Verdict::size_differs) return;
     const Cause cause = find_cause(result, folders);
     if (result.verdict != Verdict::different) return;

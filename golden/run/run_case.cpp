@@ -46,12 +46,16 @@ class Running {
 };
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
-    std::vector<std::string> words = settings.runner;
+    // Held until `work` knows of it: else nobody would end it if this program is killed by then.
+    std::vector<std::string> words = {"/bin/sh", "-c", "read -r _ && exec \"$@\"", "scb"};
+    words.insert(words.end(), settings.runner.begin(), settings.runner.end());
     words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
     words.insert(words.end(), command.begin(), command.end());
     const render::UnnamedFile inputs;
     render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
     const Running running(settings.work, child.id());
+    constexpr std::uint8_t go = '\n';
+    child.write({&go, 1});
     ChildEnd result;
     result.end = child.wait(settings.patience, settings.stopped);
     result.stopped = !result.end && settings.stopped();

@@ -2,25 +2,22 @@
 
 #include <filesystem>
 
+#include "render/files/folder_lock.h"
+
 namespace scb::golden {
 
-/// The folder of baselines while it is updated: one update at a time. The lock is gone at the end,
-/// however the program ends.
+/// The folder of baselines while it is updated: one update at a time.
 class BaselineLock {
   public:
     /// Makes the folder where there is none. Throws OutputError where that cannot be, and where
     /// another update has the folder.
     explicit BaselineLock(const std::filesystem::path& baselines);
-    ~BaselineLock();
-    BaselineLock(const BaselineLock&) = delete;
-    BaselineLock& operator=(const BaselineLock&) = delete;
 
     /// False where the file system knows no locks: then there may be others.
-    bool held() const { return held_; }
+    bool held() const { return lock_.state() == render::FolderLock::State::held; }
 
   private:
-    int descriptor_ = -1;
-    bool held_ = false;
+    render::FolderLock lock_;
 };
 
 }  // namespace scb::golden

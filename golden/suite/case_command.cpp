@@ -63,10 +63,11 @@ std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& fo
         command.emplace_back("--json");
         return command;
     }
-    add_option(command, "--size", golden.size.empty() ? "320x240" : golden.size);
+    add_option(command, "--size", golden.size);
     if (has_ids(golden.run)) {
         add_option(command, "--samples", "1");
         command.emplace_back("--ids");
+        if (!golden.panel) command.emplace_back("--no-panel");
     }
     if (golden.run == GoldenRun::levels) command.emplace_back("--no-sheet");
     if (golden.run == GoldenRun::inspect) add_option(command, "--top", "1");

@@ -19,14 +19,19 @@ namespace {
 /// Larger pictures make large repositories.
 constexpr int largest_side = 512;
 
+/// The versions of the format. In the first, pictures have a panel unless told; since the second,
+/// those of scenes have none, and others are large enough that no text is cut.
+constexpr int first_version = 1, latest_version = 2;
+constexpr const char *size_of_view = "240x180", *size_with_panel = "512x384";
+
 /// That follow each other.
 constexpr std::size_t most_presets = 16;
 
 constexpr std::string_view refused_arguments[] = {
-    "--output",    "--json",    "--csv",      "--ids",   "--jobs",    "--video",
-    "--fps",       "--sheet",   "--no-sheet", "--pick",  "--compare", "--steps",
-    "--pairs-out", "--samples", "--quiet",    "--color", "--gl",      "--models",
-    "--frame",     "--frames",  "--volume",   "--test",  "--size",    "--top"};
+    "--output", "--json",     "--csv",  "--ids",     "--jobs",  "--video",     "--fps",
+    "--sheet",  "--no-sheet", "--pick", "--compare", "--steps", "--pairs-out", "--samples",
+    "--quiet",  "--color",    "--gl",   "--models",  "--frame", "--frames",    "--volume",
+    "--test",   "--size",     "--top",  "--no-panel"};
 
 GoldenRun read_run(const scenes::JsonPlace& place) {
     const std::optional<GoldenRun> run = golden_run_names.find(scenes::read_text(place));
@@ -34,15 +39,15 @@ GoldenRun read_run(const scenes::JsonPlace& place) {
     scenes::refuse_value(place, "one of " + name_list(golden_run_names.names));
 }
 
-std::string read_size(const scenes::JsonPlace& place) {
+std::string read_size(const scenes::JsonPlace& place, bool has_panel) {
+    const int least_width = has_panel ? 320 : 64, least_height = has_panel ? 240 : 64;
     const std::string text = scenes::read_text(place);
     int width = 0, height = 0, end = 0;
     if (std::sscanf(text.c_str(), "%4dx%4d%n", &width, &height, &end) != 2 ||
-        static_cast<std::size_t>(end) != text.size() || width < 320 || height < 240 ||
-        width > largest_side || height > largest_side)
-        scenes::refuse_value(place, "WIDTHxHEIGHT in pixels from 320x240 to " +
-                                        std::to_string(largest_side) + "x" +
-                                        std::to_string(largest_side));
+        static_cast<std::size_t>(end) != text.size() || width < least_width ||
+        height < least_height || width > largest_side || height > largest_side)
+        scenes::refuse_value(place, format("WIDTHxHEIGHT in pixels from %dx%d to %dx%d",
+                                           least_width, least_height, largest_side, largest_side));
     return text;
 }
 
@@ -114,7 +119,8 @@ class Reader {
         : json_(scenes::parse_json(scenes::read_text_file(file.string()), file.string())) {
         const scenes::JsonPlace all{&json_, file.string(), ""};
         scenes::check_fields(all, {"scb_golden", "presets", "cases"});
-        scenes::read_integer(scenes::field(all, "scb_golden"), 1, 1);
+        version_ =
+            scenes::read_integer(scenes::field(all, "scb_golden"), first_version, latest_version);
         if (scenes::has(all, "presets")) {
             const scenes::JsonPlace presets = scenes::field(all, "presets");
             if (!presets.value->is_object())
@@ -132,6 +138,9 @@ class Reader {
     Suite take() { return std::move(suite_); }
 
   private:
+    /// The fields that a case has, also by its presets, and where.
+    using Given = std::map<std::string, scenes::JsonPlace>;
+
     void add_preset(const std::string& name, const scenes::JsonPlace& place) {
         check_case_fields(place);
         if (scenes::has(place, "name"))
@@ -141,12 +150,13 @@ class Reader {
 
     static void check_case_fields(const scenes::JsonPlace& place) {
         scenes::check_fields(place, {"name", "preset", "note", "run", "scene", "frames", "volume",
-                                     "test", "size", "arguments", "compare", "tolerance"});
+                                     "test", "size", "panel", "arguments", "compare", "tolerance"});
     }
 
     void add(const scenes::JsonPlace& place) {
         GoldenCase golden;
-        std::set<std::string> seen, given;
+        std::set<std::string> seen;
+        Given given;
         apply(place, golden, seen, given);
         for (const char* needed : {"name", "run", "scene"})
             if (!given.contains(needed)) scenes::field(place, needed);
@@ -164,13 +174,14 @@ class Reader {
                 scenes::field(place, "name"),
                 "there is a case " + golden.name + " already; give each a name of its own.");
         check_what_is_made(place, golden, given);
+        set_size(golden, given);
         suite_.cases.push_back(
             seen_from_here(std::move(golden), suite_.file.parent_path(), std::filesystem::path()));
     }
 
     /// What the run cannot make is not compared, and must not be asked for.
     static void check_what_is_made(const scenes::JsonPlace& place, GoldenCase& golden,
-                                   const std::set<std::string>& given) {
+                                   const Given& given) {
         const std::string run(golden_run_names[golden.run]);
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
@@ -195,9 +206,21 @@ class Reader {
                                "a case of its own.");
     }
 
+    /// How small a picture may be depends on its panel.
+    void set_size(GoldenCase& golden, const Given& given) const {
+        if (!has_ids(golden.run))
+            golden.panel = true;
+        else if (!given.contains("panel"))
+            golden.panel = version_ == first_version;
+        if (given.contains("size"))
+            golden.size = read_size(given.at("size"), golden.panel && has_picture(golden.run));
+        else if (version_ > first_version)
+            golden.size = golden.panel ? size_with_panel : size_of_view;
+    }
+
     /// First the preset's fields, then its own, which win.
     void apply(const scenes::JsonPlace& place, GoldenCase& golden, std::set<std::string>& seen,
-               std::set<std::string>& given) {
+               Given& given) {
         check_case_fields(place);
         if (scenes::has(place, "preset")) {
             const scenes::JsonPlace at = scenes::field(place, "preset");
@@ -213,7 +236,8 @@ class Reader {
                                        "shorter.");
             apply(preset->second, golden, seen, given);
         }
-        for (const auto& item : place.value->items()) given.insert(item.key());
+        for (const auto& item : place.value->items())
+            given.insert_or_assign(item.key(), scenes::field(place, item.key().c_str()));
         if (scenes::has(place, "name"))
             golden.name = scenes::read_plain_text(scenes::field(place, "name"));
         if (scenes::has(place, "note")) scenes::read_text(scenes::field(place, "note"));
@@ -226,7 +250,8 @@ class Reader {
             golden.volume = read_volume(scenes::field(place, "volume"));
         if (scenes::has(place, "test"))
             golden.test = scenes::read_plain_text(scenes::field(place, "test"));
-        if (scenes::has(place, "size")) golden.size = read_size(scenes::field(place, "size"));
+        if (scenes::has(place, "panel"))
+            golden.panel = scenes::read_bool(scenes::field(place, "panel"));
         if (scenes::has(place, "arguments"))
             golden.own_arguments = read_arguments(scenes::field(place, "arguments"));
         if (scenes::has(place, "compare")) read_compare(scenes::field(place, "compare"), golden);
@@ -235,6 +260,7 @@ class Reader {
     }
 
     nlohmann::json json_;
+    std::int64_t version_ = latest_version;
     std::map<std::string, scenes::JsonPlace> presets_;
     std::set<std::string> names_;
     Suite suite_;

@@ -27,7 +27,8 @@ struct GoldenCase {
     std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
     std::string frames;                  ///< --frames; empty: none
     std::string volume, test;            ///< --volume, --test; empty: none
-    std::string size;                    ///< of pictures, WIDTHxHEIGHT
+    std::string size = "320x240";        ///< of pictures, WIDTHxHEIGHT
+    bool panel = true;                   ///< of pictures of a scene; else the view alone
     std::vector<std::string> arguments;  ///< more of the command line
     /// The scene and arguments as the suite has them: files are relative to its folder, while those
     /// above can be opened from here.

@@ -31,9 +31,7 @@ ConvexPoints::ConvexPoints(const Gl& gl)
       directions_(gl),
       points_texture_(gl) {}
 
-std::size_t ConvexPoints::most_points_per_volume() {
-    return 6 * steps_of_few * steps_of_few + 2;
-}
+std::size_t ConvexPoints::most_points_per_volume() { return 6 * steps_of_few * steps_of_few + 2; }
 
 void ConvexPoints::start(std::size_t volumes) {
     grid_ = &grid_for(volumes);
@@ -63,8 +61,7 @@ void ConvexPoints::use(const GlProgram& program, std::size_t first, std::size_t 
     const std::size_t floats = 4 * grid_->directions.size();
     upload(corner_buffer_, corners_, 1, GL_R32UI, grid_->triangles.data(),
            4 * vertices_per_volume());
-    upload(direction_buffer_, directions_, 2, GL_RGBA32F, directions.data(),
-           4 * directions.size());
+    upload(direction_buffer_, directions_, 2, GL_RGBA32F, directions.data(), 4 * directions.size());
     upload(point_buffer_, points_texture_, 3, GL_RGBA32F, points_.data() + floats * first,
            4 * floats * count);
     gl_.ActiveTexture(GL_TEXTURE0);

@@ -86,7 +86,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
     items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
                                  (boxes || holds_convex_volumes(hierarchy) ? ""
-                                  : two_slabs ? "; units of the mesh"
+                                  : two_slabs                              ? "; units of the mesh"
                                               : "; lengths in units of the mesh")});
     return items;
 }
@@ -211,13 +211,14 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
 }
 
 Picture compose(const LevelFigure& figure, int width, int height, int samples, Overlay& overlay) {
-    const FigureLayout layout = figure_layout(width, height);
+    const FigureLayout layout = figure_layout(width, height, figure.with_panel);
     const Theme& theme = *figure.style.theme;
     Picture picture{width, height, samples, theme.background, {}};
     picture.panes.push_back(
         level_pane(layout.view, figure.camera, figure.bodies, figure.level, figure.style));
 
     overlay.begin();
+    if (!figure.with_panel) return picture;
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     int below = draw_side_panel(overlay, layout.panel, theme, layout.unit,
                                 panel_items(figure, level_numbers(figure.bodies, figure.level)));

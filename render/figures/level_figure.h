@@ -77,9 +77,10 @@ struct LevelFigure {
     std::vector<LevelBody> bodies;
     int level = 0;
     LevelStyle style;
-    Camera camera;               ///< for the view of figure_layout(width, height)
+    Camera camera;               ///< for the view of figure_layout
     Vec3 center = Vec3::Zero();  ///< of the scene, where the scale bar holds
     std::optional<Detail> detail;
+    bool with_panel = true;  ///< else the view alone
 };
 
 /// Composes the picture and its overlay: view, numbers, legend, magnified detail.

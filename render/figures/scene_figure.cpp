@@ -45,10 +45,11 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
     }
 }
 
-/// Sets the pane into the view, with scale bar, squares and remark.
+/// Sets the pane into the view, with its squares; with a panel also scale bar and remark.
 Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay& overlay) {
     const Theme& theme = *figure.theme;
-    draw_scale_bar(overlay, view, figure.pane.camera, figure.center, theme, unit);
+    if (figure.with_panel)
+        draw_scale_bar(overlay, view, figure.pane.camera, figure.center, theme, unit);
     for (const SceneMarker& marker : figure.markers) {
         // Large enough to be found.
         const double least =
@@ -57,7 +58,7 @@ Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay&
                 marker_of(view, figure.pane.camera, marker.center, std::max(marker.radius, least)))
             overlay.frame(*square, theme.accent, std::max(2, unit / 8));
     }
-    draw_remark(overlay, view, figure.remark, theme, unit);
+    if (figure.with_panel) draw_remark(overlay, view, figure.remark, theme, unit);
     figure.pane.viewport = view;
     return std::move(figure.pane);
 }
@@ -65,13 +66,15 @@ Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay&
 }  // namespace
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay) {
-    const FigureLayout layout = figure_layout(width, height);
+    const FigureLayout layout = figure_layout(width, height, figure.with_panel);
     const Theme& theme = *figure.theme;
     Picture picture{width, height, samples, theme.background, {}};
     overlay.begin();
-    draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
-    const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
-    draw_chart(overlay, layout, below, theme, figure.chart);
+    if (figure.with_panel) {
+        draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
+        const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
+        draw_chart(overlay, layout, below, theme, figure.chart);
+    }
     picture.panes.push_back(pane_in_view(figure, layout.view, layout.unit, overlay));
     return picture;
 }

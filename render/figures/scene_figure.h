@@ -31,6 +31,8 @@ struct SceneFigure {
     PanelChart chart;  ///< below the panel, where there is room
     std::vector<SceneMarker> markers;
     std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
+    /// Else the view alone, with its markers: nothing that has text.
+    bool with_panel = true;
     const Theme* theme = &light_theme;
 };
 

@@ -8,9 +8,13 @@
 
 namespace scb::render {
 
-FigureLayout figure_layout(int width, int height) {
+FigureLayout figure_layout(int width, int height, bool with_panel) {
     FigureLayout layout;
     const int unit = layout.unit = text_unit(width, height);
+    if (!with_panel) {
+        layout.view = {0, 0, width, height};
+        return layout;
+    }
     const int margin = std::min({unit, width / 24, height / 24});
     const int heading = std::min(height / 4, title_size(unit) + unit / 2);
     const int top = margin + heading;

@@ -23,7 +23,8 @@ struct FigureLayout {
     bool portrait = false;  ///< the panel is below the view
 };
 
-FigureLayout figure_layout(int width, int height);
+/// Without a panel the view is the whole picture, and there is no heading.
+FigureLayout figure_layout(int width, int height, bool with_panel = true);
 
 /// Where a magnified detail can stand: below the panel's rows, which end at `below`, or beside
 /// them; nothing where there is no room.

@@ -20,8 +20,8 @@ struct SectionPlane {
     std::string words;  ///< "cut by the plane of n0 and the line of centers"
 };
 
-/// Whether the plane cuts such a volume, a ball or slab cut ball; of others it shows the silhouette,
-/// seen along `front`, whose extents are those of the volume.
+/// Whether the plane cuts such a volume, a ball or slab cut ball; of others it shows the
+/// silhouette, seen along `front`, whose extents are those of the volume.
 bool is_cut(const AnyVolume& volume);
 
 /// Of volumes that are not cut the plane of the step's direction and the line of centers. Else the

@@ -272,9 +272,9 @@ Mesh volume_mesh(const ConvexShape& shape, int segments) {
     for (const Vec3& own : grid.directions) {
         const Vec3 d = rotate(shape.axes, own);
         const Vec3 point = shape.center + shape.support_point(d) + shape.rounding * d;
-        const auto same = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
-            return ((p - point).cwiseAbs().array() <= least).all();
-        });
+        const auto same = std::find_if(
+            mesh.vertices.begin(), mesh.vertices.end(),
+            [&](const Vec3& p) { return ((p - point).cwiseAbs().array() <= least).all(); });
         at.push_back(static_cast<std::uint32_t>(same - mesh.vertices.begin()));
         if (same == mesh.vertices.end()) mesh.vertices.push_back(point);
     }

@@ -32,7 +32,9 @@ const std::map<std::string, Floors> rooms = {
 const std::map<std::string, std::vector<std::string>> public_headers = {
     {"base", {"vec", "pose", "error", "simd_level"}},
     {"geometry", {"mesh", "triangle_overlap"}},
-    {"volumes", {"scb", "scb2", "ball", "obb", "aabb", "volume", "placement"}},
+    {"volumes",
+     {"scb", "scb2", "ball", "obb", "aabb", "convex", "fit_points", "kdop", "rss", "capsule",
+      "volume", "placement"}},
     {"fit", {"fit"}},
     {"overlap", {"stage", "overlap_options", "overlap"}},
     {"hierarchy", {"topology", "hierarchy", "any_hierarchy", "level_cover"}},

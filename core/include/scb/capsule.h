@@ -15,8 +15,8 @@ struct Capsule {
     static constexpr const char* title = "capsule";
     static constexpr unsigned support_operations = 9;
 
-    Vec3 center = Vec3::Zero();       ///< the middle of the segment
-    Vec3 half_axis = Vec3::Zero();    ///< from there to one of its ends
+    Vec3 center = Vec3::Zero();     ///< the middle of the segment
+    Vec3 half_axis = Vec3::Zero();  ///< from there to one of its ends
     double radius = 0;
 };
 
@@ -53,7 +53,8 @@ inline void fit(Capsule& result, const FitPoints& points) {
     for (int k = 0; k < 3; ++k) result.center += 0.5 * (lower[k] + upper[k]) * Vec3(axes.col(k));
     double squared_radius = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-        squared_radius = std::max(squared_radius, squared_norm(cross(along, Vec3(points[i] - result.center))));
+        squared_radius =
+            std::max(squared_radius, squared_norm(cross(along, Vec3(points[i] - result.center))));
     // The ends: as near to each other as the balls about them allow.
     double first = HUGE_VAL, last = -HUGE_VAL;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -88,8 +88,8 @@ double reach(const V& v) {
 }
 
 /// Area and volume of the surface through the farthest points in the directions of
-/// `measured_directions`, in their order: of a volume with flat faces along these the exact ones, of
-/// others a little less.
+/// `measured_directions`, in their order: of a volume with flat faces along these the exact ones,
+/// of others a little less.
 struct SurfaceMeasures {
     double area, volume;
 };

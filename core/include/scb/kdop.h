@@ -24,7 +24,8 @@ inline constexpr std::array<std::array<int, 3>, 13> dop_directions = {{{1, 0, 0}
                                                                        {1, -1, 1},
                                                                        {1, -1, -1}}};
 
-/// The slabs of a discrete orientation polytope: lower[i] <= dop_directions[which[i]].p <= upper[i].
+/// The slabs of a discrete orientation polytope: lower[i] <= dop_directions[which[i]].p <=
+/// upper[i].
 struct DopSlabs {
     const int* which;
     const double* lower;
@@ -40,11 +41,11 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d);
 /// Its area and volume, face by face; exact but for rounding.
 SurfaceMeasures polytope_measures(const DopSlabs& slabs);
 
-/// A discrete orientation polytope with k faces, 14, 18 or 26, fixed in the body's frame (Klosowski,
-/// Held, Mitchell, Sowizral and Zikan, "Efficient Collision Detection Using Bounding Volume
-/// Hierarchies of k-DOPs", 1998): along the axes, and along the corners of a cube, the edges, or
-/// both. Two of them are tested exactly, by their farthest points. The literature's test, with the
-/// k-DOP about the turned one, lets more pass.
+/// A discrete orientation polytope with k faces, 14, 18 or 26, fixed in the body's frame
+/// (Klosowski, Held, Mitchell, Sowizral and Zikan, "Efficient Collision Detection Using Bounding
+/// Volume Hierarchies of k-DOPs", 1998): along the axes, and along the corners of a cube, the
+/// edges, or both. Two of them are tested exactly, by their farthest points. The literature's test,
+/// with the k-DOP about the turned one, lets more pass.
 template <int k>
 struct KDop {
     static_assert(k == 14 || k == 18 || k == 26);
@@ -57,7 +58,8 @@ struct KDop {
         std::array<int, slabs> result{};
         int next = 0;
         for (int i = 0; i < 13; ++i)
-            if (k == 26 || i < 3 || (k == 18) == (i < 9)) result[static_cast<std::size_t>(next++)] = i;
+            if (k == 26 || i < 3 || (k == 18) == (i < 9))
+                result[static_cast<std::size_t>(next++)] = i;
         return result;
     }();
 
@@ -75,7 +77,8 @@ DopSlabs slabs_of(const KDop<k>& v) {
 /// Of its box along the axes: the corners that the faces cut off may leave it outside.
 template <int k>
 Vec3 center(const KDop<k>& v) {
-    return 0.5 * (Vec3(v.lower[0], v.lower[1], v.lower[2]) + Vec3(v.upper[0], v.upper[1], v.upper[2]));
+    return 0.5 *
+           (Vec3(v.lower[0], v.lower[1], v.lower[2]) + Vec3(v.upper[0], v.upper[1], v.upper[2]));
 }
 template <int k>
 double rounding(const KDop<k>&) {
@@ -106,7 +109,8 @@ void fit(KDop<k>& result, const FitPoints& points) {
 /// Half the sides of its box, which the first three slabs are.
 template <int k>
 Vec3 half_extents(const KDop<k>& v) {
-    return 0.5 * (Vec3(v.upper[0], v.upper[1], v.upper[2]) - Vec3(v.lower[0], v.lower[1], v.lower[2]));
+    return 0.5 *
+           (Vec3(v.upper[0], v.upper[1], v.upper[2]) - Vec3(v.lower[0], v.lower[1], v.lower[2]));
 }
 template <int k>
 double surface_area(const KDop<k>& v) {

@@ -16,7 +16,7 @@ struct Rss {
     static constexpr const char* title = "RSS";
     static constexpr unsigned support_operations = 18;
 
-    Vec3 center = Vec3::Zero();                                  ///< the middle of the rectangle
+    Vec3 center = Vec3::Zero();                         ///< the middle of the rectangle
     Vec3 half_sides[2] = {Vec3::Zero(), Vec3::Zero()};  ///< from there to the middles of its edges
     double radius = 0;
 };
@@ -101,8 +101,8 @@ inline double descent_size(const Rss& v) {
            v.radius;
 }
 inline double diameter(const Rss& v) {
-    return 2 * (std::sqrt(squared_norm(v.half_sides[0]) + squared_norm(v.half_sides[1])) +
-                v.radius);
+    return 2 *
+           (std::sqrt(squared_norm(v.half_sides[0]) + squared_norm(v.half_sides[1])) + v.radius);
 }
 inline double thickness(const Rss& v) { return 2 * v.radius; }
 

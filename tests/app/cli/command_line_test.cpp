@@ -51,6 +51,35 @@ struct Refusal {
     std::string sentence;  // a part of it
 };
 
+TEST(CommandLine, FilesMayBeginLikeOptions) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_scb("export spheres-l1 --level 3 -o " + (folder / "-m.ply")).status, 0);
+    const std::string there = "cd " + folder.path.string() + " &&";
+    EXPECT_EQ(run_scb("stats -- -m.ply", there).status, 0);
+    const ProgramRun tuned = run_scb("tune --no-time -- -m.ply -m.ply", there);
+    EXPECT_NE(tuned.out.find("To use it: scb collide ./-m.ply ./-m.ply"), std::string::npos)
+        << tuned.out << tuned.err;
+    const ProgramRun refused = run_scb("stats -m.ply", there);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("'-m.ply' begins like an option; put -- before"), std::string::npos)
+        << refused.err;
+}
+
+TEST(CommandLine, OptionsWithoutEffectAreNoted) {
+    for (const auto& [arguments, said] :
+         {std::pair<std::string, std::string>{
+              "collide cone --frames 80 --volume obb --margin 0.1 --growth radius",
+              "scb: --margin and --growth have no effect on obb.\n"},
+          {"stats cone --volume aabb,ball --margin 0.1",
+           "scb: --margin has no effect on aabb, ball.\n"},
+          {"stats cone --volume scb,obb --margin 0.1 --growth radius", ""},
+          {"collide cone --frames 80 --volume obb --margin 0.1 --quiet", ""}}) {
+        const ProgramRun run = run_scb(arguments);
+        EXPECT_EQ(run.status, 0) << arguments;
+        EXPECT_EQ(run.err, said) << arguments;
+    }
+}
+
 TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
     const TemporaryFolder folder;
     write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
@@ -220,104 +249,6 @@ TEST(CommandLine, StatsAddUp) {
     EXPECT_NE(table.find("longest side"), std::string::npos);
 }
 
-TEST(CommandLine, RenderedLevelsAreCountedInTheIndex) {
-    const TemporaryFolder folder;
-    const ProgramRun run = run_scb(
-        "render levels knots-l1 --volume scb,ball --levels 3,5,leaves --size 320x240 --ids -o " +
-        (folder / "out"));
-    ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "");
-    const json index = json::parse(file_text(folder / "out/index.json"));
-    const json stats = json::parse(run_scb("stats knots-l1 --json").out)["hierarchies"];
-    ASSERT_EQ(index["files"].size(), 7u);  // six pictures and a sheet
-    EXPECT_EQ(lines_of(run.out), 14u);     // also six id pictures and the index
-    for (const json& file : index["files"]) {
-        const render::Image image =
-            render::read_png(folder / "out/" + file["file"].get<std::string>());
-        if (file.contains("sheet")) continue;
-        EXPECT_EQ(image.width, 320);
-        EXPECT_EQ(image.height, 240);
-        if (file["level"] == 5) {
-            for (std::size_t b = 0; b < 2; ++b)
-                EXPECT_EQ(file["bodies"][b]["volumes"], stats[b]["levels"][5]["nodes"]);
-        } else if (file["level"] == "leaves") {
-            EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
-        }
-        // Every id in the picture is that of a node of a body.
-        const render::IdImage ids =
-            render::unpack_ids(render::read_png(folder / "out/" + file["ids"].get<std::string>()));
-        const std::set<std::uint32_t> met(ids.ids.begin(), ids.ids.end());
-        EXPECT_EQ(*met.begin(), 0u);
-        EXPECT_GT(met.size(), 8u);
-        EXPECT_LT(*met.rbegin(), 1 + stats[0]["nodes"].get<std::uint32_t>() +
-                                     stats[1]["nodes"].get<std::uint32_t>());
-    }
-    EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_size-320x240_frame-0000.png"));
-    EXPECT_TRUE(
-        fs::exists(folder / "out/knots-l1_ball_level-leaves_size-320x240_frame-0000_ids.png"));
-}
-
-TEST(CommandLine, TheCameraOfAnIndexGivesTheSamePictureAgain) {
-    const TemporaryFolder folder;
-    const std::string common = " --levels 6 --size 320x240 --samples 1 --ids -o ";
-    ASSERT_EQ(run_scb("render levels cone" + common + (folder / "a")).status, 0);
-    const json index = json::parse(file_text(folder / "a/index.json"));
-    write_text(folder / "camera.json", index["camera"].dump());
-    ASSERT_EQ(
-        run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
-            .status,
-        0);
-    const json again = json::parse(file_text(folder / "b/index.json"));
-    const auto ids_in = [&](const std::string& run, const json& of) {
-        return png_without_texts(
-            file_text(folder / run + "/" + of["files"][0]["ids"].get<std::string>()));
-    };
-    EXPECT_EQ(ids_in("a", index), ids_in("b", again));
-    // Whatever a camera's file is called, another camera makes another name.
-    const std::string name = again["files"][0]["file"];
-    EXPECT_TRUE(name.starts_with("cone_scb_level-06_camera-camera-")) << name;
-    write_text(folder / "camera.json", R"({"azimuth": 40})");
-    ASSERT_EQ(
-        run_scb("render levels cone --camera " + (folder / "camera.json") + common + (folder / "b"))
-            .status,
-        0);
-    EXPECT_NE(json::parse(file_text(folder / "b/index.json"))["files"][0]["file"], name);
-}
-
-TEST(CommandLine, PicturesDoNotDependOnJobsOrOnOtherPicturesOfTheRun) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(
-        run_scb(
-            "render levels cone --levels 2,6 --camera orbit:20,20,6 --size 320x240 --jobs 1 -o " +
-            (folder / "a"))
-            .status,
-        0);
-    ASSERT_EQ(
-        run_scb(
-            "render levels cone --levels 6,2 --camera orbit:20,20,6 --size 320x240 --jobs 7 -o " +
-            (folder / "b"))
-            .status,
-        0);
-    for (const char* name : {"cone_scb_level-02_camera-orbit-20-20-6_size-320x240_frame-0000.png",
-                             "cone_scb_level-06_camera-orbit-20-20-6_size-320x240_frame-0000.png"})
-        EXPECT_EQ(png_without_texts(file_text(folder / (std::string("a/") + name))),
-                  png_without_texts(file_text(folder / (std::string("b/") + name))))
-            << name;
-}
-
-TEST(CommandLine, ARunThatFailsLeavesNoIndexOfWhatItReplaced) {
-    const TemporaryFolder folder;
-    const std::string arguments =
-        "render levels cone --levels 3 --size 320x240 -o " + (folder / "out");
-    ASSERT_EQ(run_scb(arguments).status, 0);
-    const std::string index = file_text(folder / "out/index.json");
-    // Another picture replaces none.
-    EXPECT_EQ(run_scb(arguments + " --background dark", "ulimit -f 8;").status, 3);
-    EXPECT_EQ(file_text(folder / "out/index.json"), index);
-    EXPECT_EQ(run_scb(arguments, "ulimit -f 8;").status, 3);
-    EXPECT_FALSE(fs::exists(folder / "out/index.json"));
-}
-
 TEST(CommandLine, NamesFromOutsideDoNotSteerTheTerminal) {
     const ProgramRun run = run_scb("stats \"$(printf 'no\\nfile\\033[31m.off')\"");
     EXPECT_EQ(run.status, 2);
@@ -335,19 +266,6 @@ TEST(CommandLine, LongAndForeignFileNamesAreFine) {
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(json::parse(file_text(folder / "out/index.json"))["files"].size(), 1u);
     }
-}
-
-TEST(CommandLine, ThousandsOfEqualTrianglesAreDrawnOnce) {
-    const TemporaryFolder folder;
-    std::string mesh = "OFF\n3 20000 0\n0 0 0\n1 0 0\n0 1 0\n";
-    for (int i = 0; i < 20000; ++i) mesh += "3 0 1 2\n";
-    write_text(folder / "same.off", mesh);
-    const ProgramRun run = run_scb("render levels " + (folder / "same.off") +
-                                       " --levels leaves --size 320x240 -o " + (folder / "out"),
-                                   "timeout 60");
-    EXPECT_EQ(run.status, 0) << run.err;
-    const json index = json::parse(file_text(folder / "out/index.json"));
-    EXPECT_EQ(index["files"][0]["bodies"][0]["volumes"], 20000);
 }
 
 TEST(CommandLine, ExportedLevelsCanBeReadBack) {

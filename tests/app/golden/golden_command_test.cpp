@@ -214,7 +214,7 @@ TEST_F(GoldenCommand, RefusesWhatASuiteMustNotSay) {
     refused("/cases/0/compare", json::array({"looks"}), "counts, ids or colors");
     refused("/cases/4/compare", json::array({"colors"}), "collide draws none");
     refused("/cases/0/nonsense", 1, "nonsense");
-    refused("/scb_golden", 2, "scb_golden");
+    refused("/scb_golden", 3, "scb_golden");
     refused("/presets/small/preset", "small", "inherits itself");
 }
 

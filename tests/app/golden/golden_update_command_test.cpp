@@ -127,5 +127,15 @@ TEST_F(GoldenCommandUpdate, KeepsATraceThatCannotBeRecordedAnew) {
     EXPECT_EQ(file_text(baseline("rejections.scbtrace")), trace);
 }
 
+TEST_F(GoldenCommandUpdate, RestoresARecordThatACheckFoundDamaged) {
+    write_text(baseline("collide.meta.json"), "{");
+    const ProgramRun run = golden("check collide");
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_EQ(run.out.find("collide: same. " + baseline("collide.meta.json").string()), 0u)
+        << run.out;
+    EXPECT_EQ(golden("update collide").status, 0);
+    EXPECT_EQ(golden("check collide").out, "1 case: 1 same\n");
+}
+
 }  // namespace
 }  // namespace scb::app

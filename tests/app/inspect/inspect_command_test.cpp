@@ -20,6 +20,14 @@ json inspect(const std::string& arguments, int status = 0) {
     return json::parse(run.out);
 }
 
+/// The page in a folder.
+std::string html_in(const std::string& folder) {
+    std::string text;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".html") text += file_text(entry.path());
+    return text;
+}
+
 std::uint64_t count(const json& entry, const std::string& reason) {
     return entry["inner"][reason].get<std::uint64_t>() +
            entry["leaves"][reason].get<std::uint64_t>();
@@ -220,7 +228,7 @@ TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     EXPECT_EQ(listed, pictures);
 
     // The page names them all, and nothing else.
-    const std::string html = file_text(folder / "out/index.html");
+    const std::string html = html_in(folder / "out");
     const std::vector<std::string> sources = all_between(html, "<img src=\"", "\"");
     EXPECT_EQ(std::set<std::string>(sources.begin(), sources.end()), pictures);
     EXPECT_EQ(sources.front(), bodies);
@@ -253,8 +261,15 @@ TEST(InspectCommand, WritesTablesOfFramesAndPairs) {
     const std::string arguments = "line-8 --test printed --frames 84:96:4 --top 3";
     ASSERT_EQ(run_scb("inspect " + arguments + " --size 320x240 -o " + folder / "out").status, 1);
     const json found = inspect(arguments, 1);
-    const std::vector<std::string> frames = lines(file_text(folder / "out/frames.csv")),
-                                   pairs = lines(file_text(folder / "out/pairs.csv"));
+    const std::vector<std::string>
+        frames = lines(file_text(
+            folder /
+            "out/"
+            "line-8_scb_inspect_test-printed_size-320x240_frames-84-to-96-by-4_top-3_frames.csv")),
+        pairs = lines(file_text(
+            folder /
+            "out/"
+            "line-8_scb_inspect_test-printed_size-320x240_frames-84-to-96-by-4_top-3_pairs.csv"));
     ASSERT_EQ(frames.size(), 5u);
     EXPECT_EQ(frames[0],
               "frame,pairs,n_v,n_p,passed,true,fit,test,wrongly_rejected,missed_pairs,operations,"
@@ -294,7 +309,7 @@ TEST(InspectCommand, WritesTablesOfFramesAndPairs) {
     EXPECT_EQ(found["sum"]["pairs"].get<int>() + found["sum"]["missed_pairs"].get<int>(),
               found["other_tests"][0]["pairs"].get<int>());
     EXPECT_GT(found["sum"]["missed_pairs"], 0);
-    EXPECT_NE(file_text(folder / "out/index.html").find("Rejected wrongly"), std::string::npos);
+    EXPECT_NE(html_in(folder / "out").find("Rejected wrongly"), std::string::npos);
 }
 
 TEST(InspectCommand, NamesFromOutsideStayText) {
@@ -307,7 +322,7 @@ TEST(InspectCommand, NamesFromOutsideStayText) {
     const std::string quoted = "'" + (folder / "it'\\''s <b>.json") + "'";
     const ProgramRun run = run_scb("inspect " + quoted + " --size 320x240 -o " + folder / "out");
     ASSERT_EQ(run.status, 0) << run.err;
-    const std::string html = file_text(folder / "out/index.html");
+    const std::string html = html_in(folder / "out");
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_NE(html.find("&lt;script&gt;"), std::string::npos);
     EXPECT_NE(html.find("scb explain &apos;"), std::string::npos);
@@ -324,8 +339,9 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     write_text(folder / "m.obj", mesh);
     write_text(folder / "linked.json", scene);
     ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
-    for (const auto& [link, target] : {std::pair<std::string, std::string>{"frames.csv", "m.obj"},
-                                       {"index.html", "linked.json"},
+    for (const auto& [link, target] : {std::pair<std::string, std::string>{
+                                           "linked_scb_inspect_size-320x240_frames.csv", "m.obj"},
+                                       {"linked_scb_inspect_size-320x240.html", "linked.json"},
                                        {"linked_scb_inspect_size-320x240.png", "m.obj"},
                                        {"index.json", "t.scbtrace"}})
         for (const char* source : {"linked.json", "t.scbtrace"}) {
@@ -345,7 +361,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     const fs::path out = folder.path / "out";
     fs::remove_all(out);
     fs::create_directory(out);
-    ASSERT_EQ(::mkfifo((out / "pairs.csv").c_str(), 0600), 0);
+    ASSERT_EQ(::mkfifo((out / "linked_scb_inspect_size-320x240_pairs.csv").c_str(), 0600), 0);
     const ProgramRun run =
         run_scb("inspect " + folder / "linked.json --size 320x240 -o " + out.string());
     EXPECT_EQ(run.status, 3) << run.err;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/app/program.h"
 
@@ -78,6 +79,40 @@ TEST_F(FolderIndex, KeepsWhatIsLeftOfAnEarlierRun) {
     EXPECT_EQ(second["files"].size(), 2u);
     ASSERT_EQ(second["earlier"].size(), 1u);
     EXPECT_EQ(second["earlier"][0]["files"], json{first["files"][0]});
+}
+
+TEST_F(FolderIndex, LeavesOutPicturesThatAreGone) {
+    run("render traversal cone --frames 70,80");
+    run("render traversal cone --frames 90");
+    std::filesystem::remove(out + "/cone_scb_traversal_size-320x240_frame-0070.png");
+    const json third = run("render pairs cone --frames 80");
+    ASSERT_EQ(third["earlier"].size(), 2u);
+    EXPECT_EQ(files_of(third["earlier"][1]),
+              std::vector<std::string>{"cone_scb_traversal_size-320x240_frame-0080.png"});
+    std::filesystem::remove(out + "/cone_scb_traversal_size-320x240_frame-0090.png");
+    EXPECT_EQ(run("render pairs cone --frames 80")["earlier"].size(), 1u);
+}
+
+TEST_F(FolderIndex, HasTheRunsOfProgramsAtTheSameTime) {
+    run("render pairs cone --frames 80");
+    std::vector<std::thread> programs;
+    for (int i = 0; i < 6; ++i)
+        programs.emplace_back([this, i] {
+            EXPECT_EQ(run_scb("render pairs cone --samples 1 --size 320x240 --frames " +
+                              std::to_string(60 + i) + " -o " + out)
+                          .status,
+                      0);
+        });
+    for (std::thread& program : programs) program.join();
+    const json found = run("render pairs cone --frames 80");
+    std::set<std::string> listed;
+    for (const std::string& name : files_of(found)) listed.insert(name);
+    for (const json& earlier : found["earlier"])
+        for (const std::string& name : files_of(earlier)) listed.insert(name);
+    for (int i = 0; i < 6; ++i)
+        EXPECT_EQ(listed.count("cone_scb_pairs_samples-1_size-320x240_frame-00" +
+                               std::to_string(60 + i) + ".png"),
+                  1u);
 }
 
 // A run that does not finish must not leave words on pictures that it has replaced.

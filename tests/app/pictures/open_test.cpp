@@ -33,7 +33,8 @@ TEST_F(Open, OpensWhatWasMade) {
     EXPECT_EQ(opened_by("render traversal cone --frames 70,80"), out + "\n");
     EXPECT_EQ(opened_by("render levels cone --frames 0 --levels 2,3"),
               out + "/cone_levels_sheet_levels-2-3_size-320x240_frame-0000.png\n");
-    EXPECT_EQ(opened_by("inspect cone --frames 80 --top 1"), out + "/index.html\n");
+    EXPECT_EQ(opened_by("inspect cone --frames 80 --top 1"),
+              out + "/cone_scb_inspect_size-320x240_frames-80_top-1.html\n");
     EXPECT_EQ(opened_by("explain cone --frames 80 --pair 0,0"),
               out + "/cone_scb_explain_size-320x240_frame-0080_A-0_B-0.png\n");
     EXPECT_EQ(opened_by("tune cone --frames 80 --no-time"),

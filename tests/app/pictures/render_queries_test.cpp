@@ -42,6 +42,33 @@ TEST_F(RenderQueries, ShowTheCountsThatCollideGives) {
         }
 }
 
+TEST_F(RenderQueries, WithoutPanelHaveTheSceneAlone) {
+    const auto drawn = [&](const std::string& arguments) {
+        const ProgramRun run = run_scb("render " + arguments + " --samples 1 --ids -o " + out);
+        EXPECT_EQ(run.status, 0) << arguments << run.err;
+        const json file = json::parse(file_text(out + "/index.json"))["files"][0];
+        return std::pair{render::read_png(out + "/" + file["file"].get<std::string>()),
+                         render::read_png(out + "/" + file["ids"].get<std::string>())};
+    };
+    const std::string small = " spheres-l1 --frames 100 --no-panel --size 96x64";
+    for (const std::string what : {"pairs", "rejections"}) {
+        const auto [picture, ids] = drawn(what + small);
+        EXPECT_EQ(picture.width, 96);
+        EXPECT_EQ(picture.height, 64);
+        // What is drawn is of things of the scene, or of the meshes behind them.
+        for (int y = 0; what == "pairs" && y < 64; ++y)
+            for (int x = 0; x < 96; ++x)
+                EXPECT_TRUE(render::pixel(picture, x, y) == render::pixel(picture, 0, 0) ||
+                            render::pixel(ids, x, y) != (render::Rgba8{0, 0, 0, 0}))
+                    << what << x << "," << y;
+    }
+    // Other words and counts make no other picture.
+    EXPECT_EQ(drawn("pairs" + small).first,
+              drawn("pairs" + small + " --test extents --descent area").first);
+    EXPECT_EQ(
+        run_scb("render levels spheres-l1 --level 3 --no-panel --size 64x64 -o " + out).status, 0);
+}
+
 // glTF has y up, and others say nothing.
 TEST_F(RenderQueries, ShowGltfFilesWithYUp) {
     const std::string gltf = folder / "m.gltf", off = folder / "m.off";
@@ -276,8 +303,10 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("rejections spheres-l1 --body C", "the bodies are A and B");
     refused("rejections spheres-l1 --by mean", "--by mean");
     refused("rejections spheres-l1 --opacity 0", "--opacity");
-    refused("rejections spheres-l1 --focus 0", "--focus: give a share");
-    refused("rejections spheres-l1 --focus 1.5", "--focus: give a share");
+    refused("pairs spheres-l1 --compare scb,ball --no-panel", "only captions say which is which");
+    refused("pairs spheres-l1 --no-panel --size 63x64", "give 64x64 to");
+    refused("rejections spheres-l1 --focus 0", "--focus 0: give a share");
+    refused("rejections spheres-l1 --focus 1.5", "--focus 1.5: give a share");
     refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");

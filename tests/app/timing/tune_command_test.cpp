@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -21,12 +22,64 @@ json tune(const std::string& arguments) {
 /// What `scb collide` is to be asked for the same.
 std::string options_of(const json& setting) {
     std::string options;
-    for (const char* option : {"volume", "split", "test", "threshold", "descent", "growth"})
+    for (const char* option :
+         {"volume", "split", "test", "threshold", "descent", "growth", "layout"})
         if (setting.contains(option))
             options += " --" + std::string(option) + " " +
                        (setting[option].is_string() ? setting[option].get<std::string>()
                                                     : setting[option].dump());
     return options;
+}
+
+std::size_t lines_of_csv(const json& found) {
+    return 1 + found["settings"].size() + found["layouts"].size();
+}
+
+TEST(TuneCommand, LayoutsHaveTheCountsAndMemoryOfBench) {
+    const json found = tune("cone --frames 60,100 --no-time");
+    std::map<std::string, std::size_t> volumes;
+    for (const json& layout : found["layouts"]) {
+        const json bench =
+            json::parse(run_scb("bench cone --json --repeat 1 --frames 60,100 --leaf " +
+                                layout["leaf"].dump() + options_of(layout))
+                            .out)["scenes"][0]["hierarchies"][0];
+        for (const char* field : {"n_v", "n_p", "pairs", "bytes_per_triangle"})
+            EXPECT_EQ(layout[field], bench[field]) << layout << field;
+        const json& unpacked = found["settings"][layout["setting"].get<std::size_t>()];
+        for (const char* field : {"volume", "split", "growth", "pairs"})
+            EXPECT_EQ(layout[field], unpacked[field]) << layout << field;
+        EXPECT_LT(layout["bytes_per_triangle"], unpacked["bytes_per_triangle"]);
+        EXPECT_FALSE(layout["misses_pairs"]);
+        EXPECT_FALSE(layout.contains("ms") || layout.contains("build_ms"));
+        ++volumes[layout["volume"]];
+    }
+    EXPECT_EQ(volumes, (std::map<std::string, std::size_t>{{"scb", 11}, {"scb2", 11}}));
+    EXPECT_FALSE(found["best"].contains("layout"));
+}
+
+TEST(TuneCommand, NamesTheLayoutThatIsMeasurablyQuicker) {
+    const json found = tune("spheres-l1 --frames 100,250");
+    if (!found["best"].contains("layout")) GTEST_SKIP() << "this machine is too noisy";
+    const json& layout = found["layouts"][found["best"]["layout"].get<std::size_t>()];
+    const json& plain = found["settings"][found["best"]["time"].get<std::size_t>()];
+    EXPECT_LT(layout["ms_most"], plain["ms_least"]);
+    for (const json& other : found["layouts"])
+        EXPECT_GE(other["ms_most"], layout["ms_least"]) << other << layout;
+    const std::string command = found["layout_command"];
+    EXPECT_NE(command.find("scb bench spheres-l1 --frames 100,250 --volume " +
+                           layout["volume"].get<std::string>()),
+              std::string::npos)
+        << command;
+    EXPECT_EQ(run_scb(command.substr(4)).status, 0) << command;
+}
+
+TEST(TuneCommand, SaysWhyThereAreNoLayouts) {
+    const TemporaryFolder folder;
+    const std::string far =
+        folder.write("far.off", "OFF\n3 1 0\n1e9 0 0\n1e9 1 0\n1e9 0 1\n3 0 1 2\n");
+    const ProgramRun run = run_scb("tune " + far + " " + far + " --no-time");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("No packed layout was tried: "), std::string::npos) << run.out;
 }
 
 TEST(TuneCommand, HasTheCountsOfCollide) {
@@ -135,8 +188,12 @@ TEST(TuneCommand, TakesEveryVolumeAsItsBase) {
         EXPECT_FALSE(base.contains("test"));
         const json mean = json::parse(run_scb("collide cone --json" + asked).out)["mean"];
         for (const char* count : {"n_v", "n_p", "pairs"}) EXPECT_EQ(base[count], mean[count]);
-        EXPECT_EQ(lines_of(file_text(folder.path / "tune.csv")), 1 + found["settings"].size());
+        EXPECT_EQ(lines_of(file_text(folder / ("cone_tune_volume-" + std::string(volume) +
+                                               "_margin-0.1_frames-80_no-time.csv"))),
+                  lines_of_csv(found));
     }
+    // Each run has tables of its own.
+    EXPECT_EQ(files_in(folder.path.string()), 12u);
     const ProgramRun run = run_scb("tune cone --frames 80 --no-time --volume scb2 --threshold 0.3");
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.err.find("--threshold has no effect"), std::string::npos) << run.err;
@@ -150,8 +207,9 @@ TEST(TuneCommand, WithoutTimesIsTheSameEachTime) {
     EXPECT_EQ(first.status, 0) << first.err;
     EXPECT_EQ(first.out, second.out);
     EXPECT_EQ(first.out.find("ms"), std::string::npos);
-    for (const char* file :
-         {"tune.csv", "tune.json", "cone_tune_frames-0-to-160-by-40_no-time.png"})
+    for (const char* file : {"cone_tune_frames-0-to-160-by-40_no-time.csv",
+                             "cone_tune_frames-0-to-160-by-40_no-time.json",
+                             "cone_tune_frames-0-to-160-by-40_no-time.png"})
         EXPECT_EQ(file_text(folder.path / "a" / file), file_text(folder.path / "b" / file)) << file;
 }
 
@@ -171,8 +229,10 @@ TEST(TuneCommand, TimesTheBestSettingsAndWritesFiles) {
     EXPECT_GE(timed, 5u);
     EXPECT_TRUE(found["settings"][0].contains("ms"));
     EXPECT_TRUE(found["settings"][found["best"]["time"].get<std::size_t>()].contains("ms"));
-    EXPECT_EQ(json::parse(file_text(fs::path(out) / "tune.json")), found);
-    EXPECT_EQ(lines_of(file_text(fs::path(out) / "tune.csv")), 1 + found["settings"].size());
+    EXPECT_EQ(json::parse(file_text(out + "/cone_tune_frames-60-80_repeat-1.json")), found);
+    EXPECT_EQ(lines_of(file_text(out + "/cone_tune_frames-60-80_repeat-1.csv")),
+              lines_of_csv(found));
+    for (const json& layout : found["layouts"]) EXPECT_GT(layout["ms_least"], 0);
     const render::Image picture =
         render::read_png(fs::path(out) / "cone_tune_frames-60-80_repeat-1_size-640x480.png");
     EXPECT_EQ(picture.width, 640);
@@ -197,12 +257,13 @@ TEST(TuneCommand, EndsWhenInterrupted) {
                 " & child=$!; sleep 1; kill -TERM $child; wait $child");
     EXPECT_EQ(run.status, 143) << run.err;
     EXPECT_EQ(run.out, "");
-    EXPECT_FALSE(fs::exists(folder / "out/tune.json"));
+    EXPECT_EQ(files_in(folder / "out"), 0u);
 }
 
 TEST(TuneCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     const TemporaryFolder folder;
-    const std::string scene = folder / "tune.json", text = run_scb("scenes cone").out;
+    const std::string scene = folder / "cone_tune_frames-1_no-time.json",
+                      text = run_scb("scenes cone").out;
     write_text(scene, text);
     const ProgramRun run =
         run_scb("tune " + scene + " --frames 1 --no-time -o " + folder.path.string());

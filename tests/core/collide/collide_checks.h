@@ -77,6 +77,8 @@ void expect_traversal(const Hierarchy<V>& a, const Hierarchy<V>& b, const Events
 inline std::uint64_t transforms_of(const VolumeTest& t, const QueryVariant& variant) {
     if (variant.volume_kind() == VolumeKind::obb) return 4;
     if (variant.volume_kind() == VolumeKind::scb2) return t.stage == Stage::ball_ball ? 1 : 3;
+    if (t.stage == Stage::center_line && variant.volume_kind() > VolumeKind::aabb_exact) return 3;
+    if (variant.volume_kind() > VolumeKind::aabb_exact) return 5;
     if (variant.volume_kind() != VolumeKind::scb || t.stage == Stage::ball_ball) return 1;
     const bool extents = variant.options.overlap.test == OverlapTest::extents;
     return t.stage == Stage::slab_ball && !extents ? 1 : 2;

@@ -64,8 +64,8 @@ TEST(ExactConvex, JudgesBoxesAsTheVerdictOfBoxesDoes) {
                 if (!(d.norm() > 1e-9)) return;
                 d.normalize();
                 for (const Vec3& u : {d, Vec3(-d)})
-                    least = std::min(least, support(a, u) + support(b, u) -
-                                                dot(u, Vec3(b.center - a.center)));
+                    least = std::min(
+                        least, support(a, u) + support(b, u) - dot(u, Vec3(b.center - a.center)));
             };
             for (int p = 0; p < 3; ++p) {
                 along(a.axes.col(p));

@@ -22,8 +22,7 @@ V fitted(const std::vector<Vec3>& points) {
 inline std::vector<Vec3> random_cloud(Random& random) {
     const Pose pose = random_pose(random);
     Vec3 size;
-    for (int i = 0; i < 3; ++i)
-        size[i] = random.below(6) == 0 ? 0 : random.uniform(0.05, 0.6);
+    for (int i = 0; i < 3; ++i) size[i] = random.below(6) == 0 ? 0 : random.uniform(0.05, 0.6);
     std::vector<Vec3> points;
     const std::size_t count = 1 + random.below(40);
     for (std::size_t i = 0; i < count; ++i)

@@ -136,7 +136,8 @@ TEST(KDop, OfABoxIsTestedAsTheBoxIs) {
             const Vec3 half(random.uniform(0.01, 0.7), random.uniform(0.01, 0.7),
                             random.uniform(0.01, 0.7));
             for (int c = 0; c < 8; ++c)
-                corners.push_back(middle + Vec3((c & 1 ? 1 : -1) * half[0], (c & 2 ? 1 : -1) * half[1],
+                corners.push_back(middle + Vec3((c & 1 ? 1 : -1) * half[0],
+                                                (c & 2 ? 1 : -1) * half[1],
                                                 (c & 4 ? 1 : -1) * half[2]));
             return std::pair(fitted<KDop26>(corners), ExactAabb{middle, half});
         };

@@ -1,5 +1,6 @@
 #include "tests/core/overlap/scb2_tally.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 
@@ -22,6 +23,7 @@ Scb2Tally& Scb2Tally::operator+=(const Scb2Tally& other) {
         rejected[i] += other.rejected[i];
     }
     for (std::size_t i = 0; i < stage_count; ++i) stages[i] += other.stages[i];
+    every = std::max(every, other.every);
     unproven += other.unproven;
     if (!wrongly_rejected) wrongly_rejected = other.wrongly_rejected;
     return *this;
@@ -31,6 +33,7 @@ Scb2Tally tally_scb2(const Scb2PairFamily& family, std::uint64_t seed, std::uint
                      std::uint64_t every) {
     Random random(seed);
     Scb2Tally tally;
+    tally.every = every;
     for (std::uint64_t i = 0; i < pairs; ++i) {
         const VolumePair<Scb2> pair = random_scb2_pair(random, family);
         const Stage stage = overlap(pair.a, pair.b, pair.b_to_a);
@@ -59,14 +62,14 @@ void print_scb2_tally_header() {
 }
 
 void print_tally(std::string_view name, const Scb2Tally& t) {
-    const std::uint64_t disjoint = of(t.pairs, Contact::disjoint);
+    const std::uint64_t disjoint = of(t.pairs, Contact::disjoint),
+                        rejected = of(t.rejected, Contact::disjoint);
+    const auto passed = static_cast<double>((disjoint - rejected) * t.every);
     std::printf(
         "%-30.*s %12" PRIu64 " %12" PRIu64 " %9" PRIu64 " %9" PRIu64 " %9" PRIu64 " %9.3f%%\n",
         static_cast<int>(name.size()), name.data(), disjoint, of(t.pairs, Contact::overlapping),
         of(t.pairs, Contact::touching), t.unproven, of(t.rejected, Contact::overlapping),
-        disjoint == 0 ? 0.0
-                      : 100 * (1 - static_cast<double>(of(t.rejected, Contact::disjoint)) /
-                                       static_cast<double>(disjoint)));
+        disjoint == 0 ? 0.0 : 100 * passed / (passed + static_cast<double>(rejected)));
 }
 
 }  // namespace scb

@@ -16,6 +16,7 @@ struct Scb2Tally {
     /// Pairs by exact verdict; of those, the ones that the test rejected.
     std::array<std::uint64_t, 3> pairs{}, rejected{};
     StageCounts stages{};
+    std::uint64_t every = 1;  ///< of pairs that passed, so many stand behind each that is counted
     std::uint64_t unproven = 0;  ///< certificates that did not stand up to their checkers
     std::optional<VolumePair<Scb2>> wrongly_rejected;  ///< the first, as drawn
 
@@ -27,7 +28,8 @@ struct Scb2Tally {
 Scb2Tally tally_scb2(const Scb2PairFamily& family, std::uint64_t seed, std::uint64_t pairs,
                      std::uint64_t every = 1);
 
-/// Prints a row: pairs, verdicts, wrong rejections, share of false positives.
+/// Prints a row: pairs, verdicts, wrong rejections, and the share of false positives among the
+/// disjoint pairs, those that passed taken as often as they stand for others.
 void print_tally(std::string_view name, const Scb2Tally& tally);
 void print_scb2_tally_header();
 

@@ -17,6 +17,7 @@ TEST(MotionWords, SayHowFarABodyMovedAndTurned) {
     EXPECT_EQ(motion_words(start, pose({1.02, 2, 3}, 20)), "moved: 0.02 along x");
     EXPECT_EQ(motion_words(start, pose({1.02, 2, 2}, 21.5)),
               "moved: 0.02 along x, -1 along z, 1.5 degrees");
+    EXPECT_EQ(motion_words(start, pose({1, 2, 3}, 21)), "turned: 1 degree");
     EXPECT_EQ(motion_words(start, pose({1, 2, 3}, 200)), "turned: 180 degrees");
     EXPECT_EQ(motion_words(start, pose({1, 2, 3}, 20.0001)), "turned: 0.0001 degrees");
 }

@@ -84,7 +84,7 @@ TEST_F(SuiteFile, RefusesWhatIsNoSuite) {
     expect_refused("/presets/unused", {{"name", "x"}}, "a preset has no name");
     expect_refused("/cases", json::array(), "there is no case");
     expect_refused("/cases", json::object(), "a list of cases");
-    expect_refused("/scb_golden", 2, "scb_golden");
+    expect_refused("/scb_golden", 3, "scb_golden");
 }
 
 TEST_F(SuiteFile, RefusesLongChainsOfPresets) {
@@ -144,6 +144,30 @@ TEST_F(SuiteFile, SizesAreWithinWhatPicturesMayHave) {
     for (const char* size : {"319x240", "320x239", "513x240", "320x240x2", "320", "axb"})
         expect_refused("/cases/0/size", size, "320x240");
     EXPECT_EQ(refusal("/cases/0/size", "512x512"), "");
+}
+
+TEST_F(SuiteFile, PicturesOfScenesHaveNoPanelSinceTheSecondVersion) {
+    json document = json::parse(text);
+    document["presets"]["picture"].erase("size");
+    document["presets"]["dark"].erase("size");
+    const auto drawn = [&](std::size_t which) {
+        const GoldenCase golden = load(document).cases[which];
+        return golden.size + (golden.panel ? " with panel" : " alone");
+    };
+    EXPECT_EQ(drawn(0), "320x240 with panel");
+    EXPECT_EQ(drawn(1), "320x240 with panel");
+    document["scb_golden"] = 2;
+    EXPECT_EQ(drawn(0), "240x180 alone");
+    EXPECT_EQ(drawn(1), "512x384 with panel");
+    document["presets"]["picture"]["panel"] = true;
+    EXPECT_EQ(drawn(0), "512x384 with panel");
+    document["cases"][0]["panel"] = false;
+    document["cases"][0]["size"] = "64x64";
+    EXPECT_EQ(drawn(0), "64x64 alone");
+    // Of what has no view of a scene, a size without a panel is too small.
+    document["presets"]["picture"]["panel"] = false;
+    document["cases"][1]["size"] = "240x180";
+    EXPECT_THROW(load(document), InputError);
 }
 
 TEST_F(SuiteFile, NamesFilesAsTheyAreOpenedHereAndAsItHasThem) {

@@ -101,7 +101,8 @@ TEST_P(RayCast, AgreesOnConvexVolumesButForTheirFacets) {
         dop.upper[i] = i < 3 ? 0.8 : 1.1;
     }
     const std::vector<AnyVolume> volumes = {
-        at(dop, Vec3(0, 0, 0)), at(Rss{Vec3::Zero(), {Vec3(1, 0, 0), Vec3(0, 0.6, 0)}, 0.3}, Vec3(3, 0, 0)),
+        at(dop, Vec3(0, 0, 0)),
+        at(Rss{Vec3::Zero(), {Vec3(1, 0, 0), Vec3(0, 0.6, 0)}, 0.3}, Vec3(3, 0, 0)),
         at(Capsule{Vec3::Zero(), Vec3(0.4, 0.8, 0), 0.5}, Vec3(0, 0, 2.5)),
         Ball{Vec3(1.5, 0, 1.2), 0.6}};
     for (const bool inside : {false, true}) {

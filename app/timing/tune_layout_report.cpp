@@ -1,0 +1,129 @@
+#include "app/timing/tune_layout_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/timing/tune_report.h"
+#include "core/base/statistics.h"
+#include "core/base/text_format.h"
+#include "scb/packed_hierarchy.h"
+
+namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "scb2, split cost": what makes the hierarchies others. Test and descent do not matter.
+std::string packed_text(const TuneSetting& s) {
+    return std::string(volume_kind_name(s.volume)) + ", split " +
+           std::string(split_method_name(s.split)) +
+           (s.growth != TuneSetting{}.growth ? ", growth " + std::string(ball_growth_name(s.growth))
+                                             : "");
+}
+
+std::string row_text(const SceneTuning& tuning, const TuneLayout& layout) {
+    const Work& unpacked = tuning.rows[layout.row].counts;
+    std::string line = format(
+        "  %-10s  %4d %11.1f %9.3f %10.1f %9.3f %7.0f", packed_layout_name(layout.layout).c_str(),
+        layout.layout.leaf_triangles, tuning.mean(layout.n_v),
+        multiple_of(layout.n_v, unpacked.volume_tests), tuning.mean(layout.n_p),
+        multiple_of(layout.n_p, unpacked.triangle_tests), layout.bytes_per_triangle);
+    if (layout.ms)
+        line += format(" %9.1f  %8.4f [%.4f, %.4f]", layout.build_ms, layout.ms->median,
+                       layout.ms->low, layout.ms->high);
+    return line + (layout.misses_pairs ? "  misses pairs" : "") + "\n";
+}
+
+}  // namespace
+
+std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout) {
+    return packed_text(tuning.rows[layout.row].setting) + ", " + packed_layout_name(layout.layout) +
+           (layout.layout.leaf_triangles == most_leaf_triangles
+                ? ""
+                : format(" with leaves of %d", layout.layout.leaf_triangles));
+}
+
+std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) {
+    TuneSetting setting;
+    setting.split = tuning.rows[layout.row].setting.split;
+    setting.growth = tuning.rows[layout.row].setting.growth;
+    // Of the volumes `scb bench` has other defaults.
+    std::string text = " --volume " +
+                       std::string(volume_kind_name(tuning.rows[layout.row].setting.volume)) +
+                       setting_options(setting) + " --layout " + packed_layout_name(layout.layout);
+    if (layout.layout.leaf_triangles != most_leaf_triangles)
+        text += " --leaf " + std::to_string(layout.layout.leaf_triangles);
+    return text;
+}
+
+std::string layout_sentence(const SceneTuning& tuning) {
+    if (!tuning.no_layouts.empty()) return tuning.no_layouts;
+    if (!tuning.timed() || tuning.layouts.empty()) return "";
+    const std::string unpacked = setting_text(tuning.rows[tuning.least_time].setting);
+    if (!tuning.quicker_layout)
+        return "No packed layout is measurably quicker than " + unpacked + ".";
+    const TuneLayout& best = tuning.layouts[*tuning.quicker_layout];
+    std::size_t alike = 0;
+    for (const TuneLayout& other : tuning.layouts) alike += !apart(*other.ms, *best.ms);
+    return "Least time packed: " + layout_text(tuning, best) +
+           format(", %.2f of that of ",
+                  ratio(best.ms->median, tuning.rows[tuning.least_time].ms->median, 1)) +
+           unpacked +
+           (alike > 1 ? format("; of %zu layouts between which no difference was measured the one "
+                               "with the least memory",
+                               alike)
+                      : std::string()) +
+           ".";
+}
+
+std::string layout_rows_text(const SceneTuning& tuning, std::size_t most) {
+    std::string text;
+    std::vector<const TuneLayout*> of_row;
+    for (std::size_t i = 0; i < tuning.layouts.size(); ++i) {
+        const TuneLayout& layout = tuning.layouts[i];
+        of_row.push_back(&layout);
+        if (i + 1 < tuning.layouts.size() && tuning.layouts[i + 1].row == layout.row) continue;
+        text += "\n" + packed_text(tuning.rows[layout.row].setting) +
+                ", packed: N_v and N_p over those unpacked\n"
+                "  layout      leaf         N_v /unpacked        N_p /unpacked   B/tri" +
+                (tuning.timed() ? "  build ms        ms [least, most]" : "") + "\n";
+        if (tuning.timed()) {
+            std::stable_sort(of_row.begin(), of_row.end(),
+                             [](const TuneLayout* x, const TuneLayout* y) {
+                                 return x->ms->median < y->ms->median;
+                             });
+            of_row.resize(std::min(of_row.size(), most));
+        }
+        for (const TuneLayout* each : of_row) text += row_text(tuning, *each);
+        of_row.clear();
+    }
+    const std::string sentence = layout_sentence(tuning);
+    return text + (sentence.empty() ? "" : "\n" + sentence + "\n");
+}
+
+Json layouts_json(const SceneTuning& tuning) {
+    Json list = Json::array();
+    for (const TuneLayout& layout : tuning.layouts) {
+        const TuneSetting& setting = tuning.rows[layout.row].setting;
+        Json entry = {{"setting", layout.row},
+                      {"volume", volume_kind_name(setting.volume)},
+                      {"split", split_method_name(setting.split)},
+                      {"growth", ball_growth_name(setting.growth)},
+                      {"layout", packed_layout_name(layout.layout)},
+                      {"leaf", layout.layout.leaf_triangles},
+                      {"n_v", tuning.mean(layout.n_v)},
+                      {"n_p", tuning.mean(layout.n_p)},
+                      {"pairs", tuning.mean(layout.pairs)},
+                      {"misses_pairs", layout.misses_pairs},
+                      {"bytes_per_triangle", layout.bytes_per_triangle}};
+        if (layout.ms)
+            entry.update(Json{{"build_ms", layout.build_ms},
+                              {"ms", layout.ms->median},
+                              {"ms_least", layout.ms->low},
+                              {"ms_most", layout.ms->high}});
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+}  // namespace scb::app

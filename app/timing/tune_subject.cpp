@@ -1,0 +1,100 @@
+#include "app/timing/tune_subject.h"
+
+#include <time.h>
+
+#include "app/timing/query_timing.h"
+#include "core/base/statistics.h"
+#include "scenes/scene/scene_hierarchies.h"
+
+namespace scb::app {
+namespace {
+
+/// Of all threads, as building has several.
+double process_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+TuneSubject::TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
+                         const std::vector<int>& frames, const BuildOptions& build)
+    : scene_(scene), build_(build), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
+    for (const int frame : frames)
+        poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
+                                       scenes::pose_at(scene.bodies[b].motion, frame)));
+}
+
+BuiltSetting TuneSubject::build(const TuneSetting& setting) {
+    BuildOptions options = build_;
+    options.split = setting.split;
+    options.fit.growth = setting.growth;
+    Split* split = &splits_[setting.split == SplitMethod::cost ? 1 : 0];
+    if (split->topologies.empty()) {
+        const double start = process_milliseconds();
+        split->topologies = scenes::build_topologies(scene_, options.topology());
+        split->ms = process_milliseconds() - start;
+    }
+    BuiltSetting built{setting, {}, 0};
+    const double start = process_milliseconds();
+    built.hierarchies = scenes::fit_meshes(split->topologies, setting.volume, options);
+    built.ms = split->ms + process_milliseconds() - start;
+    return built;
+}
+
+BuiltLayout TuneSubject::pack(const BuiltSetting& built, const PackedLayout& layout) const {
+    const auto packed = [&](std::size_t m) {
+        return pack_any(layout, built.hierarchies[m], scene_.meshes[m].mesh, scene_.meshes[m].name,
+                        build_.threads);
+    };
+    const double start = process_milliseconds();
+    BuiltLayout result{packed(mesh_a_), packed(mesh_b_), 0};
+    result.ms = built.ms + process_milliseconds() - start;
+    return result;
+}
+
+double TuneSubject::per_triangle(std::size_t bytes) const {
+    std::size_t triangles = 0;
+    for (const std::size_t m : {mesh_a_, mesh_b_})
+        triangles += scene_.meshes[m].mesh.triangles.size();
+    return ratio(static_cast<double>(bytes), static_cast<double>(triangles));
+}
+
+double TuneSubject::bytes_per_triangle(const BuiltSetting& built) const {
+    return per_triangle(bytes_of(built.hierarchies[mesh_a_]) +
+                        bytes_of(built.hierarchies[mesh_b_]));
+}
+
+double TuneSubject::bytes_per_triangle(const BuiltLayout& built) const {
+    return per_triangle(bytes_of(built.a) + bytes_of(built.b));
+}
+
+Collision TuneSubject::query(const BuiltSetting& built, const TuneSetting& setting,
+                             std::size_t frame) const {
+    CollideOptions options;
+    options.overlap = setting.overlap;
+    options.descent = setting.descent;
+    return collide(built.hierarchies[mesh_a_], scene_.meshes[mesh_a_].mesh,
+                   built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame], options);
+}
+
+Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
+    return collision_of(collide_packed(built.a, scene_.meshes[mesh_a_].mesh, built.b,
+                                       scene_.meshes[mesh_b_].mesh, poses_[frame], {},
+                                       &workspace_));
+}
+
+void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {
+    CollideOptions slow;
+    slow.overlap.test = OverlapTest::extents;
+    collide(built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, built.hierarchies[mesh_a_],
+            scene_.meshes[mesh_a_].mesh, relative_pose(poses_[frame], Pose{}), slow);
+}
+
+void TuneSubject::prepare(const BuiltLayout& built, std::size_t frame) {
+    collide_packed(built.b, scene_.meshes[mesh_b_].mesh, built.a, scene_.meshes[mesh_a_].mesh,
+                   relative_pose(poses_[frame], Pose{}), {}, &workspace_);
+}
+
+}  // namespace scb::app

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <vector>
+
+#include "app/query/scene_query.h"
+#include "core/analysis/tuning.h"
+#include "scb/any_packed.h"
+
+namespace scb::app {
+
+/// The hierarchies of a setting, one per mesh.
+struct BuiltSetting {
+    TuneSetting setting;
+    std::vector<AnyHierarchy> hierarchies;
+    double ms = 0;  ///< processor time of building them
+};
+
+/// Those of two bodies, packed.
+struct BuiltLayout {
+    AnyPacked a, b;
+    double ms = 0;  ///< of building and packing
+};
+
+/// A scene, two of its bodies, frames, and what queries of them need.
+class TuneSubject {
+  public:
+    TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
+                const std::vector<int>& frames, const BuildOptions& build);
+
+    std::size_t frames() const { return poses_.size(); }
+
+    BuiltSetting build(const TuneSetting& setting);
+    /// Throws InputError where the layout cannot hold a mesh.
+    BuiltLayout pack(const BuiltSetting& built, const PackedLayout& layout) const;
+
+    /// Of both bodies, topology included.
+    double bytes_per_triangle(const BuiltSetting& built) const;
+    double bytes_per_triangle(const BuiltLayout& built) const;
+
+    Collision query(const BuiltSetting& built, const TuneSetting& setting, std::size_t frame) const;
+    /// Its pairs and counts, but for N_u. One at a time.
+    Collision query(const BuiltLayout& built, std::size_t frame);
+
+    /// What makes a timed query independent of the one before it. Settings are so much alike that
+    /// one is quicker right after another with the same hierarchies, which are in the caches then,
+    /// or the same overlap test, whose branches it repeats. So before each its nodes are brought
+    /// into the caches by a query with the slowest test, A and B exchanged.
+    void prepare(const BuiltSetting& built, std::size_t frame) const;
+    /// A layout has one test.
+    void prepare(const BuiltLayout& built, std::size_t frame);
+
+  private:
+    struct Split {
+        std::vector<MeshTopology> topologies;
+        double ms = 0;
+    };
+
+    double per_triangle(std::size_t bytes) const;
+
+    const scenes::Scene& scene_;
+    BuildOptions build_;
+    std::size_t mesh_a_, mesh_b_;
+    Split splits_[2];
+    std::vector<Pose> poses_;  // per frame
+    PackedWorkspace workspace_;
+};
+
+}  // namespace scb::app

@@ -1,0 +1,252 @@
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "scenes/traces/trace_block.h"
+#include "tests/scenes/traces/trace_bytes.h"
+
+namespace scb::scenes {
+namespace {
+
+TEST(DamagedTrace, TruncatedAtEveryByte) {
+    const Bytes bytes = encode_trace(small_trace());
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+        const std::string sentence = refusal_of(part);
+        expect_in(size == 0 ? "file.scbtrace is not a trace of scb" : "file.scbtrace is truncated",
+                  sentence);
+    }
+}
+
+TEST(DamagedTrace, ForeignNewerLongerDamaged) {
+    const Bytes bytes = encode_trace(small_trace());
+    const std::string text = "solid cube\nfacet normal 0 0 1\n";
+    expect_in("is not a trace of scb", refusal_of(Bytes(text.begin(), text.end())));
+    Bytes newer = bytes;
+    newer[8] = 7;
+    expect_in("was written by a newer scb (version 7; this one reads up to 1)", refusal_of(newer));
+    Bytes longer = bytes;
+    longer.insert(longer.end(), 3, 0);
+    expect_in("3 bytes after its end", refusal_of(longer));
+    Bytes damaged = bytes;
+    damaged[bytes.size() / 2] ^= 4;
+    expect_in("checksum", refusal_of(damaged));
+}
+
+TEST(DamagedTrace, EveryFlippedBitIsNoticed) {
+    const Bytes bytes = encode_trace(small_trace());
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        for (int bit = 0; bit < 8; ++bit) {
+            Bytes flipped = bytes;
+            flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
+            EXPECT_THROW(decode_trace(flipped, "file"), InputError) << i << " " << bit;
+        }
+}
+
+/// Reads bytes that somebody made up: they are refused, or are a trace that keeps every promise.
+/// Whether they were accepted.
+bool survives(const Bytes& bytes) {
+    Trace trace;
+    try {
+        trace = decode_trace(bytes, "file");
+    } catch (const InputError&) {
+        return false;
+    }
+    int last = -1;
+    for (const TraceFrame& frame : trace.frames) {
+        EXPECT_GT(frame.frame, last);
+        last = frame.frame;
+        const auto& bodies = trace.header.bodies;
+        for (const VolumeTest& test : frame.events.volume_tests) {
+            EXPECT_LE(test.nodes.a, 2 * bodies[0].mesh.triangles - 2);
+            EXPECT_LE(test.nodes.b, 2 * bodies[1].mesh.triangles - 2);
+            EXPECT_LT(static_cast<std::size_t>(test.stage), stage_count);
+        }
+        for (const TriangleTest& test : frame.events.triangle_tests) {
+            EXPECT_LT(test.triangles.a, bodies[0].mesh.triangles);
+            EXPECT_LT(test.triangles.b, bodies[1].mesh.triangles);
+            EXPECT_LT(test.after, frame.events.volume_tests.size());
+        }
+        EXPECT_EQ(std::adjacent_find(frame.found.pairs.begin(), frame.found.pairs.end()),
+                  frame.found.pairs.end());
+        const TraversalTree tree = traversal_tree(trace.header, frame);
+        EXPECT_EQ(tree.parents.size(), frame.events.volume_tests.size());
+    }
+    EXPECT_TRUE(diff(trace, trace).equal());
+    expect_same(trace, decode_trace(encode_trace(trace), "file"));
+    return true;
+}
+
+TEST(DamagedTrace, MadeUpFilesAreRefusedOrRead) {
+    const Bytes bytes = encode_trace(small_trace());
+    for (std::size_t i = 0; i + 4 < bytes.size(); ++i)
+        for (int bit = 0; bit < 8; ++bit) {
+            Bytes flipped = bytes;
+            flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
+            survives(resealed(flipped));
+        }
+}
+
+/// A file with these frames, as plain blocks.
+Bytes file_of(const TraceHeader& header, const std::vector<Bytes>& blocks) {
+    Bytes bytes = TraceWriter(header).finish();
+    bytes.resize(bytes.size() - 5);
+    ByteWriter out{bytes};
+    for (const Bytes& block : blocks) {
+        const Bytes packed = pack(block);
+        out.varint(packed.size());
+        out.varint(block.size());
+        out.append(packed);
+    }
+    out.varint(0);
+    out.fixed32(0);
+    return resealed(out.bytes);
+}
+
+TEST(DamagedTrace, MadeUpFramesAreRefusedOrRead) {
+    for (const int level : {-1, 4}) {
+        TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+        header.options.stop_level = level;
+        const Trace trace = small_trace(header);
+        std::array<TraceNodes, 2> nodes;
+        std::vector<Bytes> blocks;
+        for (const TraceFrame& frame : trace.frames)
+            blocks.push_back(frame_bytes(trace.header, frame, nodes));
+        ASSERT_EQ(file_of(trace.header, blocks), encode_trace(trace));
+        Random random(5);
+        int accepted = 0, refused = 0;
+        for (int trial = 0; trial < 3000; ++trial) {
+            std::vector<Bytes> changed = blocks;
+            for (std::uint32_t changes = 1 + random.below(3); changes > 0; --changes) {
+                Bytes& block = changed[random.below(3)];
+                const std::uint32_t at = random.below(static_cast<std::uint32_t>(block.size()));
+                const auto value = static_cast<std::uint8_t>(random.below(256));
+                const std::uint32_t what = random.below(4);
+                if (what == 0) block.erase(block.begin() + at);
+                if (what == 1) block.insert(block.begin() + at, value);
+                if (what == 2) block[at] = value;
+                if (what == 3) block[at] ^= static_cast<std::uint8_t>(1 << value % 8);
+                if (block.empty()) block.push_back(value);
+            }
+            ++(survives(file_of(trace.header, changed)) ? accepted : refused);
+        }
+        EXPECT_GT(accepted, 0);
+        EXPECT_GT(refused, 1000);
+    }
+}
+
+TEST(DamagedTrace, LengthsThatNobodyWroteAreRefusedAtOnce) {
+    const Trace trace = small_trace();
+    const Bytes empty = TraceWriter(trace.header).finish();
+    const Bytes start(empty.begin(), empty.end() - 5);
+    const Bytes packed = pack(Bytes(500, 1));
+    for (const std::uint64_t length : {std::uint64_t{1} << 20, std::uint64_t{1} << 34,
+                                       ~std::uint64_t{0} >> 1, ~std::uint64_t{0}}) {
+        ByteWriter unpacked{start};
+        unpacked.varint(packed.size());
+        unpacked.varint(length);
+        unpacked.append(packed);
+        unpacked.varint(0);
+        unpacked.fixed32(0);
+        expect_in("is not a valid trace", refusal_of(resealed(unpacked.bytes)));
+
+        ByteWriter block{start};
+        block.varint(length);
+        block.varint(500);
+        block.append(packed);
+        block.varint(0);
+        block.fixed32(0);
+        expect_in("is truncated", refusal_of(resealed(block.bytes)));
+
+        ByteWriter tests;
+        tests.varint(1);
+        tests.varint(1);
+        for (const double d : {1., 0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0.}) tests.real(d);
+        tests.varint(length);
+        expect_in("a frame has no tests", refusal_of(file_of(trace.header, {tests.bytes})));
+    }
+}
+
+/// A frame of these symbols (0: divided, 1: leaves, 2: leaves that meet, 3: rejected; 128 more
+/// where B's node was divided) and the differences of indices that come after them. `more_n_u` is
+/// what its N_u is off by.
+Bytes made_up(const Bytes& symbols, const Bytes& indices, int more_n_u = 0) {
+    constexpr std::uint8_t ball_ball = 3, slab_ball = 4;  // without B's normal
+    ByteWriter block;
+    block.varint(1);
+    int n_u = more_n_u;
+    for (const std::uint8_t symbol : symbols)
+        n_u += (symbol & 127) == ball_ball || (symbol & 127) == slab_ball ? 1 : 2;
+    block.varint(static_cast<std::uint64_t>(n_u));
+    for (const double d : {1., 0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0.}) block.real(d);
+    block.text(std::string(symbols.begin(), symbols.end()));
+    for (const std::uint8_t index : indices) block.signed_varint(index);
+    return block.bytes;
+}
+
+TEST(DamagedTrace, ContradictionsAreNamed) {
+    const TraceHeader header = small_trace().header;
+    TraceHeader first = header, level = header, root = header, no_triangles = header,
+                margin = header, threshold = header;
+    root.options.stop_level = 0;
+    margin.margin = -0.5;
+    threshold.options.overlap.threshold = 1.5;
+    first.options.max_pairs = 1;
+    level.options.stop_level = 3;
+    no_triangles.bodies[1].mesh.triangles = 0;
+    // The nodes 0, 1 and 2 of A are divided: their children are 1, 3 and 5.
+    const Bytes twice = {0, 0, 0, 3, 3, 3, 3};
+    struct Case {
+        TraceHeader header;
+        Bytes block;
+        std::string failure;  // empty: there is none
+    };
+    const std::vector<Case> cases = {
+        {header, made_up(twice, {1, 2, 2}), ""},
+        {header, made_up(twice, {1, 2, 234}), ""},
+        {header, made_up(twice, {1, 2, 0}), "share a child"},
+        {header, made_up(twice, {1, 2, 1}), "out of range"},
+        {header, made_up(twice, {0, 2, 2}), "out of range"},
+        {header, made_up(twice, {1, 2, 236}), "out of range"},
+        {header, made_up(twice, {1, 2}), "out of range"},
+        {header, made_up(twice, {1, 2, 2, 0}), "longer than its tests"},
+        {header, made_up({0, 3, 3, 3, 3}, {1}), "tests after the last one"},
+        {header, made_up({0, 0, 3}, {1}), "tests end before the query did"},
+        {header, made_up({0, 3}, {1}), "tests end before the query did"},
+        {header, made_up({0, 26, 3}, {1}), "a stage is none of its overlap test"},
+        {header, made_up({0, 1, 2}, {1, 0, 0, 1}), ""},
+        {header, made_up({0, 1, 2}, {1, 0, 0, 0}), "share a child or a triangle"},
+        {header, made_up({0, 1, 2}, {1, 119, 0, 1}), "out of range"},
+        // B's node 0 is a leaf beside A's node 2, and divided beside A's node 1.
+        {header, made_up({0, 0, 2, 131, 3}, {1, 0, 0, 1}), "a leaf and is divided"},
+        {header, made_up({0, 2, 0, 131, 3}, {1, 0, 0, 1}), "a leaf and is divided"},
+        {header, made_up({0, 0, 0, 131, 3, 2, 3}, {1, 1, 2, 0, 0}), "a leaf and is divided"},
+        {first, made_up({0, 2}, {1, 0, 0}), ""},
+        {first, made_up({0, 2, 2}, {1, 0, 0, 1}), "tests after the last pair"},
+        {level, made_up({0, 2, 2}, {1}), ""},
+        {root, made_up({2}, {}), ""},
+        {root, made_up({0, 2, 2}, {1}), "below the level to stop at"},
+        {header, made_up({0, 8, 3}, {1}), "a stage is none of its overlap test"},
+        {header, made_up({0, 3, 3}, {1}, 1), "its counts are not those of its tests"},
+        {margin, made_up({3}, {}), "its header cannot be read"},
+        {threshold, made_up({3}, {}), "its header cannot be read"},
+        {level, made_up({0, 2, 1}, {1}), "triangles where no leaves are"},
+        {no_triangles, made_up({3}, {}), "its header cannot be read"},
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        SCOPED_TRACE(i);
+        const Bytes bytes = file_of(cases[i].header, {cases[i].block});
+        if (cases[i].failure.empty())
+            EXPECT_TRUE(survives(bytes));
+        else
+            expect_in(cases[i].failure, refusal_of(bytes));
+    }
+}
+
+TEST(DamagedTrace, FramesComeInOrder) {
+    Trace trace = small_trace();
+    std::swap(trace.frames[0], trace.frames[1]);
+    expect_in("its frames are out of order", refusal_of(encode_trace(trace)));
+}
+
+}  // namespace
+}  // namespace scb::scenes

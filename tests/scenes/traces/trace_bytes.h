@@ -1,0 +1,63 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "scenes/shapes/procedural.h"
+#include "scenes/traces/byte_stream.h"
+#include "scenes/traces/trace_file.h"
+#include "tests/core/analysis/traces.h"
+#include "tests/scenes/support.h"
+
+namespace scb::scenes {
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline const BuiltMesh& mesh_a() {
+    static const BuiltMesh mesh(soup_mesh({120, 0.6, 0.15, 1}));
+    return mesh;
+}
+inline const BuiltMesh& mesh_b() {
+    static const BuiltMesh mesh(soup_mesh({90, 0.6, 0.15, 2}));
+    return mesh;
+}
+
+inline Trace small_trace(const TraceHeader& header = asking(VolumeKind::scb,
+                                                            OverlapTest::symmetric)) {
+    return record_trace(mesh_a(), mesh_b(), header, {4, 7, 12});
+}
+
+inline void expect_same(const Trace& a, const Trace& b) {
+    EXPECT_EQ(fields_of(a.header), fields_of(b.header));
+    EXPECT_EQ(a.header.scb_version, b.header.scb_version);
+    EXPECT_EQ(a.header.source, b.header.source);
+    ASSERT_EQ(a.frames.size(), b.frames.size());
+    for (std::size_t i = 0; i < a.frames.size(); ++i) {
+        const TraceFrame &f = a.frames[i], &g = b.frames[i];
+        EXPECT_EQ(f.frame, g.frame);
+        EXPECT_EQ(f.b_to_a.rotation, g.b_to_a.rotation);
+        EXPECT_EQ(f.b_to_a.translation, g.b_to_a.translation);
+        EXPECT_EQ(f.events, g.events);
+        EXPECT_EQ(f.found.pairs, g.found.pairs);
+        EXPECT_EQ(f.found.n_v, g.found.n_v);
+        EXPECT_EQ(f.found.n_p, g.found.n_p);
+        EXPECT_EQ(f.found.n_u, g.found.n_u);
+        EXPECT_EQ(f.found.stages, g.found.stages);
+        EXPECT_EQ(f.found.depth, g.found.depth);
+        EXPECT_EQ(f.found.complete, g.found.complete);
+    }
+}
+
+inline std::string refusal_of(const Bytes& bytes) {
+    return refusal([&] { decode_trace(bytes, "file.scbtrace"); });
+}
+
+/// The bytes with the checksum that fits them.
+inline Bytes resealed(Bytes bytes) {
+    bytes.resize(bytes.size() - 4);
+    ByteWriter out{bytes};
+    out.fixed32(static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size())));
+    return out.bytes;
+}
+
+}  // namespace scb::scenes
