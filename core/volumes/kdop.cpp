@@ -1,10 +1,16 @@
 #include "scb/kdop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace scb {
 namespace {
+
+Vec3 dop_direction(int i) {
+    const auto& d = dop_directions[static_cast<std::size_t>(i)];
+    return {d[0], d[1], d[2]};
+}
 
 /// A face's plane: normal.p <= offset. The normal's coordinates are small whole numbers.
 struct Plane {
@@ -14,8 +20,7 @@ struct Plane {
 
 /// Of 2 * count planes; the upper one of a slab has an even number, its lower one the next.
 Plane plane(const DopSlabs& slabs, int i) {
-    const auto& d = dop_directions[static_cast<std::size_t>(slabs.which[i / 2])];
-    const Vec3 normal(d[0], d[1], d[2]);
+    const Vec3 normal = dop_direction(slabs.which[i / 2]);
     if (i % 2 == 0) return {normal, slabs.upper[i / 2]};
     return {-normal, -slabs.lower[i / 2]};
 }
@@ -49,16 +54,18 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
             (p.offset * columns[0] + q.offset * columns[1] + r.offset * columns[2]) / determinant;
         if (step == most_steps) return corner;
         double most = slop;
-        Plane entering{Vec3::Zero(), 0};
-        for (int i = 0; i < 2 * slabs.count; ++i) {
-            const Plane face = plane(slabs, i);
-            const double beyond = dot(face.normal, corner) - face.offset;
-            if (beyond > most) {
+        int beyond_all = -1;
+        for (int i = 0; i < slabs.count; ++i) {
+            const double along = dot(dop_direction(slabs.which[i]), corner);
+            for (const bool upper : {true, false}) {
+                const double beyond = upper ? along - slabs.upper[i] : slabs.lower[i] - along;
+                if (!(beyond > most)) continue;
                 most = beyond;
-                entering = face;
+                beyond_all = 2 * i + (upper ? 0 : 1);
             }
         }
-        if (most == slop) return corner;
+        if (beyond_all < 0) return corner;
+        const Plane entering = plane(slabs, beyond_all);
         double least = HUGE_VAL, shares[3];
         std::size_t leaving = 3;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -98,6 +105,8 @@ SurfaceMeasures polytope_measures(const DopSlabs& slabs) {
             if (j == i) continue;
             const Plane other = plane(slabs, j);
             const double offset = other.offset - dot(other.normal, center);
+            const auto is_beyond = [&](const Vec3& p) { return dot(other.normal, p) > offset; };
+            if (std::none_of(face.begin(), face.end(), is_beyond)) continue;
             kept.clear();
             for (std::size_t k = 0; k < face.size(); ++k) {
                 const Vec3 &a = face[k], &b = face[(k + 1) % face.size()];

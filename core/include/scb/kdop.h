@@ -10,7 +10,7 @@ namespace scb {
 
 /// The 13 directions of the 26-DOP, of coordinates 0, 1 and -1: three axes, six edges and four
 /// corners of a cube.
-inline constexpr std::array<std::array<int, 3>, 13> dop_directions = {{{1, 0, 0},
+inline constexpr std::array<std::array<double, 3>, 13> dop_directions = {{{1, 0, 0},
                                                                        {0, 1, 0},
                                                                        {0, 0, 1},
                                                                        {1, 1, 0},
