@@ -132,7 +132,17 @@ std::string best_setting(const InspectReport& report) {
     const SceneTuning& tuning = *report.settings;
     const TuneRow &best = tuning.rows[tuning.best[0]], &base = tuning.base();
     const std::string counted = "Of " + std::to_string(tuning.rows.size()) + " settings, ";
-    if (tuning.best[0] == 0) return counted + "none takes fewer volume tests than this one.";
+    const TuneRow& cheapest = tuning.rows[tuning.fewest_operations];
+    std::string operations;
+    if (tuning.fewest_operations == 0)
+        operations = " None takes fewer operations than this one.";
+    else if (tuning.fewest_operations != tuning.best[0])
+        operations =
+            " " + setting_text(cheapest.setting) + " takes the fewest operations: it " +
+            change(base.counts.operations, cheapest.counts.operations, "saves", "takes") +
+            (cheapest.counts.operations <= base.counts.operations ? " of these." : " more.");
+    if (tuning.best[0] == 0)
+        return counted + "none takes fewer volume tests than this one." + operations;
     std::string text =
         counted + setting_text(best.setting) + " takes the fewest volume tests: it " +
         change(base.counts.volume_tests, best.counts.volume_tests, "saves", "takes") + " of these";
@@ -141,7 +151,7 @@ std::string best_setting(const InspectReport& report) {
                 change(base.counts.triangle_tests, best.counts.triangle_tests, "saves", "makes") +
                 (best.counts.triangle_tests <= base.counts.triangle_tests ? " of the triangle tests"
                                                                           : " more triangle tests");
-    return text + ".";
+    return text + "." + operations;
 }
 
 }  // namespace

@@ -64,8 +64,9 @@ struct SceneTuning {
     std::size_t equals(std::size_t row) const;
     bool timed() const { return rows[0].ms.has_value(); }
     /// The setting to use: that with the least time, or where nothing is timed with the fewest
-    /// tests. A row that misses pairs is never it.
-    std::size_t recommended() const { return timed() ? least_time : best[0]; }
+    /// operations, since a test of some volumes takes a hundred times what it takes of others. A
+    /// row that misses pairs is never it.
+    std::size_t recommended() const { return timed() ? least_time : fewest_operations; }
 };
 
 struct TuneOptions {
