@@ -91,7 +91,7 @@ double reach(const V& v) {
 /// `measured_directions`, in their order: of a volume with flat faces along these the exact ones,
 /// of others a little less.
 struct SurfaceMeasures {
-    double area, volume;
+    double area = 0, volume = 0;
 };
 std::span<const Vec3> measured_directions();
 SurfaceMeasures surface_measures(std::span<const Vec3> farthest_points);

@@ -64,6 +64,7 @@ struct KDop {
     }();
 
     std::array<double, slabs> lower{}, upper{};
+    SurfaceMeasures measures{};  ///< of the polytope: known once, since queries may ask often
 };
 using KDop14 = KDop<14>;
 using KDop18 = KDop<18>;
@@ -104,6 +105,7 @@ void fit(KDop<k>& result, const FitPoints& points) {
         result.lower[i] = points.lower(direction);
         result.upper[i] = points.upper(direction);
     }
+    result.measures = polytope_measures(slabs_of(result));
 }
 
 /// Half the sides of its box, which the first three slabs are.
@@ -114,11 +116,11 @@ Vec3 half_extents(const KDop<k>& v) {
 }
 template <int k>
 double surface_area(const KDop<k>& v) {
-    return polytope_measures(slabs_of(v)).area;
+    return v.measures.area;
 }
 template <int k>
 double volume(const KDop<k>& v) {
-    return polytope_measures(slabs_of(v)).volume;
+    return v.measures.volume;
 }
 
 }  // namespace scb
