@@ -170,7 +170,10 @@ int run(const LevelOptions& options, const Console& console) {
 
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;
-        const render::Support held = render::level_sheet_support(bodies[0], support);
+        const render::Support held = render::level_sheet_support(
+            bodies[0], support, *std::min_element(levels.begin(), levels.end(), [](int x, int y) {
+                return static_cast<unsigned>(x) < static_cast<unsigned>(y);
+            }));
         // Of one level the volumes stand side by side.
         const bool one_row = levels.size() == 1;
         const render::LevelSheetLayout layout = render::level_sheet_layout(

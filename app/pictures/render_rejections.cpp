@@ -168,6 +168,8 @@ struct Shot {
             figure.remark = stopped_remark(frame);
         } else if (rejects_roots(frame)) {
             figure.remark = "no overlap: the roots were rejected";
+        } else if (frame.found.pairs.empty()) {
+            figure.remark = "no contact";
         }
         nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
         entry["volumes"] = {ended[0].size(), ended[1].size()};

@@ -186,11 +186,20 @@ std::string stats_csv_header(bool with_measures) {
     return text + "\n";
 }
 
+/// As a field of a line of CSV (RFC 4180).
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 std::string stats_csv(const HierarchyStats& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : " ") + body;
-    const std::string start = m.mesh + "," + bodies + "," + std::string(volume_kind_name(m.kind)) +
-                              "," + std::string(split_method_name(m.build.split)) + ",";
+    const std::string start = csv_field(m.mesh) + "," + csv_field(bodies) + "," +
+                              std::string(volume_kind_name(m.kind)) + "," +
+                              std::string(split_method_name(m.build.split)) + ",";
     const auto row = [](const VolumeStatistics& l) {
         return format("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", l.mean_diameter(), l.max_diameter,
                       l.mean_thickness(), l.max_thickness, l.area, l.volume);

@@ -139,7 +139,11 @@ render::CorrelationFigure BenchCorrelation::figure() const {
     std::vector<std::size_t> order(figure.plots[0].rows.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        return figure.plots[0].rows[i].mean > figure.plots[0].rows[j].mean;
+        const auto rank = [&](std::size_t row) {
+            const double mean = figure.plots[0].rows[row].mean;
+            return std::isnan(mean) ? -HUGE_VAL : mean;  // a measure that is the same everywhere
+        };
+        return rank(i) > rank(j);
     });
     for (render::CorrelationPlot& plot : figure.plots) {
         std::vector<render::CorrelationRow> rows;

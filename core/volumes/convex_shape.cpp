@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scb {
 
@@ -13,15 +14,28 @@ double diameter(const ConvexShape& shape) {
 }
 
 ConvexShape placed(const ConvexShape& shape, const Pose& pose) {
+    std::vector<FacePlane> faces = shape.faces;
+    for (FacePlane& face : faces) face.normal = transform_direction(pose, face.normal);
     return {transform_point(pose, shape.center), shape.rounding, pose.rotation * shape.axes,
             [r = pose.rotation, own = shape.support_point](const Vec3& d) {
                 return rotate(r, own(Vec3(dot(Vec3(r.col(0)), d), dot(Vec3(r.col(1)), d),
                                           dot(Vec3(r.col(2)), d))));
-            }};
+            },
+            std::move(faces)};
+}
+
+std::vector<FacePlane> planes_about(const ConvexShape& shape, std::span<const Vec3> directions) {
+    if (!shape.faces.empty()) return shape.faces;
+    std::vector<FacePlane> planes;
+    for (const Vec3& own : directions) {
+        const Vec3 d = rotate(shape.axes, own);
+        planes.push_back({d, support(shape, d)});
+    }
+    return planes;
 }
 
 bool identical(const ConvexShape& a, const ConvexShape& b) {
-    const auto directions = measured_directions();
+    const auto directions = touching_directions();
     return a.center == b.center && a.rounding == b.rounding &&
            std::all_of(directions.begin(), directions.end(),
                        [&](const Vec3& d) { return a.support_point(d) == b.support_point(d); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "scb/convex.h"
 #include "scb/pose.h"
@@ -14,6 +15,7 @@ struct ConvexShape {
     double rounding = 0;
     Mat3 axes = Mat3::Identity();  ///< those of its own frame, as columns: where its faces may be
     std::function<Vec3(const Vec3&)> support_point;  ///< of the core, from the center
+    std::vector<FacePlane> faces{};  ///< of a polytope that knows them, from the center
 };
 
 /// As of convex volumes.
@@ -25,7 +27,11 @@ double diameter(const ConvexShape& shape);
 /// The shape carried along by a rigid pose.
 ConvexShape placed(const ConvexShape& shape, const Pose& pose);
 
-/// The same points, as far as the directions of measured_directions tell.
+/// Planes about it, from the center: the faces of a polytope that knows them, else those that touch
+/// it in these directions of its own frame.
+std::vector<FacePlane> planes_about(const ConvexShape& shape, std::span<const Vec3> directions);
+
+/// The same points, as far as the directions of touching_directions tell.
 bool identical(const ConvexShape& a, const ConvexShape& b);
 
 }  // namespace scb

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/volumes/polytope.h"
+
 namespace scb {
 namespace {
 
@@ -12,14 +14,8 @@ Vec3 dop_direction(int i) {
     return {d[0], d[1], d[2]};
 }
 
-/// A face's plane: normal.p <= offset. The normal's coordinates are small whole numbers.
-struct Plane {
-    Vec3 normal;
-    double offset;
-};
-
 /// Of 2 * count planes; the upper one of a slab has an even number, its lower one the next.
-Plane plane(const DopSlabs& slabs, int i) {
+FacePlane plane(const DopSlabs& slabs, int i) {
     const Vec3 normal = dop_direction(slabs.which[i / 2]);
     if (i % 2 == 0) return {normal, slabs.upper[i / 2]};
     return {-normal, -slabs.lower[i / 2]};
@@ -31,7 +27,7 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
     // The direction as a sum of three faces' normals, with weights of 0 or more. The corner of
     // these faces reaches as far along it as the polytope or farther, and no farther once no face
     // cuts it off (Dantzig's simplex method, on the dual).
-    std::array<Plane, 3> basis;
+    std::array<FacePlane, 3> basis;
     double weights[3];
     for (int i = 0; i < 3; ++i) {
         basis[static_cast<std::size_t>(i)] = plane(slabs, d[i] < 0 ? 2 * i + 1 : 2 * i);
@@ -65,7 +61,7 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
             }
         }
         if (beyond_all < 0) return corner;
-        const Plane entering = plane(slabs, beyond_all);
+        const FacePlane entering = plane(slabs, beyond_all);
         double least = HUGE_VAL, shares[3];
         std::size_t leaving = 3;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -83,49 +79,20 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
     }
 }
 
+std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center) {
+    std::vector<FacePlane> planes;
+    for (int i = 0; i < 2 * slabs.count; ++i) {
+        planes.push_back(plane(slabs, i));
+        planes.back().offset -= dot(planes.back().normal, center);
+    }
+    return planes;
+}
+
 SurfaceMeasures polytope_measures(const DopSlabs& slabs) {
     const Vec3 lower(slabs.lower[0], slabs.lower[1], slabs.lower[2]),
         upper(slabs.upper[0], slabs.upper[1], slabs.upper[2]);
-    const Vec3 center = 0.5 * (lower + upper);
-    const double size = std::sqrt(squared_norm(Vec3(upper - lower)));
-    SurfaceMeasures sum{0, 0};
-    std::vector<Vec3> face, kept;
-    for (int i = 0; i < 2 * slabs.count; ++i) {
-        const Plane own = plane(slabs, i);
-        const double length = std::sqrt(squared_norm(own.normal));
-        const Vec3 normal = own.normal / length;
-        const double height = (own.offset - dot(own.normal, center)) / length;
-        // A square in the face's plane, larger than the box; then what the other faces leave of it.
-        const Vec3 across = std::abs(normal[0]) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
-        Vec3 u = cross(normal, across);
-        u *= size / std::sqrt(squared_norm(u));
-        const Vec3 v = cross(normal, u), middle = height * normal;
-        face = {middle + u + v, middle - u + v, middle - u - v, middle + u - v};
-        for (int j = 0; j < 2 * slabs.count && !face.empty(); ++j) {
-            if (j == i) continue;
-            const Plane other = plane(slabs, j);
-            const double offset = other.offset - dot(other.normal, center);
-            const auto is_beyond = [&](const Vec3& p) { return dot(other.normal, p) > offset; };
-            if (std::none_of(face.begin(), face.end(), is_beyond)) continue;
-            kept.clear();
-            for (std::size_t k = 0; k < face.size(); ++k) {
-                const Vec3 &a = face[k], &b = face[(k + 1) % face.size()];
-                const double at_a = dot(other.normal, a) - offset,
-                             at_b = dot(other.normal, b) - offset;
-                if (at_a <= 0) kept.push_back(a);
-                if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0))
-                    kept.push_back(a + at_a / (at_a - at_b) * (b - a));
-            }
-            face.swap(kept);
-        }
-        double doubled = 0;
-        for (std::size_t k = 1; k + 1 < face.size(); ++k)
-            doubled += dot(normal, cross(Vec3(face[k] - face[0]), Vec3(face[k + 1] - face[0])));
-        const double area = std::abs(doubled) / 2;
-        sum.area += area;
-        sum.volume += area * height / 3;
-    }
-    return sum;
+    return polytope_measures(faces(slabs, 0.5 * (lower + upper)),
+                             std::sqrt(squared_norm(Vec3(upper - lower))));
 }
 
 }  // namespace scb

@@ -61,10 +61,33 @@ Obb box_about(const V& v) {
 }
 
 /// The volume with all its faces moved outward, so that rounding does not decide what a flat one
-/// contains. A type without a case stays as it is.
-template <Volume V>
+/// contains. A convex volume without a case, one of somebody's own, stays as it is.
+template <ConvexVolume V>
 V enlarged(const V& v, double) {
     return v;
+}
+inline Capsule enlarged(Capsule capsule, double by) {
+    capsule.radius += by;
+    return capsule;
+}
+inline Rss enlarged(Rss rss, double by) {
+    rss.radius += by;
+    return rss;
+}
+template <int k>
+KDop<k> enlarged(KDop<k> dop, double by) {
+    for (std::size_t i = 0; i < dop.which.size(); ++i) {
+        const auto& d = dop_directions[static_cast<std::size_t>(dop.which[i])];
+        const double moved = by * std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        dop.lower[i] -= moved;
+        dop.upper[i] += moved;
+    }
+    return dop;
+}
+template <bool exact>
+BasicAabb<exact> enlarged(BasicAabb<exact> box, double by) {
+    box.half.array() += by;
+    return box;
 }
 inline Ball enlarged(Ball ball, double by) {
     ball.radius += by;
@@ -112,6 +135,25 @@ double least_of(Value&& value) {
         }
     }
     return at_a < at_b ? at_a : at_b;
+}
+
+/// Whether the line meets a k-DOP: what its slabs leave of it.
+template <int k>
+bool line_meets(const KDop<k>& dop, const Vec3& point, const Vec3& along) {
+    double from = -HUGE_VAL, to = HUGE_VAL;
+    for (std::size_t i = 0; i < dop.which.size(); ++i) {
+        const auto& of = dop_directions[static_cast<std::size_t>(dop.which[i])];
+        const Vec3 d(of[0], of[1], of[2]);
+        const double at = dot(d, point), slope = dot(d, along);
+        if (slope == 0) {
+            if (at < dop.lower[i] || at > dop.upper[i]) return false;
+            continue;
+        }
+        const double first = (dop.lower[i] - at) / slope, second = (dop.upper[i] - at) / slope;
+        from = std::max(from, std::min(first, second));
+        to = std::min(to, std::max(first, second));
+    }
+    return from <= to;
 }
 
 /// Whether the line through `point` along a unit vector meets the volume, but for lines that pass

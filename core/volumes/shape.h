@@ -17,8 +17,10 @@ Obb shape_of(const BasicAabb<exact>& box) {
 }
 template <ConvexVolume V>
 ConvexShape shape_of(const V& volume) {
-    return {center(volume), rounding(volume), Mat3::Identity(),
-            [volume](const Vec3& d) { return support_point(volume, d); }};
+    ConvexShape shape{center(volume), rounding(volume), Mat3::Identity(),
+                      [volume](const Vec3& d) { return support_point(volume, d); }};
+    if constexpr (requires { faces(volume); }) shape.faces = faces(volume);
+    return shape;
 }
 
 }  // namespace scb

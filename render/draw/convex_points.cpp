@@ -1,6 +1,7 @@
 #include "render/draw/convex_points.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scb::render {
 namespace {
@@ -27,15 +28,18 @@ ConvexPoints::ConvexPoints(const Gl& gl)
       corner_buffer_(gl),
       direction_buffer_(gl),
       point_buffer_(gl),
+      plane_buffer_(gl),
       corners_(gl),
       directions_(gl),
-      points_texture_(gl) {}
+      points_texture_(gl),
+      planes_texture_(gl) {}
 
 std::size_t ConvexPoints::most_points_per_volume() { return 6 * steps_of_few * steps_of_few + 2; }
 
 void ConvexPoints::start(std::size_t volumes) {
     grid_ = &grid_for(volumes);
     points_.clear();
+    planes_.clear();
 }
 
 void ConvexPoints::add(const ConvexShape& shape, const EyeView& view) {
@@ -44,6 +48,23 @@ void ConvexPoints::add(const ConvexShape& shape, const EyeView& view) {
         const Vec3 point = shape.center + shape.support_point(d) + shape.rounding * d;
         append(points_, to_eye_units(view, point));
     }
+}
+
+std::size_t ConvexPoints::add_planes(const ConvexShape& shape, const EyeView& view) {
+    const std::vector<FacePlane> planes = planes_about(shape, touching_directions());
+    for (const FacePlane& plane : planes) {
+        const double length = std::sqrt(squared_norm(plane.normal));
+        append(planes_, rotate_to_eye(view, plane.normal / length));
+        planes_.back() = static_cast<float>(plane.offset / length / view.unit);
+    }
+    return planes.size();
+}
+
+void ConvexPoints::use_planes(const GlProgram& program, std::size_t first, std::size_t count) {
+    upload(plane_buffer_, planes_texture_, 1, GL_RGBA32F, planes_.data() + 4 * first,
+           4 * 4 * count);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    program.set("planes", 1);
 }
 
 void ConvexPoints::upload(const GlBuffer& buffer, const GlTexture& texture, GLenum unit,

@@ -11,8 +11,9 @@
 
 namespace scb::render {
 
-/// The surfaces of convex volumes as shaders/convex.vert reads them: a grid of directions that all
-/// share, and for each volume its farthest point along each of them, in eye space.
+/// The surfaces of convex volumes. Of rounded ones as shaders/convex.vert reads them: a grid of
+/// directions that all share, and for each volume its farthest point along each of them, in eye
+/// space. Of others the planes of a polytope, as shaders/polytope.frag reads them.
 class ConvexPoints {
   public:
     explicit ConvexPoints(const Gl& gl);
@@ -20,12 +21,16 @@ class ConvexPoints {
     /// Forgets the points. The grid is the finer, the fewer volumes there will be.
     void start(std::size_t volumes);
     void add(const ConvexShape& shape, const EyeView& view);
+    /// Returns how many planes.
+    std::size_t add_planes(const ConvexShape& shape, const EyeView& view);
+    std::size_t planes() const { return planes_.size() / 4; }
 
     std::size_t vertices_per_volume() const { return 3 * grid_->triangles.size(); }
     static std::size_t most_points_per_volume();
 
     /// Makes the volumes of a batch, from the first one on, those that the program draws.
     void use(const GlProgram& program, std::size_t first, std::size_t count);
+    void use_planes(const GlProgram& program, std::size_t first, std::size_t count);
 
   private:
     void upload(const GlBuffer& buffer, const GlTexture& texture, GLenum unit, GLenum format,
@@ -33,9 +38,9 @@ class ConvexPoints {
 
     const Gl& gl_;
     const DirectionGrid* grid_ = nullptr;
-    GlBuffer corner_buffer_, direction_buffer_, point_buffer_;
-    GlTexture corners_, directions_, points_texture_;
-    std::vector<float> points_;
+    GlBuffer corner_buffer_, direction_buffer_, point_buffer_, plane_buffer_;
+    GlTexture corners_, directions_, points_texture_, planes_texture_;
+    std::vector<float> points_, planes_;
 };
 
 }  // namespace scb::render

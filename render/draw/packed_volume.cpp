@@ -170,12 +170,14 @@ struct Pack {
             middle += 0.5 * (up - down) * in_eye;
             halves[static_cast<std::size_t>(i)] = 0.5 * (up + down) * in_eye;
             squared += 0.25 * (up + down) * (up + down);
-            words.set(1 + static_cast<std::size_t>(i), in_eye,
-                      i == 0 && volume.rounding > 0 ? 1 : 0);
+            words.set(1 + static_cast<std::size_t>(i), in_eye, 0);
         }
         if (behind(middle, std::sqrt(squared))) return false;
         rectangle.clip(around_box(middle, halves, view));
         shape = PackedVolume::Shape::convex;
+        if (volume.rounding > 0) return true;
+        shape = PackedVolume::Shape::polytope;
+        words.set(1, to_eye_units(view, volume.center), std::sqrt(squared));
         return true;
     }
 };

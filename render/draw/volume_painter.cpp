@@ -15,6 +15,7 @@ SCB_DECLARE_EMBEDDED(scb2_frag)
 SCB_DECLARE_EMBEDDED(obb_frag)
 SCB_DECLARE_EMBEDDED(convex_vert)
 SCB_DECLARE_EMBEDDED(convex_frag)
+SCB_DECLARE_EMBEDDED(polytope_frag)
 
 namespace scb::render {
 
@@ -26,7 +27,8 @@ constexpr std::size_t words_per_volume = 4 * texels_per_volume;
 PackedVolume::Shape shape_of(const AnyVolume& volume) {
     if (std::holds_alternative<Scb2>(volume)) return PackedVolume::Shape::scb2;
     if (std::holds_alternative<Obb>(volume)) return PackedVolume::Shape::obb;
-    if (std::holds_alternative<ConvexShape>(volume)) return PackedVolume::Shape::convex;
+    if (const ConvexShape* shape = std::get_if<ConvexShape>(&volume))
+        return shape->rounding > 0 ? PackedVolume::Shape::convex : PackedVolume::Shape::polytope;
     return PackedVolume::Shape::scb;
 }
 
@@ -51,6 +53,9 @@ VolumePainter::VolumePainter(const Gl& gl)
       obb_program_(gl, {SCB_EMBEDDED(volume_vert)},
                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                     SCB_EMBEDDED(obb_frag)}),
+      polytope_program_(gl, {SCB_EMBEDDED(volume_vert)},
+                        {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl),
+                         SCB_EMBEDDED(volume_glsl), SCB_EMBEDDED(polytope_frag)}),
       convex_program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(convex_vert)},
                       {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                        SCB_EMBEDDED(convex_frag)}),
@@ -117,13 +122,25 @@ void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
         if (!packed) continue;
         const PackedVolume::Shape shape = packed->shape;
         if (runs_.empty() || runs_.back().shape != shape || count % batch_limit_ == 0)
-            runs_.push_back({shape, count, 0, convex});
+            runs_.push_back({shape, count, 0,
+                             shape == PackedVolume::Shape::polytope ? convex_.planes() : convex});
         texels_.insert(texels_.end(), packed->words.begin(), packed->words.end());
         if (shape == PackedVolume::Shape::convex) {
             convex_.add(std::get<ConvexShape>(volume->volume), view);
             ++convex;
             // Its points among those of the run.
             texels_[texels_.size() - 2] = static_cast<std::uint32_t>(runs_.back().count);
+        }
+        if (shape == PackedVolume::Shape::polytope) {
+            const ConvexShape& polytope = std::get<ConvexShape>(volume->volume);
+            Run& run = runs_.back();
+            const std::size_t planes = convex_.add_planes(polytope, view);
+            texels_[texels_.size() - 2] = static_cast<std::uint32_t>(run.planes);
+            // Edges are drawn of faces that are there, not of those that stand for a curve.
+            constexpr std::uint32_t without_edges = 0x80000000;
+            texels_[texels_.size() - 1] =
+                static_cast<std::uint32_t>(planes) | (polytope.faces.empty() ? without_edges : 0);
+            run.planes += planes;
         }
         ++runs_.back().count;
         ++count;
@@ -143,9 +160,11 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
         program.set("sides", static_cast<int>(sides));
         std::size_t corners = 6 * static_cast<std::size_t>(sides);
         if (run.shape == PackedVolume::Shape::convex) {
-            convex_.use(program, run.first_convex, run.count);
+            convex_.use(program, run.first_of_convex, run.count);
             corners = convex_.vertices_per_volume() * static_cast<std::size_t>(sides);
         }
+        if (run.shape == PackedVolume::Shape::polytope)
+            convex_.use_planes(program, run.first_of_convex, run.planes);
         gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
                        static_cast<GLsizei>(corners * run.count));
     }
@@ -157,6 +176,8 @@ const GlProgram& VolumePainter::program_of(PackedVolume::Shape shape) const {
             return scb2_program_;
         case PackedVolume::Shape::obb:
             return obb_program_;
+        case PackedVolume::Shape::polytope:
+            return polytope_program_;
         case PackedVolume::Shape::convex:
             return convex_program_;
         case PackedVolume::Shape::scb:

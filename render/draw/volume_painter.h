@@ -13,8 +13,8 @@ namespace scb::render {
 
 /// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
 /// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
-/// levels have thousands of volumes of a few pixels each. Convex volumes, of which the farthest
-/// points are all that is known, are meshes of these.
+/// levels have thousands of volumes of a few pixels each. Rounded convex volumes, of which
+/// the farthest points are all that is known, are meshes of these.
 class VolumePainter {
   public:
     explicit VolumePainter(const Gl& gl);
@@ -34,7 +34,8 @@ class VolumePainter {
         PackedVolume::Shape shape;
         std::size_t first;
         std::size_t count;
-        std::size_t first_convex;  // of those that are
+        std::size_t first_of_convex;  // of its points or planes among those of convex volumes
+        std::size_t planes = 0;
     };
 
     void pack_all(const std::vector<const VolumeInstance*>& volumes, const EyeView& view);
@@ -47,7 +48,7 @@ class VolumePainter {
     GlProgram scb_program_;
     GlProgram scb2_program_;
     GlProgram obb_program_;
-    GlProgram convex_program_;
+    GlProgram polytope_program_, convex_program_;
     GlVertexArray no_attributes_;
     GlBuffer buffer_;
     GlTexture texture_;

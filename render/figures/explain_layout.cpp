@@ -40,7 +40,7 @@ ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure)
     }
     const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
               verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
-    const int below = std::min(std::max(chart, verdict), all.height * 9 / 20);
+    const int below = std::min(std::max(chart, verdict), all.height * 3 / 5);
     // Small pictures have no room for one.
     const bool section = whole.portrait || all.height - std::max(chart, verdict) > 12 * unit;
     if (whole.portrait) {

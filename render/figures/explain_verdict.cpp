@@ -59,6 +59,8 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
             for (int i = 0; i < 3; ++i)
                 sides[i] = support(*convex, Vec3(convex->axes.col(i))) +
                            support(*convex, Vec3(-convex->axes.col(i)));
+            for (int i = 0; i < 3; ++i)
+                if (sides[i] < 1e-12 * sides.maxCoeff()) sides[i] = 0;  // rounding
             return "box " + number_text(sides[0]) + " × " + number_text(sides[1]) + " × " +
                    number_text(sides[2]);
         }

@@ -18,8 +18,9 @@ Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
             triangle_heat(frame.events, topology_of(*bodies[side].hierarchy), side, of, wasted);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
+    // The next of 1, 2 and 5 times a power of ten.
     double end = 10;
-    while (end < heat.most) end *= 10;
+    for (int i = 0; end < heat.most; ++i) end *= i % 3 == 1 ? 2.5 : 2;
     constexpr int most_ticks = 6;
     heat.scale = log_axis(1, scale_end ? static_cast<double>(std::max(2u, *scale_end)) : end,
                           most_ticks, true);

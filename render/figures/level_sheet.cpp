@@ -16,8 +16,8 @@ constexpr int level_heading_height(int unit) {
     return sheet_margin + title_size(unit) + 9 * unit / 2;
 }
 
-// How far the views reach from the bodies to the volumes' ends.
-constexpr double held_part = 0.35;
+// How far the views reach from the bodies to the volumes' ends: those of the roots reach far.
+double held_part(int first_level) { return first_level >= 3 ? 1 : 0.35; }
 
 int histogram_height(const LevelSheetLayout& layout) {
     return length_histogram_height({light_theme, layout.unit});
@@ -29,10 +29,12 @@ int cell_height(const LevelSheetLayout& layout) {
 
 }  // namespace
 
-Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes) {
+Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes,
+                            int first_level) {
     std::vector<Support> meshes;
     for (const LevelBody& body : bodies) meshes.push_back(support_of(*body.mesh, body.pose));
-    return support_between(support_of_all(std::move(meshes)), std::move(volumes), held_part);
+    return support_between(support_of_all(std::move(meshes)), std::move(volumes),
+                           held_part(first_level));
 }
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
@@ -77,6 +79,9 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
     const int key_y = sheet_margin + title_size(unit) + unit / 2;
     if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
         draw_side_panel(overlay, {sheet_margin, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
+    } else if (sheet.style.colors.by == ColorBy::subtree) {
+        draw_side_panel(overlay, {sheet_margin, key_y, layout.width - 2 * sheet_margin, 2 * unit},
+                        theme, unit, {PanelNote{"color: the subtree below the third division"}});
     } else {
         int x = sheet_margin;
         const auto& bodies = sheet.rows.front().front().bodies;

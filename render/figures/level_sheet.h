@@ -43,7 +43,7 @@ struct LevelSheet {
 /// What the views of a sheet hold: the bodies, and of volumes that stick out of these a part. To
 /// hold these too, such as the ball about all of a flat body, would leave little of a view to the
 /// deep levels.
-Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes);
+Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes, int first_level);
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
 

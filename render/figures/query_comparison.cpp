@@ -144,7 +144,8 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         const ComparedQuery& query = queries[side];
         views[side].pane = rejections_pane(query.bodies, ended[side], style);
         views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
-        if (style.by == NodeColor::share) views[side].legend.push_back(node_color_key(style));
+        if (style.by == NodeColor::share)
+            views[side].legend.push_back(node_color_keys(style).front());
     }
     // Of other volumes every node looks another way.
     if (nodes_comparable(queries)) outline(views, 1, *style.theme);

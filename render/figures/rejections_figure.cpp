@@ -158,18 +158,22 @@ bool shows_no_node(const Pane& pane) {
                                                [](const MeshDraw& mesh) { return mesh.backdrop; });
 }
 
-PanelItem node_color_key(const RejectionsStyle& style) {
+std::vector<PanelItem> node_color_keys(const RejectionsStyle& style) {
+    std::vector<PanelItem> keys;
     if (style.by == NodeColor::share)
-        return PanelScale{"color: share of a node's tests rejected",
-                          {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
+        keys.emplace_back(PanelScale{"color: share of a node's tests rejected",
+                                     {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
     const std::string which =
         style.by == NodeColor::dominant ? "most frequent" : std::string(node_color_names[style.by]);
     std::string left_out = style.nested ? "" : "nodes about others";
     if (style.focus < 1)
-        left_out += (left_out.empty() ? "" : ", ") + std::string("large ones (") +
-                    share_text(1 - style.focus, 1) + " of paths)";
-    return PanelNote{"a node's " + which + " ending; where its triangle was tested, that is drawn" +
-                     (left_out.empty() ? "" : "; left out: " + left_out)};
+        left_out += (left_out.empty() ? "" : ", ") + std::string("large ones (up to ") +
+                    share_text(1 - style.focus, 1) + " of paths; --focus 1 shows all)";
+    keys.emplace_back(
+        PanelNote{(style.by == NodeColor::share ? "" : "a node's " + which + " ending; ") +
+                  "where its triangle was tested, that is drawn" +
+                  (left_out.empty() ? "" : "; left out: " + left_out)});
+    return keys;
 }
 
 EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style) {
@@ -232,7 +236,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
         items.emplace_back(
             PanelRow{volumes_text(side, names[side]),
                      {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
-    items.push_back(node_color_key(style));
+    for (PanelItem& key : node_color_keys(style)) items.push_back(std::move(key));
     return items;
 }
 

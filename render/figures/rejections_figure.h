@@ -54,7 +54,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
                                       const TraversalTree& tree, const RejectionsStyle& style);
 
 /// What the color of a node tells.
-PanelItem node_color_key(const RejectionsStyle& style);
+std::vector<PanelItem> node_color_keys(const RejectionsStyle& style);
 
 /// Its numbers and legend.
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,

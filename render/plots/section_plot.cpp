@@ -178,7 +178,13 @@ std::vector<SectionDimension> dimensions_of(const SectionPlot& plot, double dist
     const bool of_a = plot.measures_b(), of_b = step.stage == Stage::ball_slab ||
                                                 step.stage == Stage::cylinder_slab ||
                                                 step.stage == Stage::slab_b;
-    std::string name = of_a ? "d0" : of_b ? "d1" : "‖c1′‖";
+    // Of others as the formula has it, on its left: the distance along the direction.
+    const bool of_centers =
+        step.stage == Stage::ball_ball || step.formula.find(" > ") == std::string::npos;
+    std::string name = of_a         ? "d0"
+                       : of_b       ? "d1"
+                       : of_centers ? "‖c1′‖"
+                                    : step.formula.substr(0, step.formula.find(" > "));
     // The paper's distances are from the owner of the slab, along its normal.
     const Scb* owner = std::get_if<Scb>(of_b ? &plot.b : &plot.a);
     if (owner != nullptr && (of_a || of_b) && (dot(owner->n, step.direction) > 0) != of_a)
@@ -195,7 +201,7 @@ bool SectionPlot::has_cylinder() const {
 
 bool SectionPlot::measures_b() const {
     return step.stage == Stage::slab_ball || step.stage == Stage::slab_cylinder ||
-           step.stage == Stage::slab_a;
+           step.stage == Stage::slab_a || step.stage == Stage::second_slab_a;
 }
 
 bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlot& plot,

@@ -11,6 +11,7 @@ namespace {
 
 struct Row {
     std::string name, number, note;
+    std::size_t step = 0;
     bool decides = false, faint = false;
 };
 
@@ -24,6 +25,7 @@ std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
     for (std::size_t i = 0; i < steps.steps.size(); ++i) {
         const OverlapStep& step = steps.steps[i];
         Row row;
+        row.step = i;
         if (step.line > 0) row.name = std::to_string(step.line) + "  ";
         row.name += formulas ? step.formula : std::string(stage_name(step.stage));
         // Nothing but rounding.
@@ -40,6 +42,21 @@ std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+/// Where there is no room for all: the first ones, how many are left out, and the closest one.
+void keep_rows(std::vector<Row>& rows, std::size_t room, std::size_t closest) {
+    if (rows.size() <= room) return;
+    const std::size_t first = room < 3 ? 0 : room - 2;
+    const Row last = rows[closest];
+    const std::size_t left_out = rows.size() - first - (closest < first ? 0 : 1);
+    rows.resize(first);
+    if (room > 1) {
+        rows.emplace_back().name = "and " + std::to_string(left_out) + " more";
+        rows.back().step = rows.size();
+        rows.back().faint = true;
+    }
+    if (closest >= first) rows.push_back(last);
 }
 
 }  // namespace
@@ -75,6 +92,7 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
     const PixelRect area = {rect.x + indent + names + gap, rect.y + line,
                             rect.width - fixed - names, rect.height - line};
     if (area.width < 2 * unit || area.height < line) return;
+    keep_rows(rows, static_cast<std::size_t>(area.height / line), chart.steps->closest());
 
     // One scale for both sides, which share the width as they need it.
     double low = 0, high = 0;
@@ -100,11 +118,14 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
     overlay.text(zero - gap, rect.y, "short by", left);
     overlay.text(zero + gap, rect.y, "separates by", right);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const OverlapStep& step = chart.steps->steps[i];
         const Row& row = rows[i];
         const int y = area.y + static_cast<int>(i) * line;
-        if (y + line > rect.y + rect.height) break;
         const TextStyle& style = row.decides ? strong : row.faint ? faint : name;
+        if (row.number.empty()) {
+            overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
+            continue;
+        }
+        const OverlapStep& step = chart.steps->steps[row.step];
         overlay.rectangle({rect.x, y + (small - swatch) / 2 + 1, swatch, swatch},
                           ending_color(rejected_at(step.stage), theme));
         overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);

@@ -1,4 +1,4 @@
-// The triangles of each side of each convex volume: a grid of directions, each at the volume's farthest point. Five
+// The triangles of each side of each rounded volume: a grid of directions, each at the volume's farthest point. Five
 // texels describe a volume, of which the first four have its frame.
 uniform usamplerBuffer volumes;
 uniform usamplerBuffer corners;  // of the grid's triangles: numbers of directions
@@ -10,8 +10,7 @@ uniform int sides;  // 1: the nearest surface; 2: the back side, then the front
 
 flat out uvec4 v_tag;
 flat out int v_side;
-flat out int v_rounded;  // whether the surface is smooth
-out vec3 v_normal;       // of a smooth surface
+out vec3 v_normal;
 out vec3 v_eye;
 
 vec4 texel(int index) { return uintBitsToFloat(texelFetch(volumes, index)); }
@@ -22,10 +21,8 @@ void main() {
     int volume = pass / sides;
     v_side = sides == 1 ? 0 : 1 + pass - sides * volume;
 
-    vec4 a = texel(5 * volume + 1);
-    mat3 frame = mat3(a.xyz, texel(5 * volume + 2).xyz, texel(5 * volume + 3).xyz);
+    mat3 frame = mat3(texel(5 * volume + 1).xyz, texel(5 * volume + 2).xyz, texel(5 * volume + 3).xyz);
     v_tag = texelFetch(volumes, 5 * volume + 4);
-    v_rounded = int(a.w);
     v_normal = frame * texelFetch(directions, corner).xyz;
     v_eye = texelFetch(points, points_per_volume * int(v_tag.z) + corner).xyz;
     float depth = -v_eye.z;

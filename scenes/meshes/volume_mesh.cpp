@@ -8,6 +8,7 @@
 
 #include "core/base/trigonometry.h"
 #include "core/volumes/direction_grid.h"
+#include "core/volumes/polytope.h"
 
 namespace scb::scenes {
 namespace {
@@ -265,22 +266,27 @@ Mesh volume_mesh(const Obb& box, int) {
 
 Mesh volume_mesh(const ConvexShape& shape, int segments) {
     // An even number, so that the directions of the frame's faces are among them.
-    const DirectionGrid grid = direction_grid(std::max(2, (segments + 7) / 8 * 2));
-    const double least = resolution(shape.center, diameter(shape));
+    constexpr int most_steps = 12;
+    const DirectionGrid grid = direction_grid(std::clamp((segments + 7) / 8 * 2, 2, most_steps));
+    const double size = diameter(shape),
+                 least = std::max(resolution(shape.center, size), 1e-9 * size);
     Mesh mesh;
-    std::vector<std::uint32_t> at;
-    for (const Vec3& own : grid.directions) {
-        const Vec3 d = rotate(shape.axes, own);
-        const Vec3 point = shape.center + shape.support_point(d) + shape.rounding * d;
-        const auto same = std::find_if(
-            mesh.vertices.begin(), mesh.vertices.end(),
-            [&](const Vec3& p) { return ((p - point).cwiseAbs().array() <= least).all(); });
-        at.push_back(static_cast<std::uint32_t>(same - mesh.vertices.begin()));
-        if (same == mesh.vertices.end()) mesh.vertices.push_back(point);
+    for (const std::vector<Vec3>& face :
+         face_polygons(planes_about(shape, grid.directions), size)) {
+        std::vector<std::uint32_t> corners;
+        for (const Vec3& from_center : face) {
+            const Vec3 point = shape.center + from_center;
+            const auto same = std::find_if(
+                mesh.vertices.begin(), mesh.vertices.end(),
+                [&](const Vec3& p) { return ((p - point).cwiseAbs().array() <= least).all(); });
+            const auto at = static_cast<std::uint32_t>(same - mesh.vertices.begin());
+            if (same == mesh.vertices.end()) mesh.vertices.push_back(point);
+            if (corners.empty() || (corners.back() != at && corners.front() != at))
+                corners.push_back(at);
+        }
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+            mesh.triangles.push_back({corners[0], corners[k], corners[k + 1]});
     }
-    for (const auto& [a, b, c] : grid.triangles)
-        if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a])
-            mesh.triangles.push_back({at[a], at[b], at[c]});
     return mesh;
 }
 

@@ -18,7 +18,7 @@ namespace scb::scenes {
 /// what its second slab leaves of a disc. What has no area gives no triangles: a ball without
 /// radius, an SCB that is cut away wholly, a box that is a line or a point. Lengths below 1e-12 of
 /// the coordinates, and cuts closer than 1e-6 radii to a pole or to another circle, count as zero.
-/// A convex shape is a mesh of its farthest points in directions as many as a ball would have.
+/// Of a convex shape the polytope of its faces, or of up to 866 that touch it, which is about it.
 Mesh volume_mesh(const Scb& scb, int segments);
 Mesh volume_mesh(const Scb2& scb, int segments);
 Mesh volume_mesh(const Ball& ball, int segments);

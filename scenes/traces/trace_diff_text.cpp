@@ -91,7 +91,8 @@ std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b) {
                                   {"N_u", a.n_u, b.n_u}};
     std::vector<Stage> stages = {Stage::overlapping};
     for (const std::span<const Stage> test :
-         {stages_of(OverlapTest::corrected), scb2_stages().subspan(1), obb_stages()})
+         {stages_of(OverlapTest::corrected), scb2_stages().subspan(1), convex_stages().subspan(1),
+          obb_stages()})
         stages.insert(stages.end(), test.begin(), test.end());
     for (const Stage stage : stages) {
         const auto s = static_cast<std::size_t>(stage);

@@ -38,7 +38,7 @@ TEST(IncludeRules, KnowEveryPublicHeader) {
          fs::directory_iterator(fs::path(SCB_SOURCE_DIR) / "core/include/scb"))
         names.push_back(entry.path().stem().string());
     EXPECT_EQ(homeless_headers(names), std::vector<std::string>{});
-    EXPECT_EQ(homeless_headers({"nowhere"}).size(), 40u);
+    EXPECT_GE(homeless_headers({"nowhere"}).size(), 40u);
 }
 
 // Each rule, broken once.

@@ -10,18 +10,34 @@
 
 namespace scb {
 
+struct SurfaceMeasures {
+    double area = 0, volume = 0;
+};
+
+/// A face of a polytope: the points p of it have normal.p <= offset. The normal need not be a unit
+/// vector.
+struct FacePlane {
+    Vec3 normal = Vec3::UnitZ();
+    double offset = 0;
+};
+
 /// A bounding volume that is known by its farthest points: all within `rounding` of a convex core.
 /// This is all that a volume of one's own must offer, next to a `fit`; see core/README.md, "Your
 /// own bounding volume in one header". A plain struct, and of it:
 /// - `center(v)`: a point in its middle, from which it is measured, in the body's frame;
 /// - `support_point(v, d)`: the point of the core, from the center, that is farthest in the
-///   direction d, which need not be a unit vector and is not zero;
+///   direction d, which need not be a unit vector and is not zero. Right to rounding in every
+///   direction, also along the volume's own axes and faces: what it falls short of, collisions may
+///   be lost by;
 /// - `rounding(v)`: a length, 0 or more;
 /// - `contains(v, p)`: whether a point of the body's frame is inside or on the surface. All points
 ///   that it was fitted to are, exactly as this rounds;
 /// - `fit(v, points)`, with `points` a FitPoints;
 /// - `V::title`, a name for pictures, and `V::support_operations`, what `support_point` costs in
-///   additions, multiplications, comparisons, divisions and roots.
+///   additions, multiplications, divisions and roots.
+/// A polytope may have `faces(v)`, a vector of FacePlane from the center: pictures and exported
+/// meshes then have its very faces. Without it, what is not rounded is drawn as a polytope that
+/// touches it in 98 directions.
 template <class V>
 concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
     { center(c) } -> std::same_as<Vec3>;
@@ -32,7 +48,7 @@ concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
     { V::support_operations } -> std::convertible_to<unsigned>;
 };
 
-/// The least radius whose square, as it is rounded, is no less than this.
+/// A radius whose square, as it is rounded, is no less than this.
 inline double radius_of_square(double squared) {
     double radius = std::sqrt(squared);
     while (radius * radius < squared) radius = std::nextafter(radius, HUGE_VAL);
@@ -87,21 +103,17 @@ double reach(const V& v) {
     return std::sqrt(squared_norm(center(v))) + std::sqrt(squared_norm(most));
 }
 
-/// Area and volume of the surface through the farthest points in the directions of
-/// `measured_directions`, in their order: of a volume with flat faces along these the exact ones,
-/// of others a little less.
-struct SurfaceMeasures {
-    double area = 0, volume = 0;
-};
-std::span<const Vec3> measured_directions();
-SurfaceMeasures surface_measures(std::span<const Vec3> farthest_points);
+/// Area and volume of a volume that has no closed forms: of the polytope whose faces touch it in 98
+/// directions, which is a little more.
+SurfaceMeasures touching_measures(std::span<const double> supports, double size);
+/// The directions, and the supports in their order.
+std::span<const Vec3> touching_directions();
 
 template <ConvexVolume V>
 SurfaceMeasures surface_measures(const V& v) {
-    std::vector<Vec3> points;
-    for (const Vec3& d : measured_directions())
-        points.push_back(support_point(v, d) + rounding(v) * d);
-    return surface_measures(points);
+    std::vector<double> supports;
+    for (const Vec3& d : touching_directions()) supports.push_back(support(v, d));
+    return touching_measures(supports, reach(v) + std::sqrt(squared_norm(center(v))));
 }
 template <ConvexVolume V>
 double surface_area(const V& v) {

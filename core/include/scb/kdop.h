@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "scb/convex.h"
 #include "scb/fit_points.h"
@@ -11,18 +13,18 @@ namespace scb {
 /// The 13 directions of the 26-DOP, of coordinates 0, 1 and -1: three axes, six edges and four
 /// corners of a cube.
 inline constexpr std::array<std::array<double, 3>, 13> dop_directions = {{{1, 0, 0},
-                                                                       {0, 1, 0},
-                                                                       {0, 0, 1},
-                                                                       {1, 1, 0},
-                                                                       {1, -1, 0},
-                                                                       {1, 0, 1},
-                                                                       {1, 0, -1},
-                                                                       {0, 1, 1},
-                                                                       {0, 1, -1},
-                                                                       {1, 1, 1},
-                                                                       {1, 1, -1},
-                                                                       {1, -1, 1},
-                                                                       {1, -1, -1}}};
+                                                                          {0, 1, 0},
+                                                                          {0, 0, 1},
+                                                                          {1, 1, 0},
+                                                                          {1, -1, 0},
+                                                                          {1, 0, 1},
+                                                                          {1, 0, -1},
+                                                                          {0, 1, 1},
+                                                                          {0, 1, -1},
+                                                                          {1, 1, 1},
+                                                                          {1, 1, -1},
+                                                                          {1, -1, 1},
+                                                                          {1, -1, -1}}};
 
 /// The slabs of a discrete orientation polytope: lower[i] <= dop_directions[which[i]].p <=
 /// upper[i].
@@ -34,9 +36,12 @@ struct DopSlabs {
 };
 
 /// A farthest corner of the polytope in the direction d, in its own frame: by the dual simplex
-/// method, from the corner of its box. Where rounding keeps it from the last step, the point is
-/// beyond the corner, by some units in the last place.
+/// method, from the corner of its box. Where the method ends early, by rounding or of a polytope
+/// without points, the point is beyond the corner: it never reaches less far.
 Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d);
+
+/// Its faces' planes, from the center.
+std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center);
 
 /// Its area and volume, face by face; exact but for rounding.
 SurfaceMeasures polytope_measures(const DopSlabs& slabs);
@@ -88,6 +93,17 @@ double rounding(const KDop<k>&) {
 template <int k>
 Vec3 support_point(const KDop<k>& v, const Vec3& d) {
     return farthest_corner(slabs_of(v), d) - center(v);
+}
+template <int k>
+std::vector<FacePlane> faces(const KDop<k>& v) {
+    return faces(slabs_of(v), center(v));
+}
+template <int k>
+bool is_well_formed(const KDop<k>& v) {
+    for (std::size_t i = 0; i < v.which.size(); ++i)
+        if (!(std::isfinite(v.lower[i]) && std::isfinite(v.upper[i]) && v.lower[i] <= v.upper[i]))
+            return false;
+    return true;
 }
 template <int k>
 bool contains(const KDop<k>& v, const Vec3& p) {

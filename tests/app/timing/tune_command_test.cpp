@@ -97,7 +97,7 @@ TEST(TuneCommand, HasTheCountsOfCollide) {
         volumes.insert(setting["volume"].get<std::string>() + setting["split"].get<std::string>());
         missing += setting["misses_pairs"].get<bool>();
     }
-    EXPECT_EQ(volumes.size(), 14u);
+    EXPECT_EQ(volumes.size(), 24u);
     EXPECT_LE(missing, 1u);
 }
 

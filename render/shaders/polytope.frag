@@ -1,0 +1,50 @@
+// Ray-casts a polytope exactly: v_a = center and about half its size; its planes, unit normals and distances from the
+// center, are v_tag.w of `planes` from v_tag.z on. Edges are drawn unless the highest bit of v_tag.w is set.
+uniform samplerBuffer planes;
+
+void main() {
+    vec3 origin, ray;
+    eye_ray(origin, ray);
+    vec3 to_center = v_a.xyz - origin;
+    float closest = dot(to_center, ray);
+    vec3 q = closest * ray - to_center;
+    int first = int(v_tag.z), count = int(v_tag.w & 0x7fffffffu);
+
+    float entry = -1e30, exit = 1e30;
+    int entry_face = 0, exit_face = 0;
+    for (int i = 0; i < count; ++i) {
+        vec4 face = texelFetch(planes, first + i);
+        float slope = dot(face.xyz, ray), room = face.w - dot(face.xyz, q);
+        if (abs(slope) < 1e-9) {
+            if (room < 0.0) discard;
+            continue;
+        }
+        float at = room / slope;
+        if (slope < 0.0 && at > entry) {
+            entry = at;
+            entry_face = i;
+        }
+        if (slope > 0.0 && at < exit) {
+            exit = at;
+            exit_face = i;
+        }
+    }
+    float surface = pick_surface(entry, exit, closest, ray.z);
+    int hit = surface == entry ? entry_face : exit_face;
+    vec3 p = q + surface * ray, normal = texelFetch(planes, first + hit).xyz;
+    float depth = -(origin.z + (closest + surface) * ray.z);
+    float size_of_pixel = pixel_size(depth), line = 0.0;
+
+    // Edges: where another face is near, along this one.
+    for (int i = 0; i < count; ++i) {
+        if (i == hit || v_tag.w >= 0x80000000u) continue;
+        vec4 face = texelFetch(planes, first + i);
+        float cosine = dot(face.xyz, normal), sine_squared = 1.0 - cosine * cosine;
+        if (sine_squared < 1e-4) continue;
+        float sine = sqrt(sine_squared);
+        float away = max(face.w - dot(face.xyz, p), 0.0) / sine;
+        line = max(line, line_cover(to_pixels(away, (face.xyz - cosine * normal) / sine, normal, ray, size_of_pixel), 2.0));
+    }
+    line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, v_a.w / size_of_pixel);
+    shade(normal, ray, 1.0, 0.85 * line, depth);
+}
