@@ -132,17 +132,18 @@ std::string best_setting(const InspectReport& report) {
     const SceneTuning& tuning = *report.settings;
     const TuneRow &best = tuning.rows[tuning.best[0]], &base = tuning.base();
     const std::string counted = "Of " + std::to_string(tuning.rows.size()) + " settings, ";
-    const TuneRow& cheapest = tuning.rows[tuning.fewest_operations];
-    std::string operations;
-    if (tuning.fewest_operations == 0)
-        operations = " None takes fewer operations than this one.";
-    else if (tuning.fewest_operations != tuning.best[0])
-        operations =
-            " " + setting_text(cheapest.setting) + " takes the fewest operations: it " +
-            change(base.counts.operations, cheapest.counts.operations, "saves", "takes") +
-            (cheapest.counts.operations <= base.counts.operations ? " of these." : " more.");
-    if (tuning.best[0] == 0)
-        return counted + "none takes fewer volume tests than this one." + operations;
+    const TuneRow& cheapest = tuning.rows[tuning.least_cost];
+    std::string cost;
+    if (tuning.least_cost == 0)
+        cost = " None costs less than this one, by the operations of all tests.";
+    else if (tuning.least_cost != tuning.best[0])
+        cost =
+            " " + setting_text(cheapest.setting) +
+            " costs least, by the operations of all tests: it " +
+            change(estimated_cost(base.counts), estimated_cost(cheapest.counts), "saves", "takes") +
+            (estimated_cost(cheapest.counts) <= estimated_cost(base.counts) ? " of these."
+                                                                            : " more.");
+    if (tuning.best[0] == 0) return counted + "none takes fewer volume tests than this one." + cost;
     std::string text =
         counted + setting_text(best.setting) + " takes the fewest volume tests: it " +
         change(base.counts.volume_tests, best.counts.volume_tests, "saves", "takes") + " of these";
@@ -151,7 +152,7 @@ std::string best_setting(const InspectReport& report) {
                 change(base.counts.triangle_tests, best.counts.triangle_tests, "saves", "makes") +
                 (best.counts.triangle_tests <= base.counts.triangle_tests ? " of the triangle tests"
                                                                           : " more triangle tests");
-    return text + "." + operations;
+    return text + "." + cost;
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning)
                                        [&](const auto& s) { return s.name == name; });
         if (same == settings.end())
             settings.push_back({name, row.counts});
-        else if (row.counts.operations < same->counts.operations)
+        else if (estimated_cost(row.counts) < estimated_cost(same->counts))
             same->counts = row.counts;
     }
     std::stable_sort(settings.begin(), settings.end(), [](const auto& x, const auto& y) {
-        return x.counts.operations < y.counts.operations;
+        return estimated_cost(x.counts) < estimated_cost(y.counts);
     });
     settings.resize(std::min(settings.size(), most_volumes));
     return settings;

@@ -178,7 +178,9 @@ Json tune_json(const SceneTuning& tuning) {
                 Json{{"ms", row.ms->median}, {"ms_least", row.ms->low}, {"ms_most", row.ms->high}});
         settings.push_back(std::move(entry));
     }
-    Json best = {{"tests", tuning.best[0]}, {"operations", tuning.fewest_operations}};
+    Json best = {{"tests", tuning.best[0]},
+                 {"operations", tuning.fewest_operations},
+                 {"cost", tuning.least_cost}};
     if (tuning.timed()) best["time"] = tuning.least_time;
     if (tuning.quicker_layout) best["layout"] = *tuning.quicker_layout;
     Json json = {{"scene", tuning.scene},

@@ -334,6 +334,10 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
             return result.rows[x].counts.operations < result.rows[y].counts.operations;
         });
+    result.least_cost = *std::min_element(
+        result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
+            return estimated_cost(result.rows[x].counts) < estimated_cost(result.rows[y].counts);
+        });
     if (options.layouts) {
         try {
             if (!run.count_layouts(packed_rows(result))) return std::nullopt;

@@ -45,7 +45,7 @@ struct SceneTuning {
     std::vector<TuneRow> rows;
     std::vector<std::size_t> best;  ///< rows that find all pairs, by counts, the best first; of
                                     ///< rows with equal counts only the first
-    std::size_t fewest_operations = 0;
+    std::size_t fewest_operations = 0, least_cost = 0;  ///< see estimated_cost
     std::size_t least_time = 0;       ///< see least_time_of; 0 where nothing is timed
     std::vector<TuneLayout> layouts;  ///< of the best row of each volume that can be packed
     std::string no_layouts;           ///< why some are not there: a sentence
@@ -63,10 +63,10 @@ struct SceneTuning {
     /// How many other rows have the counts of this one.
     std::size_t equals(std::size_t row) const;
     bool timed() const { return rows[0].ms.has_value(); }
-    /// The setting to use: that with the least time, or where nothing is timed with the fewest
-    /// operations, since a test of some volumes takes a hundred times what it takes of others. A
-    /// row that misses pairs is never it.
-    std::size_t recommended() const { return timed() ? least_time : fewest_operations; }
+    /// The setting to use: that with the least time, or where nothing is timed with the least
+    /// estimated cost, since a test of some volumes takes a hundred times what it takes of others.
+    /// A row that misses pairs is never it.
+    std::size_t recommended() const { return timed() ? least_time : least_cost; }
 };
 
 struct TuneOptions {

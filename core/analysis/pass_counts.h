@@ -32,6 +32,13 @@ struct Work {
     friend auto operator<=>(const Work&, const Work&) = default;
 };
 
+/// What the tests of volumes and of triangles cost together, in operations: an estimate of time
+/// that is the same on each machine. A test of two triangles takes as long as some 900 operations
+/// of tests of boxes (190 ns where these take 0.21 ns each).
+inline std::uint64_t estimated_cost(const Work& work) {
+    return work.operations + 900 * work.triangle_tests;
+}
+
 /// The passed pairs of a query, or of several, and what came of the false ones.
 ///
 /// A pair is false where it passed although no triangles below it intersect. A test is wasted where

@@ -109,9 +109,9 @@ TEST(InspectCommand, NamesTheSceneOfATraceInItsCommand) {
     const json found = inspect(trace);
     const std::string with_pose = found["settings"]["command"];
     EXPECT_NE(with_pose.find("--pose=1,0,0,0.25,0,1,0,0,0,0,1,0"), std::string::npos) << with_pose;
-    EXPECT_EQ(json::parse(run_scb(with_pose.substr(4) + " --json").out)["mean"]["n_v"],
-              found["settings"]["settings"][found["settings"]["best"]["tests"].get<std::size_t>()]
-                   ["n_v"]);
+    EXPECT_EQ(
+        json::parse(run_scb(with_pose.substr(4) + " --json").out)["mean"]["n_v"],
+        found["settings"]["settings"][found["settings"]["best"]["cost"].get<std::size_t>()]["n_v"]);
 }
 
 TEST(InspectCommand, SaysTheSameOfATrace) {
