@@ -127,7 +127,8 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --test gjk", "is not an overlap test"},
              {"spheres-l1 --test symmetric,extents", "one overlap test at a time"},
              {"spheres-l1 --volume scb,ball",
-              "one of scb,ball,ritter,obb,scb2,aabb,aabb-exact at a time"},
+              "one of scb,ball,ritter,obb,scb2,aabb,aabb-exact,dop14,dop18,dop26,rss,capsule at a "
+              "time"},
              {"spheres-l1 --threshold 2", "give a cosine from 0 to 1"},
              {"spheres-l1 --threshold nan", "give a cosine from 0 to 1"},
              {"spheres-l1 --descent up", "--descent up: give radius, area, volume or alternating"},
