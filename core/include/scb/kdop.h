@@ -69,7 +69,6 @@ struct KDop {
     }();
 
     std::array<double, slabs> lower{}, upper{};
-    SurfaceMeasures measures{};  ///< of the polytope: known once, since queries may ask often
 };
 using KDop14 = KDop<14>;
 using KDop18 = KDop<18>;
@@ -121,7 +120,6 @@ void fit(KDop<k>& result, const FitPoints& points) {
         result.lower[i] = points.lower(direction);
         result.upper[i] = points.upper(direction);
     }
-    result.measures = polytope_measures(slabs_of(result));
 }
 
 /// Half the sides of its box, which the first three slabs are.
@@ -132,11 +130,24 @@ Vec3 half_extents(const KDop<k>& v) {
 }
 template <int k>
 double surface_area(const KDop<k>& v) {
-    return v.measures.area;
+    return polytope_measures(slabs_of(v)).area;
 }
 template <int k>
 double volume(const KDop<k>& v) {
-    return v.measures.volume;
+    return polytope_measures(slabs_of(v)).volume;
+}
+
+/// Which of two a traversal divides is decided by their boxes: to go through the faces at each test
+/// would take longer than the test.
+template <int k>
+double descent_area(const KDop<k>& v) {
+    const Vec3 h = half_extents(v);
+    return 8 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]);
+}
+template <int k>
+double descent_volume(const KDop<k>& v) {
+    const Vec3 h = half_extents(v);
+    return 8 * h[0] * h[1] * h[2];
 }
 
 }  // namespace scb

@@ -14,7 +14,7 @@ inline constexpr const char* golden_suite_text = R"({
   "presets": {"small": {"size": "320x240", "scene": "cone"}},
   "cases": [
     {"name": "levels", "preset": "small", "run": "levels", "frames": "100", "arguments": ["--levels", "4"]},
-    {"name": "rejections", "preset": "small", "run": "rejections", "frames": "100"},
+    {"name": "rejections", "preset": "small", "run": "rejections", "frames": "100", "arguments": ["--focus", "1"]},
     {"name": "traversal", "preset": "small", "run": "traversal", "frames": "100"},
     {"name": "inspect", "preset": "small", "run": "inspect", "frames": "100"},
     {"name": "collide", "run": "collide", "scene": "cone", "frames": "0:100:10"}

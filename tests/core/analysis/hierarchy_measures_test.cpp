@@ -26,7 +26,9 @@ HierarchyMeasures measured(const Mesh& mesh, VolumeKind kind, int threads = 1) {
 Mesh two_triangles(const Vec3& a, const Vec3& b, const Vec3& c, double move) {
     Mesh mesh;
     mesh.vertices = {a, b, c};
-    for (int i = 0; i < 3; ++i) mesh.vertices.push_back(mesh.vertices[i] + Vec3(move, 0, 0));
+    for (int i = 0; i < 3; ++i)
+        mesh.vertices.push_back(
+            Vec3(mesh.vertices[static_cast<std::size_t>(i)] + Vec3(move, 0, 0)));
     mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
     return mesh;
 }

@@ -134,9 +134,11 @@ std::vector<Case> cases(const Scene& scene) {
     std::vector<Case> cases;
     for (const int frame : frames)
         for (const VolumeKind kind : all_volume_kinds())
-            for (const OverlapTest test : all_overlap_tests())
-                if (kind == VolumeKind::scb || test == OverlapTest::symmetric)
-                    cases.push_back({frame, kind, test});
+            // The exact verdict on convex volumes is a search.
+            if (kind <= VolumeKind::aabb_exact || frame == frames[frames.size() / 2])
+                for (const OverlapTest test : all_overlap_tests())
+                    if (kind == VolumeKind::scb || test == OverlapTest::symmetric)
+                        cases.push_back({frame, kind, test});
     return cases;
 }
 
