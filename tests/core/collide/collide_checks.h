@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/collide/dual_traversal.h"
 #include "scb/collide.h"
 #include "tests/core/collide/brute_force.h"
 #include "tests/core/hierarchy/built_mesh.h"
@@ -14,7 +15,7 @@ namespace scb {
 template <class V>
 double size_by(DescentRule rule, const V& v) {
     if (rule == DescentRule::radius) return descent_size(v);
-    return rule == DescentRule::area ? surface_area(v) : volume(v);
+    return rule == DescentRule::area ? descent_area(v) : descent_volume(v);
 }
 
 /// Traverses as the recorded events say and expects them to be a dual traversal of both trees.
