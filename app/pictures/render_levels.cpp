@@ -220,7 +220,8 @@ void add_render_levels(const Command& render_command, const Console& console, Ac
     command.footer(
         "A level shows the nodes at that depth, and the leaves above it, so it covers the mesh. "
         "One camera and one scale\n"
-        "hold for all pictures of a run. Beside them, index.json has their counts, the options, "
+        "hold for all pictures of a run, and others for its sheet, which is closer to the bodies. "
+        "Beside them, index.json has their counts, the options, "
         "the camera (--camera\n"
         "takes the file again) and the versions.\n\n"
         "Examples:\n"

@@ -238,19 +238,18 @@ std::vector<std::size_t> packed_rows(const SceneTuning& tuning) {
 
 /// See SceneTuning::quicker_layout.
 std::optional<std::size_t> quicker_layout_of(const SceneTuning& tuning) {
-    const TuneLayout* least = nullptr;
-    for (const TuneLayout& layout : tuning.layouts)
-        if (!layout.misses_pairs && (least == nullptr || layout.ms->median < least->ms->median))
-            least = &layout;
-    std::optional<std::size_t> found;
-    const TimeInterval& plain = *tuning.rows[tuning.least_time].ms;
+    std::vector<std::size_t> right;
+    std::vector<TimeInterval> times;
+    std::vector<double> bytes;
     for (std::size_t i = 0; i < tuning.layouts.size(); ++i) {
         const TuneLayout& layout = tuning.layouts[i];
-        if (!layout.misses_pairs && !apart(*layout.ms, *least->ms) && layout.ms->high < plain.low &&
-            (!found || layout.bytes_per_triangle < tuning.layouts[*found].bytes_per_triangle))
-            found = i;
+        if (layout.misses_pairs) continue;
+        right.push_back(i);
+        times.push_back(*layout.ms);
+        bytes.push_back(layout.bytes_per_triangle);
     }
-    return found;
+    const auto found = quickest_with_least_memory(times, bytes, *tuning.rows[tuning.least_time].ms);
+    return found ? std::optional(right[*found]) : std::nullopt;
 }
 
 /// The tests that timing the rows in all frames takes, and the layouts, each query after another of
@@ -330,14 +329,14 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
     result.build.split = BuildOptions{}.split;
     result.rows = run.rows;
     result.best = best_rows(run.rows, run.counts());
-    result.fewest_operations = *std::min_element(
-        result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
-            return result.rows[x].counts.operations < result.rows[y].counts.operations;
-        });
-    result.least_cost = *std::min_element(
-        result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
-            return estimated_cost(result.rows[x].counts) < estimated_cost(result.rows[y].counts);
-        });
+    const auto least_of = [&](const auto& cost) {
+        return *std::min_element(
+            result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
+                return cost(result.rows[x].counts) < cost(result.rows[y].counts);
+            });
+    };
+    result.fewest_operations = least_of([](const Work& work) { return work.operations; });
+    result.least_cost = least_of(estimated_cost);
     if (options.layouts) {
         try {
             if (!run.count_layouts(packed_rows(result))) return std::nullopt;

@@ -29,6 +29,7 @@ struct MeasuredHierarchy {
     const MeasuredMesh& mesh;
     int threads;
     HierarchyMeasures result{};
+    std::vector<double> sizes{};  ///< the volume of each node
 
     const Topology& topology() const { return *hierarchy.topology; }
 
@@ -55,7 +56,9 @@ struct MeasuredHierarchy {
             for (std::size_t i = first; i < end; ++i) {
                 const TopologyNode& n = topology().nodes[i];
                 if (n.is_leaf()) continue;
-                const auto [smaller, larger] = by_volume(n);
+                const auto [of_smaller, of_larger] = by_volume(n);
+                const V &smaller = hierarchy.volumes[of_smaller],
+                        &larger = hierarchy.volumes[of_larger];
                 if (thickness(smaller) <= flat * diameter(smaller)) continue;
                 const std::size_t count =
                     std::clamp(points_of_level / result.levels[depths[i] + std::size_t{1}].nodes,
@@ -67,9 +70,9 @@ struct MeasuredHierarchy {
     }
 
     /// Both children, the smaller one first, or the left one where they are equal.
-    std::pair<const V&, const V&> by_volume(const TopologyNode& n) const {
-        const V &left = hierarchy.volumes[n.left], &right = hierarchy.volumes[n.left + 1];
-        if (volume(right) < volume(left)) return {right, left};
+    std::pair<std::uint32_t, std::uint32_t> by_volume(const TopologyNode& n) const {
+        const std::uint32_t left = n.left, right = n.left + 1;
+        if (sizes[right] < sizes[left]) return {right, left};
         return {left, right};
     }
 
@@ -77,7 +80,7 @@ struct MeasuredHierarchy {
         const double root_area = surface_area(hierarchy.volumes[0]);
         for (std::size_t i = 0; i < depths.size(); ++i) {
             const V& v = hierarchy.volumes[i];
-            const double area = surface_area(v), size = volume(v);
+            const double area = surface_area(v), size = sizes[i];
             for (LevelMeasures* level : {&result.levels[depths[i]], &result.all}) {
                 level->area += area;
                 level->volume += size;
@@ -97,7 +100,7 @@ struct MeasuredHierarchy {
         for (std::size_t i = 0; i < depths.size(); ++i) {
             const TopologyNode& n = topology().nodes[i];
             if (n.is_leaf()) continue;
-            const double size = volume(by_volume(n).first);
+            const double size = sizes[by_volume(n).first];
             for (LevelMeasures* level : {&result.levels[depths[i] + std::size_t{1}], &result.all}) {
                 level->overlap_volume += shared[i].share() * size;
                 if (!has_solid_children(n)) continue;
@@ -123,6 +126,8 @@ struct MeasuredHierarchy {
         std::vector<std::uint32_t> position(topology().order.size());
         for (std::uint32_t i = 0; i < position.size(); ++i) position[topology().order[i]] = i;
         const double reach = flat * diameter(hierarchy.volumes[0]);
+        std::vector<V> volumes;
+        for (const V& v : hierarchy.volumes) volumes.push_back(enlarged(v, reach));
         std::vector<std::uint64_t> of_sample(samples);
         const std::size_t levels = result.levels.size();
         std::vector<std::uint32_t> of_level(samples * levels);
@@ -133,8 +138,7 @@ struct MeasuredHierarchy {
                 descend(
                     topology(),
                     [&](std::uint32_t node) {
-                        return contains(enlarged(hierarchy.volumes[node], reach),
-                                        mesh.samples[s].point);
+                        return contains(volumes[node], mesh.samples[s].point);
                     },
                     [&](std::uint32_t node, std::uint32_t depth) {
                         const TopologyNode& n = topology().nodes[node];
@@ -217,6 +221,10 @@ struct MeasuredHierarchy {
             result.all.leaves += level.leaves;
         }
         result.surface = mesh.surface;
+        sizes.resize(depths.size());
+        parallel_blocks(threads, depths.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) sizes[i] = volume(hierarchy.volumes[i]);
+        });
         add_volumes(depths);
         add_siblings(depths);
         for (LevelMeasures& level : result.levels) finish_means(level);

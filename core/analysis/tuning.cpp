@@ -154,4 +154,19 @@ bool apart(const TimeInterval& x, const TimeInterval& y) {
     return x.high < y.low || y.high < x.low;
 }
 
+std::optional<std::size_t> quickest_with_least_memory(std::span<const TimeInterval> times,
+                                                      std::span<const double> bytes,
+                                                      const TimeInterval& base) {
+    assert(times.size() == bytes.size() && "as many of both");
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const bool is_quick = times[i].high < base.low &&
+                              std::none_of(times.begin(), times.end(), [&](const TimeInterval& t) {
+                                  return t.high < times[i].low;
+                              });
+        if (is_quick && (!found || bytes[i] < bytes[*found])) found = i;
+    }
+    return found;
+}
+
 }  // namespace scb

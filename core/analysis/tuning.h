@@ -73,4 +73,10 @@ TimeInterval time_interval(std::vector<double> runs);
 /// Whether no run of one took as long as a run of the other.
 bool apart(const TimeInterval& x, const TimeInterval& y);
 
+/// Of the times that lie wholly below `base` and that no other of them is wholly below, the place
+/// of the one with the least memory, the first of equals. Nothing where none is below.
+std::optional<std::size_t> quickest_with_least_memory(std::span<const TimeInterval> times,
+                                                      std::span<const double> bytes,
+                                                      const TimeInterval& base);
+
 }  // namespace scb

@@ -29,11 +29,17 @@ using Told = std::conditional_t<observed<O>, O&, NoObserver>;
 /// have a quicker one.
 template <Volume V>
 double descent_area(const V& v) {
-    return surface_area(v);
+    if constexpr (ConvexVolume<V>)
+        return descent_measures(v).area;
+    else
+        return surface_area(v);
 }
 template <Volume V>
 double descent_volume(const V& v) {
-    return volume(v);
+    if constexpr (ConvexVolume<V>)
+        return descent_measures(v).volume;
+    else
+        return volume(v);
 }
 
 /// Whether A's node is the one that is divided. `depth` is that of the pair: both nodes' depths

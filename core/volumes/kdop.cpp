@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
-
-#include "core/volumes/polytope.h"
 
 namespace scb {
 namespace {
@@ -86,13 +83,6 @@ std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center) {
         planes.back().offset -= dot(planes.back().normal, center);
     }
     return planes;
-}
-
-SurfaceMeasures polytope_measures(const DopSlabs& slabs) {
-    const Vec3 lower(slabs.lower[0], slabs.lower[1], slabs.lower[2]),
-        upper(slabs.upper[0], slabs.upper[1], slabs.upper[2]);
-    return polytope_measures(faces(slabs, 0.5 * (lower + upper)),
-                             std::sqrt(squared_norm(Vec3(upper - lower))));
 }
 
 }  // namespace scb

@@ -12,7 +12,4 @@ namespace scb {
 /// exceed, about the origin.
 std::vector<std::vector<Vec3>> face_polygons(std::span<const FacePlane> planes, double size);
 
-/// Its area and volume, face by face.
-SurfaceMeasures polytope_measures(std::span<const FacePlane> planes, double size);
-
 }  // namespace scb

@@ -78,12 +78,10 @@ inline double descent_size(const Capsule& c) {
 }
 inline double diameter(const Capsule& c) { return 2 * descent_size(c); }
 inline double thickness(const Capsule& c) { return 2 * c.radius; }
-inline double surface_area(const Capsule& c) {
-    return 4 * std::numbers::pi * c.radius * (c.radius + std::sqrt(squared_norm(c.half_axis)));
-}
-inline double volume(const Capsule& c) {
-    return std::numbers::pi * c.radius * c.radius *
-           (2 * std::sqrt(squared_norm(c.half_axis)) + 4.0 / 3 * c.radius);
+inline SurfaceMeasures measures(const Capsule& c) {
+    using std::numbers::pi;
+    const double half = std::sqrt(squared_norm(c.half_axis)), r = c.radius;
+    return {4 * pi * r * (r + half), pi * r * r * (2 * half + 4.0 / 3 * r)};
 }
 
 }  // namespace scb

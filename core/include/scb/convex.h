@@ -35,9 +35,11 @@ struct FacePlane {
 /// - `fit(v, points)`, with `points` a FitPoints;
 /// - `V::title`, a name for pictures, and `V::support_operations`, what `support_point` costs in
 ///   additions, multiplications, divisions and roots.
-/// A polytope may have `faces(v)`, a vector of FacePlane from the center: pictures and exported
-/// meshes then have its very faces. Without it, what is not rounded is drawn as a polytope that
-/// touches it in 98 directions.
+/// It may have `measures(v)`, its area and volume in closed form, a SurfaceMeasures; without it
+/// they are those of a polytope, and traversals by area or volume go by its box. A polytope may
+/// have `faces(v)`, a vector of FacePlane from the center: pictures and exported meshes then have
+/// its very faces. Without it, what is not rounded is drawn as a polytope that touches it in 98
+/// directions.
 template <class V>
 concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
     { center(c) } -> std::same_as<Vec3>;
@@ -103,17 +105,27 @@ double reach(const V& v) {
     return std::sqrt(squared_norm(center(v))) + std::sqrt(squared_norm(most));
 }
 
-/// Area and volume of a volume that has no closed forms: of the polytope whose faces touch it in 98
-/// directions, which is a little more.
-SurfaceMeasures touching_measures(std::span<const double> supports, double size);
-/// The directions, and the supports in their order.
+/// The area and volume of the polytope within the planes, face by face, and exact but for rounding;
+/// `size` is a length that it does not exceed, about the origin.
+SurfaceMeasures polytope_measures(std::span<const FacePlane> planes, double size);
+
+/// The directions in which a polytope touches a volume that stands for it.
 std::span<const Vec3> touching_directions();
 
+/// In closed form, or of the polytope that it is, or of the one that touches it, which has a little
+/// more.
 template <ConvexVolume V>
 SurfaceMeasures surface_measures(const V& v) {
-    std::vector<double> supports;
-    for (const Vec3& d : touching_directions()) supports.push_back(support(v, d));
-    return touching_measures(supports, reach(v) + std::sqrt(squared_norm(center(v))));
+    if constexpr (requires { measures(v); }) {
+        return measures(v);
+    } else {
+        std::vector<FacePlane> planes;
+        if constexpr (requires { faces(v); })
+            planes = faces(v);
+        else
+            for (const Vec3& d : touching_directions()) planes.push_back({d, support(v, d)});
+        return polytope_measures(planes, diameter(v));
+    }
 }
 template <ConvexVolume V>
 double surface_area(const V& v) {
@@ -122,6 +134,18 @@ double surface_area(const V& v) {
 template <ConvexVolume V>
 double volume(const V& v) {
     return surface_measures(v).volume;
+}
+
+/// What a traversal divides by: area and volume in closed form, else those of the box, since to go
+/// through faces at each test would take longer than the test.
+template <ConvexVolume V>
+SurfaceMeasures descent_measures(const V& v) {
+    if constexpr (requires { measures(v); }) {
+        return measures(v);
+    } else {
+        const Vec3 h = half_extents(v);
+        return {8 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]), 8 * h[0] * h[1] * h[2]};
+    }
 }
 
 }  // namespace scb

@@ -43,9 +43,6 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d);
 /// Its faces' planes, from the center.
 std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center);
 
-/// Its area and volume, face by face; exact but for rounding.
-SurfaceMeasures polytope_measures(const DopSlabs& slabs);
-
 /// A discrete orientation polytope with k faces, 14, 18 or 26, fixed in the body's frame
 /// (Klosowski, Held, Mitchell, Sowizral and Zikan, "Efficient Collision Detection Using Bounding
 /// Volume Hierarchies of k-DOPs", 1998): along the axes, and along the corners of a cube, the
@@ -127,27 +124,6 @@ template <int k>
 Vec3 half_extents(const KDop<k>& v) {
     return 0.5 *
            (Vec3(v.upper[0], v.upper[1], v.upper[2]) - Vec3(v.lower[0], v.lower[1], v.lower[2]));
-}
-template <int k>
-double surface_area(const KDop<k>& v) {
-    return polytope_measures(slabs_of(v)).area;
-}
-template <int k>
-double volume(const KDop<k>& v) {
-    return polytope_measures(slabs_of(v)).volume;
-}
-
-/// Which of two a traversal divides is decided by their boxes: to go through the faces at each test
-/// would take longer than the test.
-template <int k>
-double descent_area(const KDop<k>& v) {
-    const Vec3 h = half_extents(v);
-    return 8 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]);
-}
-template <int k>
-double descent_volume(const KDop<k>& v) {
-    const Vec3 h = half_extents(v);
-    return 8 * h[0] * h[1] * h[2];
 }
 
 }  // namespace scb

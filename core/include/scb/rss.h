@@ -115,7 +115,5 @@ inline SurfaceMeasures measures(const Rss& v) {
     return {2 * face + 2 * pi * r * half_perimeter + 4 * pi * r * r,
             2 * face * r + pi * r * r * half_perimeter + 4 * pi / 3 * r * r * r};
 }
-inline double surface_area(const Rss& v) { return measures(v).area; }
-inline double volume(const Rss& v) { return measures(v).volume; }
 
 }  // namespace scb

@@ -57,14 +57,16 @@ TEST(TuneCommand, LayoutsHaveTheCountsAndMemoryOfBench) {
     EXPECT_FALSE(found["best"].contains("layout"));
 }
 
-TEST(TuneCommand, NamesTheLayoutThatIsMeasurablyQuicker) {
+// Which one that is depends on the machine; how it is chosen is tested with
+// QuickestWithLeastMemory.
+TEST(TuneCommand, NamesACommandForTheLayoutThatIsMeasurablyQuicker) {
     const json found = tune("spheres-l1 --frames 100,250");
-    if (!found["best"].contains("layout")) GTEST_SKIP() << "this machine is too noisy";
+    ASSERT_EQ(found["best"].contains("layout"), found.contains("layout_command"));
+    for (const json& layout : found["layouts"]) EXPECT_LE(layout["ms_least"], layout["ms_most"]);
+    if (!found.contains("layout_command")) return;
     const json& layout = found["layouts"][found["best"]["layout"].get<std::size_t>()];
     const json& plain = found["settings"][found["best"]["time"].get<std::size_t>()];
     EXPECT_LT(layout["ms_most"], plain["ms_least"]);
-    for (const json& other : found["layouts"])
-        EXPECT_GE(other["ms_most"], layout["ms_least"]) << other << layout;
     const std::string command = found["layout_command"];
     EXPECT_NE(command.find("scb bench spheres-l1 --frames 100,250 --volume " +
                            layout["volume"].get<std::string>()),

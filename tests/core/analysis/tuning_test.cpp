@@ -140,5 +140,21 @@ TEST(TimeInterval, IsFromTheLeastToTheMost) {
     EXPECT_FALSE(apart(z, x));
 }
 
+TEST(QuickestWithLeastMemory, IsOneThatNoOtherIsMeasurablyQuickerThan) {
+    const TimeInterval base{10, 11, 12};
+    const auto chosen = [&](std::vector<TimeInterval> times, std::vector<double> bytes) {
+        return quickest_with_least_memory(times, bytes, base);
+    };
+    EXPECT_EQ(chosen({}, {}), std::nullopt);
+    EXPECT_EQ(chosen({{9, 9.5, 10}, {11, 11, 11}}, {1, 1}), std::nullopt) << "they meet the base";
+    // Of two between which no difference was measured the smaller; of equals the first.
+    EXPECT_EQ(chosen({{4, 5, 6}, {5, 6, 7}}, {80, 60}), 1u);
+    EXPECT_EQ(chosen({{4, 5, 6}, {5, 6, 7}}, {60, 60}), 0u);
+    // Small, but measurably slower than another one.
+    EXPECT_EQ(chosen({{4, 5, 6}, {7, 8, 9}}, {80, 60}), 0u);
+    // The last is not apart from the one with the least median, but from the second.
+    EXPECT_EQ(chosen({{1, 2, 8}, {3, 3, 4}, {5, 6, 7}}, {80, 70, 60}), 1u);
+}
+
 }  // namespace
 }  // namespace scb

@@ -288,8 +288,8 @@ TEST(SharpenedProof, IsNeverWorseAndStillProven) {
             if (certificate.contact == Contact::overlapping) {
                 // Still a point of both.
                 const Vec3 in_b = better.point - (b.c - pair.a.c);
-                EXPECT_TRUE(contains(grown(at_origin(pair.a), 1e-12), better.point));
-                EXPECT_TRUE(contains(grown(at_origin(b), 1e-12), in_b));
+                EXPECT_TRUE(contains(enlarged(at_origin(pair.a), 1e-12), better.point));
+                EXPECT_TRUE(contains(enlarged(at_origin(b), 1e-12), in_b));
             }
             if (family.near_contact && pair.gap > 0 && certificate.contact == Contact::disjoint) {
                 EXPECT_LE(better.margin, pair.gap * (1 + 1e-9) + 1e-13);

@@ -54,8 +54,8 @@ inline constexpr int pairs_tried = 40000;
 /// Whether rounding cannot turn the verdict.
 inline bool is_decided(const VolumePair<Scb>& p, OverlapTest test, double threshold = 0.7) {
     constexpr double tiny = 1e-9;
-    return rejected({grown(p.a, tiny), grown(p.b, tiny), p.b_to_a}, test, threshold) ==
-           rejected({grown(p.a, -tiny), grown(p.b, -tiny), p.b_to_a}, test, threshold);
+    return rejected({enlarged(p.a, tiny), enlarged(p.b, tiny), p.b_to_a}, test, threshold) ==
+           rejected({enlarged(p.a, -tiny), enlarged(p.b, -tiny), p.b_to_a}, test, threshold);
 }
 
 inline VolumePair<Scb> exchanged(const VolumePair<Scb>& p) { return {p.b, p.a, inverse(p.b_to_a)}; }

@@ -79,8 +79,8 @@ TEST(OverlapOfTwoSlabs, DoesNotChangeWithOrderFlipsMotionAndScale) {
         const Vec3 long_b = transform_direction(p.b_to_a, long_axis(p.b));
         const double sine = std::sqrt(squared_norm(cross(long_axis(p.a), long_b)));
         const double tiny = 1e-12 * (p.a.r + p.b.r + 10) / std::max(sine, 1e-9);
-        if (rejects(grown(p.a, tiny), p.b, p.b_to_a) != answer ||
-            rejects(grown(p.a, -tiny), p.b, p.b_to_a) != answer)
+        if (rejects(enlarged(p.a, tiny), p.b, p.b_to_a) != answer ||
+            rejects(enlarged(p.a, -tiny), p.b, p.b_to_a) != answer)
             continue;
         rejected += answer;
         EXPECT_EQ(rejects(p.b, p.a, inverse(p.b_to_a)), answer) << text_of(p);

@@ -92,15 +92,6 @@ inline Vec3 farthest_point(const Scb2& s, const Vec3& d) {
     return p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
 }
 
-inline Scb2 grown(Scb2 s, double by) {
-    s.r += by;
-    for (Slab& slab : s.slabs) {
-        slab.e += by;
-        slab.f -= by;
-    }
-    return s;
-}
-
 /// The same set of points: one normal reversed, and the slabs exchanged.
 inline Scb2 flipped(Scb2 s) {
     std::swap(s.slabs[0], s.slabs[1]);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/volumes/measured_shape.h"
 #include "core/volumes/placed_volume.h"
 #include "scb/pose.h"
 #include "scb/scb.h"
@@ -50,13 +51,6 @@ inline Scb flipped(const Scb& s) { return {s.c, s.r, -s.n, -s.f, -s.e}; }
 
 /// The slab on the other side of the center.
 inline Scb mirrored(const Scb& s) { return {s.c, s.r, s.n, -s.f, -s.e}; }
-
-inline Scb grown(Scb s, double by) {
-    s.r += by;
-    s.e += by;
-    s.f -= by;
-    return s;
-}
 
 inline Scb scaled(Scb s, double factor) {
     s.c *= factor;
