@@ -12,8 +12,9 @@ namespace scb::app {
 /// The index.json of a folder of pictures: the run that wrote it, and under `earlier` those before
 /// it, the latest first, each with the pictures that no later run has replaced and nobody has
 /// removed. At no time does the file describe a picture that is not the one in the folder. Several
-/// programs may write pictures into one folder at the same time: each change of the file is made
-/// under a lock of the folder, on what the file says by then.
+/// programs may write pictures into one folder at the same time, as long as these have different
+/// names: each change of the file is made under a lock of the folder, on what the file says by
+/// then.
 class FolderIndex {
   public:
     /// Reads the file where there is one. Throws InputError where that is none that scb wrote.

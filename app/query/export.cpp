@@ -83,7 +83,7 @@ int run(const ExportOptions& options, const Console& console) {
     }
     if (parts.empty())
         throw InputError(
-            "--levels " + options.levels +
+            "Level " + options.levels +
             ": all volumes of this level are points or segments, which have no surface; "
             "nothing to write.");
     render::write_file_whole(options.output, scenes::encode_mesh(parts, options.output));

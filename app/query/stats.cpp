@@ -115,13 +115,15 @@ int run(const StatsOptions& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     note_doubts(options.hierarchy, kinds, console);
     const StatsOptions defaults;
-    if (std::none_of(kinds.begin(), kinds.end(), can_pack))
+    const bool packs = std::any_of(kinds.begin(), kinds.end(), can_pack);
+    if (options.csv || !packs)
         for (const auto& [option, given] :
              {std::pair("--layout", options.layouts != defaults.layouts),
               std::pair("--leaf", options.leaf_triangles != defaults.leaf_triangles)})
             if (given)
-                console.note("scb: " + std::string(option) +
-                             " has no effect: only slab cut balls have packed layouts.");
+                console.note("scb: " + std::string(option) + " has no effect: " +
+                             (packs ? "CSV has the levels alone."
+                                    : "only slab cut balls have packed layouts."));
     const std::vector<HierarchyStats> all = measure(options);
     std::string text;
     if (options.json) {

@@ -69,7 +69,9 @@ std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t 
 
 /// Of convex volumes 24 for B's center, and for each direction 46, which is turned into B's frame
 /// and its farthest point back, two farthest points, and from the second on 80 for the closest
-/// point of the simplex. Searches differ in length: it is counted as four directions.
+/// point of the simplex. Searches differ in length: it is counted as four directions, for over
+/// queries of horse, tr12j and boeing it had 4.5 for k-DOPs, 3.7 for rectangle swept spheres
+/// and 2.4 for capsules.
 std::uint32_t of_search(Stage stage, std::uint32_t support) {
     const std::uint32_t direction = 46 + 2 * support;
     return stage == Stage::center_line ? 24 + direction : 24 + 4 * direction + 3 * 80;
