@@ -29,7 +29,8 @@ void add_level_options(const Command& command, LevelOptions& options) {
     add_hierarchy_options(command, options.hierarchy);
     command
         .add_option("--levels,--level", options.levels,
-                    "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves; auto is all of them")
+                    "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves or all; auto: down to the first "
+                    "that has 95 % of the leaves, and the deepest")
         .type_name("LIST")
         .show_default();
     add_picture_options(command, options.picture, options.camera);

@@ -110,6 +110,9 @@ int deepest_drawn(const std::vector<int>& levels) {
     return *std::max_element(levels.begin(), levels.end());
 }
 
+// Its volumes are too large for a view to be shared with deeper levels.
+bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
+
 int run(const LevelOptions& options, const Console& console) {
     options.check();
     const scenes::Scene scene = options.scene.load();
@@ -118,7 +121,8 @@ int run(const LevelOptions& options, const Console& console) {
     const std::vector<MeshTopology> topologies =
         scenes::build_topologies(scene, options.hierarchy.build().topology());
     const int deepest_level = scenes::deepest(topologies);
-    const std::vector<int> levels = parse_levels(options.levels, deepest_level);
+    const std::vector<int> levels =
+        parse_levels(options.levels, deepest_level, scenes::telling_levels(topologies));
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
@@ -170,10 +174,14 @@ int run(const LevelOptions& options, const Console& console) {
 
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;
-        const render::Support held = render::level_sheet_support(
-            bodies[0], support, *std::min_element(levels.begin(), levels.end(), [](int x, int y) {
-                return static_cast<unsigned>(x) < static_cast<unsigned>(y);
-            }));
+        const auto support_of = [&bodies](const std::vector<int>& shown) {
+            std::vector<render::Support> of_kinds;
+            for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));
+            return render::support_of_all(std::move(of_kinds));
+        };
+        std::vector<int> shared = levels;
+        std::erase_if(shared, has_own_view);
+        const render::Support held = support_of(shared.empty() ? levels : shared);
         // Of one level the volumes stand side by side.
         const bool one_row = levels.size() == 1;
         const render::LevelSheetLayout layout = render::level_sheet_layout(
@@ -185,9 +193,17 @@ int run(const LevelOptions& options, const Console& console) {
         sheet.style = style;
         sheet.center = figure.center;
         sheet.detail = figure.detail;
-        sheet.camera =
-            camera_for(wish, held, static_cast<double>(layout.view_width) / layout.view_height);
-        render::set_depth_range(sheet.camera, support);
+        const auto sheet_camera = [&](const render::Support& shown) {
+            render::Camera camera = camera_for(
+                wish, shown, static_cast<double>(layout.view_width) / layout.view_height);
+            render::set_depth_range(camera, support);
+            return camera;
+        };
+        const render::Camera shared_camera = sheet_camera(held);
+        std::vector<render::Camera> cameras;  // per level
+        for (const int level : levels)
+            cameras.push_back(has_own_view(level) ? sheet_camera(support_of({level}))
+                                                  : shared_camera);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             if (kinds.size() > 1)
                 sheet.note +=
@@ -195,10 +211,10 @@ int run(const LevelOptions& options, const Console& console) {
             sheet.note += render::lengths_words(*bodies[k].front().hierarchy);
             if (k == 0 || !one_row) sheet.rows.emplace_back();
             std::vector<render::LevelSheetCell>& row = sheet.rows.back();
-            for (const int level : levels)
+            for (std::size_t i = 0; i < levels.size(); ++i)
                 row.push_back(
-                    {std::string(render::volume_title(kinds[k])) + " · " + level_title(level),
-                     bodies[k], level});
+                    {std::string(render::volume_title(kinds[k])) + " · " + level_title(levels[i]),
+                     bodies[k], levels[i], cameras[i]});
         }
         const render::Picture picture =
             render::compose(sheet, options.picture.samples, pictures.overlay());

@@ -7,7 +7,8 @@
 
 namespace scb::app {
 
-std::vector<int> parse_levels(const std::string& text, int deepest) {
+std::vector<int> parse_levels(const std::string& text, int deepest,
+                              const std::vector<int>& automatic) {
     const std::string option = "--levels " + text;
     std::vector<int> levels;
     const auto add = [&levels](int level) {
@@ -17,6 +18,10 @@ std::vector<int> parse_levels(const std::string& text, int deepest) {
                                     "levels such as 5,7,9 or 0:12 or leaves"};
     for (const std::string& part : scenes::split_list(text, ',')) {
         if (part == "auto") {
+            for (const int level : automatic) add(level);
+            continue;
+        }
+        if (part == "all") {
             for (int level = 0; level <= deepest; ++level) add(level);
             continue;
         }

@@ -7,10 +7,11 @@
 
 namespace scb::app {
 
-/// The levels that a list names: "5,7,9,11", "0:12", "0:12:3", "leaves", "auto" (all), or a
-/// mixture; each once, in the order given. Throws InputError where the text is no such list, or
-/// names a level below 0 or above `deepest`.
-std::vector<int> parse_levels(const std::string& text, int deepest);
+/// The levels that a list names: "5,7,9,11", "0:12", "0:12:3", "leaves", "all", "auto" (those of
+/// `automatic`), or a mixture; each once, in the order given. Throws InputError where the text is
+/// no such list, or names a level below 0 or above `deepest`.
+std::vector<int> parse_levels(const std::string& text, int deepest,
+                              const std::vector<int>& automatic = {});
 
 /// The same for a command that takes one level. Throws InputError where the text names several.
 int parse_level(const std::string& text, int deepest);

@@ -86,8 +86,8 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
                two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
     items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
                                  (boxes || holds_convex_volumes(hierarchy) ? ""
-                                  : two_slabs                              ? "; units of the mesh"
-                                              : "; lengths in units of the mesh")});
+                                  : two_slabs                              ? "; units of the scene"
+                                              : "; lengths in units of the scene")});
     return items;
 }
 

@@ -16,11 +16,12 @@ constexpr int level_heading_height(int unit) {
     return sheet_margin + title_size(unit) + 9 * unit / 2;
 }
 
-// How far the views reach from the bodies to the volumes' ends: those of the roots reach far.
-double held_part(int first_level) { return first_level >= 3 ? 1 : 0.35; }
-
 int histogram_height(const LevelSheetLayout& layout) {
     return length_histogram_height({light_theme, layout.unit});
+}
+
+bool same_view(const Camera& one, const Camera& other) {
+    return one.position == other.position && one.view_height == other.view_height;
 }
 
 int cell_height(const LevelSheetLayout& layout) {
@@ -28,14 +29,6 @@ int cell_height(const LevelSheetLayout& layout) {
 }
 
 }  // namespace
-
-Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes,
-                            int first_level) {
-    std::vector<Support> meshes;
-    for (const LevelBody& body : bodies) meshes.push_back(support_of(*body.mesh, body.pose));
-    return support_between(support_of_all(std::move(meshes)), std::move(volumes),
-                           held_part(first_level));
-}
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
                                     double aspect) {
@@ -142,31 +135,28 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
 
             const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
             picture.panes.push_back(
-                level_pane(view, sheet.camera, cell.bodies, cell.level, sheet.style));
-            // What sticks out of the view is cut off there.
+                level_pane(view, cell.camera, cell.bodies, cell.level, sheet.style));
             overlay.frame(view, theme.border);
             draw_length_histogram(overlay,
                                   {x, view.y + view.height + layout.detail_size + unit / 2,
                                    layout.view_width, histogram_height(layout)},
                                   level_lengths(cell.bodies, cell.level, sheet.style),
                                   {theme, unit});
-            if (!sheet.detail) {
-                if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
-                continue;
-            }
+            if (c == 0 || !same_view(cell.camera, sheet.rows[r][c - 1].camera))
+                draw_scale_bar(overlay, view, cell.camera, sheet.center, theme, unit);
+            if (!sheet.detail) continue;
             const PixelRect square{x + (layout.view_width - layout.detail_size) / 2,
                                    view.y + view.height, layout.detail_size, layout.detail_size};
             picture.panes.push_back(
                 level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
             overlay.frame(square, theme.accent, 2);
             if (const auto marker =
-                    marker_of(view, sheet.camera, sheet.detail->center, sheet.detail->radius)) {
+                    marker_of(view, cell.camera, sheet.detail->center, sheet.detail->radius)) {
                 overlay.frame(*marker, theme.accent, 2);
             }
             overlay.text(square.x + square.width + unit / 2,
                          square.y + square.height - small_size(unit) * 5 / 4,
                          number_text(2 * sheet.detail->radius) + " wide", faint);
-            if (c == 0) draw_scale_bar(overlay, view, sheet.camera, sheet.center, theme, unit);
         }
     return picture;
 }

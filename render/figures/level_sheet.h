@@ -14,6 +14,7 @@ struct LevelSheetCell {
     std::string caption;  ///< above the cell
     std::vector<LevelBody> bodies;
     int level = 0;
+    Camera camera;  ///< for a view of the layout
 };
 
 /// The pixels of a sheet. Cells shrink, and more stand side by side, where there are many, so that
@@ -25,8 +26,8 @@ struct LevelSheetLayout : SheetGrid {
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
                                     double aspect = 4.0 / 3);
 
-/// Levels side by side, one row of cells for each volume, wrapped where there are many; all with
-/// one camera and one scale. Below each view is the histogram of its lengths.
+/// Levels side by side, one row of cells for each volume, wrapped where there are many. Below each
+/// view is the histogram of its lengths. A scale bar is in the first of cells that have one camera.
 struct LevelSheet {
     LevelSheetLayout layout;
     std::string title;
@@ -35,15 +36,14 @@ struct LevelSheet {
     std::vector<std::vector<LevelSheetCell>>
         rows;  ///< one for each volume, or one of all; of the same length
     LevelStyle style;
-    Camera camera;  ///< for the views of the layout
     Vec3 center = Vec3::Zero();
     std::optional<Detail> detail;
 };
 
-/// What the views of a sheet hold: the bodies, and of volumes that stick out of these a part. To
-/// hold these too, such as the ball about all of a flat body, would leave little of a view to the
-/// deep levels.
-Support level_sheet_support(const std::vector<LevelBody>& bodies, Support volumes, int first_level);
+/// The levels from this one on share a view that holds all of them. Each level above has its own,
+/// since its volumes, such as the ball about all of a flat body, would leave little of the view to
+/// the others.
+inline constexpr int first_shared_level = 3;
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay);
 

@@ -23,6 +23,25 @@ int deepest(const std::vector<MeshTopology>& topologies) {
     return deepest_level;
 }
 
+std::vector<int> telling_levels(const std::vector<MeshTopology>& topologies) {
+    const int last = deepest(topologies);
+    std::vector<std::size_t> leaves(static_cast<std::size_t>(last) + 1);  // by depth
+    std::size_t all = 0;
+    for (const MeshTopology& mesh : topologies) {
+        const std::vector<std::uint16_t> depths = node_depths(*mesh.topology);
+        for (std::size_t i = 0; i < depths.size(); ++i)
+            if (mesh.topology->nodes[i].is_leaf()) ++leaves[depths[i]], ++all;
+    }
+    std::vector<int> levels;
+    std::size_t so_far = 0;
+    for (int level = 0; level < last && 20 * so_far < 19 * all; ++level) {
+        so_far += leaves[static_cast<std::size_t>(level)];
+        levels.push_back(level);
+    }
+    levels.push_back(last);
+    return levels;
+}
+
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options, int deepest) {
     std::vector<AnyHierarchy> result;

@@ -15,6 +15,10 @@ std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOpt
 /// The deepest level of any of them.
 int deepest(const std::vector<MeshTopology>& topologies);
 
+/// The levels that differ enough to be told apart: down to the first that has 95 of 100 leaves, in
+/// all meshes together, and the deepest.
+std::vector<int> telling_levels(const std::vector<MeshTopology>& topologies);
+
 /// One hierarchy per mesh, without the volumes of nodes that are deeper than that, see FittedNodes.
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options,

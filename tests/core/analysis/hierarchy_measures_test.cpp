@@ -113,8 +113,8 @@ TEST(HierarchyMeasures, SumUpOverLevels) {
 }
 
 TEST(HierarchyMeasures, AreTheSameForAnyNumberOfThreads) {
-    const Mesh mesh = random_soup(9, 3000, 0.1);
-    for (const VolumeKind kind : all_volume_kinds()) {
+    const Mesh mesh = random_soup(9, 1000, 0.1);
+    for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::dop18, VolumeKind::rss}) {
         const HierarchyMeasures one = measured(mesh, kind, 1), four = measured(mesh, kind, 4);
         for (std::size_t i = 0; i < cost_predictors().size(); ++i)
             EXPECT_EQ(cost_predictors()[i].of(one), cost_predictors()[i].of(four))

@@ -91,6 +91,13 @@ TEST_P(RayCast, AgreesForScenesOfAnyScale) {
 }
 
 // Their surfaces are meshes: beside the lines where a facet or a volume ends a pixel may differ.
+// A ray of the reference that meets a convex volume takes a search.
+#ifdef SCB_SANITIZED
+constexpr int pixels_to_next = 5;
+#else
+constexpr int pixels_to_next = 1;
+#endif
+
 TEST_P(RayCast, AgreesOnConvexVolumesButForTheirFacets) {
     const auto at = [](auto volume, const Vec3& where) {
         return AnyVolume(placed(shape_of(volume), {orbit_axes(20, 35), where}));
@@ -114,15 +121,16 @@ TEST_P(RayCast, AgreesOnConvexVolumesButForTheirFacets) {
         }
         const Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
         const double offset = GetParam() == 4 ? 0.25 : 0.5;
-        int wrong = 0, covered = 0;
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x) {
+        int seen = 0, wrong = 0, covered = 0;
+        for (int y = 0; y < picture.height; y += pixels_to_next)
+            for (int x = 0; x < picture.width; x += pixels_to_next) {
                 const std::uint32_t drawn = pixel(*rendering.ids, x, y);
                 const Hit hit = cast(picture.panes[0], x + offset, y + offset);
+                ++seen;
                 covered += drawn != 0;
                 wrong += hit.id != drawn;
             }
-        EXPECT_GT(covered, 240 * 180 / 10);
+        EXPECT_GT(covered, seen / 10);
         EXPECT_LT(wrong, 0.006 * covered) << (inside ? "inside" : "outside");
     }
 }

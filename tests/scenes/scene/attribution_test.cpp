@@ -134,8 +134,10 @@ std::vector<Case> cases(const Scene& scene) {
     std::vector<Case> cases;
     for (const int frame : frames)
         for (const VolumeKind kind : all_volume_kinds())
-            // The exact verdict on convex volumes is a search.
-            if (kind <= VolumeKind::aabb_exact || frame == frames[frames.size() / 2])
+            // The exact verdict on convex volumes is a search, and that on k-DOPs the longest.
+            if (kind <= VolumeKind::aabb_exact ||
+                (frame == frames[frames.size() / 2] &&
+                 (kind == VolumeKind::dop14 || kind >= VolumeKind::rss)))
                 for (const OverlapTest test : all_overlap_tests())
                     if (kind == VolumeKind::scb || test == OverlapTest::symmetric)
                         cases.push_back({frame, kind, test});
