@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scb/level_cover.h"
-#include "tests/core/hierarchy/built_mesh.h"
+#include "tests/core/fit/point_sets.h"
 
 namespace scb::scenes {
 namespace {
