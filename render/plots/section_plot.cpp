@@ -252,9 +252,9 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     const SectionCut a = section_cut(plot.a, Vec3::Zero(), plane, plane.before_a, body_a_color),
                      b = section_cut(plot.b, to_b, plane, plane.before_b, body_b_color);
     const std::vector<SectionDimension> dimensions = dimensions_of(plot, b.y, theme);
-    const int beside = dimensions_width(overlay, dimensions, unit);
     // Lines and dots are wider than what they stand for.
-    const int edge = unit / 4;
+    const int edge = unit / 4, numbers = dimensions_width(overlay, dimensions, unit),
+              beside = rect.width - numbers < 5 * unit ? 0 : numbers;
     PixelRect box = {rect.x + edge, rect.y + edge, rect.width - edge - beside - unit / 2,
                      rect.height - 2 * edge};
     if (box.width < 3 * unit || box.height < 3 * unit) return false;
@@ -281,6 +281,7 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     draw_bodies(drawing, plot, a, b, theme);
     if (detail) draw_detail(overlay, inset, *detail, scale, plot, a, b, theme, unit);
 
+    if (beside == 0) return detail.has_value();
     const double columns_x = rect.x + rect.width - beside, x = std::min(a.x, b.x),
                  end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b;
     drawing.level(x, end_a, columns_x, body_a_color);
