@@ -65,10 +65,9 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
     if (certificate.contact == Contact::disjoint) {
         pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
         const Scb& disc = std::get<Scb>(volumes[2]);
-        // Where it is seen edge-on, nothing else shows it.
-        Vec3 across = camera.axes.col(0) - dot(disc.n, Vec3(camera.axes.col(0))) * disc.n;
-        if (const double length = std::sqrt(squared_norm(across)); length > 1e-6) {
-            across *= disc.r / length;
+        // explain_camera sees it edge-on, so that a line has to show it.
+        if (!figure.camera) {
+            const Vec3 across = disc.r * camera.axes.col(0);
             pane.segments.push_back(
                 {disc.c - across, disc.c + across, theme.faint_text, 3, unit / 12.0, true});
         }

@@ -26,9 +26,7 @@ int decimals_of(double value) {
     return decimals;
 }
 
-int decimals_of(const std::vector<double>& numbers) {
-    double largest = 0;
-    for (const double v : numbers) largest = std::max(largest, std::abs(v));
+int decimals_of(const std::vector<double>& numbers, double largest) {
     if (!(largest > 0)) return 0;
     int decimals = decimals_of(largest);
     // Less than a hundred thousandth is rounding, or nothing that a sum shows.
@@ -66,13 +64,31 @@ struct Table {
 }  // namespace
 
 std::vector<std::string> sum_texts(const std::vector<double>& numbers) {
-    const int decimals = decimals_of(numbers);
-    const double scale = power_of_ten(decimals);
-    std::vector<double> rounded;
-    for (const double v : numbers) rounded.push_back(std::round(v * scale));
+    double largest = 0;
+    for (const double v : numbers) largest = std::max(largest, std::abs(v));
+    // Beyond that, decimals are no way to write numbers.
+    if (largest > 0 && (largest < 1e-6 || largest >= 1e12)) {
+        std::vector<std::string> texts;
+        for (const double v : numbers)
+            texts.push_back((v < 0 ? "−" : "") + number_text(std::abs(v)));
+        return texts;
+    }
     const std::size_t terms = numbers.size() - 1;
-    double missing = rounded[terms];
-    for (std::size_t i = 0; i < terms; ++i) missing -= rounded[i];
+    double scale = 1, missing = 0;
+    std::vector<double> rounded;
+    const auto round_all = [&](int decimals) {
+        scale = power_of_ten(decimals);
+        rounded.clear();
+        for (const double v : numbers) rounded.push_back(std::round(v * scale));
+        missing = rounded[terms];
+        for (std::size_t i = 0; i < terms; ++i) missing -= rounded[i];
+        return missing == 0;
+    };
+    // One digit more, or two, may be all that it takes.
+    const int least = decimals_of(numbers, largest);
+    int decimals = least;
+    while (!round_all(decimals) && decimals < least + 2) ++decimals;
+    if (missing != 0) round_all(decimals = least);
     // What rounding took from the sum goes to those that it changed most.
     for (std::size_t count = 0; std::abs(missing) > 0.5 && count < terms; ++count) {
         const double step = missing > 0 ? 1 : -1;

@@ -196,17 +196,20 @@ void draw_detail(Overlay& overlay, const PixelRect& rect, const SectionExtent& e
     };
     const ScreenPosition first = in_whole(0, 0), last = in_whole(rect.width, rect.height);
     // Not so small that nobody finds it.
-    const int least = unit / 2, width = std::max(least, static_cast<int>(last.x - first.x)),
-              height = std::max(least, static_cast<int>(last.y - first.y));
-    PixelRect frame = {static_cast<int>((first.x + last.x - width) / 2),
-                       static_cast<int>((first.y + last.y - height) / 2), width, height};
+    const double least = unit / 2.0, middle_x = (first.x + last.x) / 2,
+                 middle_y = (first.y + last.y) / 2,
+                 half_width = std::max(least, last.x - first.x) / 2,
+                 half_height = std::max(least, last.y - first.y) / 2;
     const PixelRect& all = whole.rect;
-    const int right = std::min(frame.x + width, all.x + all.width),
-              bottom = std::min(frame.y + height, all.y + all.height);
-    frame.x = std::max(frame.x, all.x);
-    frame.y = std::max(frame.y, all.y);
-    frame.width = std::max(1, right - frame.x);
-    frame.height = std::max(1, bottom - frame.y);
+    const auto column = [&](double x) {
+        return static_cast<int>(std::clamp(x, double(all.x), double(all.x + all.width)));
+    };
+    const auto row = [&](double y) {
+        return static_cast<int>(std::clamp(y, double(all.y), double(all.y + all.height)));
+    };
+    const int left = column(middle_x - half_width), top = row(middle_y - half_height);
+    const PixelRect frame = {left, top, std::max(1, column(middle_x + half_width) - left),
+                             std::max(1, row(middle_y + half_height) - top)};
     for (const bool below : {false, true})
         draw_smooth_line(overlay,
                          std::array{ScreenPosition{double(rect.x + rect.width),

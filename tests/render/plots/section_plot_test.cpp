@@ -215,6 +215,13 @@ TEST(SectionDimensions, AddUpAsPrinted) {
         (std::vector<std::string>{"0.093252", "−0.034666", "−0.046667", "−0.011547", "+0.000372"}));
     EXPECT_EQ(sum_texts({-0.125, -1.75, -0.625, -1.34e-7, -2.5}),
               (std::vector<std::string>{"−0.125", "−1.750", "−0.625", "0", "−2.500"}));
+    // A digit more, where that is enough.
+    EXPECT_EQ(sum_texts({0.104686, -0.0623397, -0.0816497, -0.039303}),
+              (std::vector<std::string>{"0.10469", "−0.06234", "−0.08165", "−0.03930"}));
+    EXPECT_EQ(sum_texts({1.0 / 3, 1.0 / 3, 1.0 / 3, 1}),
+              (std::vector<std::string>{"0.334", "0.333", "0.333", "+1.000"}));
+    EXPECT_EQ(sum_texts({1e60, -2e-9, 1e60}),
+              (std::vector<std::string>{"1.00e+60", "−2.00e-09", "1.00e+60"}));
     EXPECT_EQ(sum_texts({0, 0, 0}), (std::vector<std::string>{"0", "0", "0"}));
     const auto value_of = [](std::string text) {
         if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
