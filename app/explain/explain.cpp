@@ -62,8 +62,9 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     name_view(named, options.picture, options.camera);
     name_picture(named, options.picture);
     picture.name = explain_name(at.source.header(), named, at.frame, {a.index, b.index});
-    picture.title = scene.name + " · " + std::string(render::volume_title(query.kind)) +
-                    " · explain · " + node_names(pair);
+    const PairNames names = pair_names(scene.name, pair);
+    picture.title = (names.scene.empty() ? "" : names.scene + " · ") +
+                    std::string(render::volume_title(query.kind)) + " · explain · " + names.nodes;
     picture.subtitle = asked_words(pair);
     if (scene.frames > 1)
         picture.subtitle += (picture.subtitle.empty() ? "" : ", ") + format("frame %d", at.frame);

@@ -77,7 +77,8 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     if (picture.camera) {
         const std::vector<render::AnyVolume> volumes = {render::placed(figure.a, figure.to_world),
                                                         render::placed(figure.b, figure.to_world)};
-        const render::PixelRect view = render::explain_layout(width, height, figure).view_box();
+        const render::PixelRect view =
+            render::explain_layout(width, height, figure, pictures.overlay()).view_box();
         figure.camera =
             camera_for(*picture.camera, render::support_of(volumes), render::aspect_of(view));
     }

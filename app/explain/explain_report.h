@@ -20,4 +20,11 @@ std::string json_text(const nlohmann::ordered_json& json, int indent);
 /// "A 412, B 97"; empty for raw volumes.
 std::string node_names(const ExplainedPair& pair);
 
+/// What a title calls a scene and two of its nodes, so that no name is there twice: the scene is
+/// empty where it is named after both bodies, "cheese with itself" where they are one mesh.
+struct PairNames {
+    std::string scene, nodes;
+};
+PairNames pair_names(const std::string& scene, const ExplainedPair& pair);
+
 }  // namespace scb::app

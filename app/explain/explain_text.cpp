@@ -197,6 +197,17 @@ std::string node_names(const ExplainedPair& pair) {
     return name((*pair.nodes)[0]) + ", " + name((*pair.nodes)[1]);
 }
 
+PairNames pair_names(const std::string& scene, const ExplainedPair& pair) {
+    if (!pair.nodes) return {scene, ""};
+    const auto& [a, b] = *pair.nodes;
+    if (scene == a.body + "-" + b.body) return {"", node_names(pair)};
+    const std::string mesh = a.body.substr(0, a.body.rfind("-A"));
+    if (mesh + "-A" != a.body || mesh + "-B" != b.body || scene != mesh + "-" + mesh)
+        return {scene, node_names(pair)};
+    return {mesh + " with itself",
+            "A " + std::to_string(a.index) + ", B " + std::to_string(b.index)};
+}
+
 std::string explanation_text(const ExplainedPair& pair, bool colored) {
     std::string text =
         volumes_text(pair) + "\n" + steps_text(pair.found.steps) + symbols_text(pair) + "\n";

@@ -73,10 +73,11 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
     const std::string file = file_of(report, frame, test);
     ExplainPicture picture;
     picture.name = file.substr(0, file.size() - std::string_view(".png").size());
-    picture.title = reason + " · " + node_names(pair);
+    const PairNames names = pair_names(query.scene.name, pair);
+    picture.title = reason + " · " + names.nodes;
     const std::string asked = asked_words(pair);
     picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
-                       " · " + query.scene.name + " · " +
+                       " · " + (names.scene.empty() ? "" : names.scene + " · ") +
                        std::string(render::volume_title(query.kind));
     if (reason == loose) picture.but = "the fit is too loose";
     place_nodes(picture, query, frame, pair);

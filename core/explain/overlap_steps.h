@@ -11,6 +11,15 @@
 
 namespace scb {
 
+/// What a step's slack is made of: the distance along its direction, and what the volumes take away
+/// from it.
+struct StepTerm {
+    enum class Of { distance, a, b };
+    Of of = Of::distance;
+    std::string name;  ///< with its sign: "d0", "−e0", "+f1·cα", "−r1·sα"
+    double value = 0;  ///< with that sign
+};
+
 /// One comparison of an overlap test of two volumes, with its numbers. A is the paper's volume 0, B
 /// its volume 1, and all is in A's frame; lengths are in the unit of the volumes.
 struct OverlapStep {
@@ -37,8 +46,9 @@ struct OverlapStep {
     /// What is left of the distance of the centers along the direction is `slack`, and the margin.
     Vec3 direction = Vec3::UnitZ();
     double reach_a = 0, reach_b = 0;
-    /// What these are called: "e0", "−f0", "r1", "r_e" (and the axis of the cylinder), "ρ0".
-    std::string name_a, name_b;
+    /// The sum of these is `slack`, and the margin: first the distance, then each volume's reach
+    /// from its center outwards.
+    std::vector<StepTerm> terms;
     /// Of slabs and cylinders, the cylinder's effective radius r_e (equation 11), which is a part
     /// of the reach of the volume that it is about.
     double effective_radius = 0;

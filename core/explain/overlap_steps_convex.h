@@ -38,10 +38,10 @@ OverlapSteps overlap_steps(const V& a, const V& b, const Placement& placed,
             comparison(tried[i].stage, 0, "c1′·" + name + " > ρ0 + ρ1", distance, distance - apart,
                        apart - placed.margin, i + 1 == tried.size() && end != Stage::overlapping);
         step.direction = unit;
-        step.reach_a = support(a, unit);
-        step.reach_b = step.right - step.reach_a;
-        step.name_a = "ρ0";
-        step.name_b = "ρ1";
+        const double reach_a = support(a, unit);
+        set_terms(step, {{StepTerm::Of::distance, "c1′·" + name, distance},
+                         {StepTerm::Of::a, "−ρ0", -reach_a},
+                         {StepTerm::Of::b, "−ρ1", reach_a - step.right}});
         result.steps.push_back(std::move(step));
     }
     return result;

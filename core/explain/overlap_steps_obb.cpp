@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/explain/overlap_steps.h"
+#include "core/explain/step_parts.h"
 #include "core/volumes/shape.h"
 
 namespace scb {
@@ -31,10 +31,9 @@ OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
     // The test compares what is left of both sides, which is next to nothing.
     if (vanishes) step.skipped = "the edges are parallel, which is not an axis";
-    step.reach_a = axis.reach_a / scale;
-    step.reach_b = axis.reach_b / scale;
-    step.name_a = "ρ0";
-    step.name_b = "ρ1";
+    set_terms(step, {{StepTerm::Of::distance, "|c1′·" + axis.name + "|", step.left},
+                     {StepTerm::Of::a, "−ρ0", -axis.reach_a / scale},
+                     {StepTerm::Of::b, "−ρ1", -axis.reach_b / scale}});
     return step;
 }
 

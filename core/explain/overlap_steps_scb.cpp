@@ -35,6 +35,8 @@ struct Owner {
           d(a ? x.d0 : x.d1),
           i(a ? "0" : "1"),
           j(a ? "1" : "0") {}
+
+    StepTerm::Of other_side() const { return is_a ? StepTerm::Of::b : StepTerm::Of::a; }
 };
 
 /// A plane of a slab, and its name.
@@ -49,25 +51,29 @@ std::string beyond(const Owner& o, bool above, const std::string& from, char pla
     return std::string("d") + o.i + from + " − " + plane + o.i + (above ? " > " : " < −");
 }
 
-/// How far the other reaches towards the slab, from its center.
-struct Reach {
-    double length;
-    std::string name;
-    double effective_radius = 0;
-};
-
-/// Adds what a picture shows: the other is `above` the slab, or below it.
+/// Adds what a picture shows: the other is `above` the slab, or below it, and how far it reaches
+/// towards the slab, from its center.
 OverlapStep along_normal(OverlapStep step, const Numbers& x, const Owner& o, bool above,
-                         const Plane& plane, const Reach& reach) {
+                         const Plane& plane, const std::string& reach_name, double reach) {
     const Vec3 outward = (above ? 1 : -1) * (o.is_a ? x.a.n : x.n);
-    const double slab = above ? plane.at : -plane.at;
-    const std::string slab_name = (above ? "" : "−") + std::string(1, plane.name) + o.i;
     step.direction = o.is_a ? outward : Vec3(-outward);
-    step.reach_a = o.is_a ? slab : reach.length;
-    step.reach_b = o.is_a ? reach.length : slab;
-    step.name_a = o.is_a ? slab_name : reach.name;
-    step.name_b = o.is_a ? reach.name : slab_name;
-    step.effective_radius = reach.effective_radius;
+    set_terms(step, {slab_distance(above, std::string("d") + o.i, o.d),
+                     slab_plane(o.is_a, above, plane.name + std::string(o.i), plane.at),
+                     {o.other_side(), "−" + reach_name, -reach}});
+    return step;
+}
+
+/// The same of a cylinder: the axis up to its `top`, and the effective radius about it.
+OverlapStep along_cylinder(OverlapStep step, const Numbers& x, const Owner& o, bool above,
+                           const Plane& plane, const Plane& top, double effective) {
+    step = along_normal(std::move(step), x, o, above, plane, std::string("r") + o.j + "·sα",
+                        effective);
+    std::vector<StepTerm> terms = step.terms;
+    terms.insert(terms.begin() + 2,
+                 {o.other_side(), (above ? "+" : "−") + std::string(1, top.name) + o.j + "·cα",
+                  (above ? 1 : -1) * top.at * x.cosine});
+    set_terms(step, std::move(terms));
+    step.effective_radius = effective;
     return step;
 }
 
@@ -80,8 +86,8 @@ OverlapStep slab_step(const Numbers& x, const Owner& o, bool above, double radiu
         comparison(o.is_a ? Stage::slab_ball : Stage::ball_slab, o.is_a ? 4 : 8,
                    beyond(o, above, "", plane.name) + "r" + radius_index, off,
                    above ? radius : -radius, gap - radius - x.margin, gap > radius + x.margin);
-    return along_normal(std::move(step), x, o, above, plane,
-                        {radius, std::string("r") + radius_index});
+    return along_normal(std::move(step), x, o, above, plane, std::string("r") + radius_index,
+                        radius);
 }
 
 void add_slab_steps(OverlapSteps& result, const Numbers& x, bool line_8_as_printed) {
@@ -109,8 +115,7 @@ OverlapStep cylinder_step(const Numbers& x, const Owner& o, int line, bool above
                                   beyond(o, above, from, plane.name) + "r" + o.j + "·sα", off,
                                   above ? effective : -effective, gap - effective,
                                   gap > 0 && gap * gap > r * r * x.squared_sine);
-    const double axis = (above ? -1 : 1) * top.at * x.cosine;
-    return along_normal(std::move(step), x, o, above, plane, {axis + effective, "r_e", effective});
+    return along_cylinder(std::move(step), x, o, above, plane, top, effective);
 }
 
 /// Lines 9 to 23, see overlap_figure8.
@@ -152,9 +157,9 @@ OverlapStep symmetric_step(const Numbers& x, const Owner& o) {
         "|d" + i + " + m" + j + "·cα − m" + i + "| − h" + i + " − h" + j + "·|cα| > r" + j + "·sα",
         left, effective, gap - effective, gap > 0 && gap * gap > r * r * x.squared_sine);
     const bool above = off >= 0;
-    const double axis = (above ? -1 : 1) * middle(o.other) * x.cosine + half(o.other) * tilt;
-    return along_normal(std::move(step), x, o, above, plane_of(o.own, above),
-                        {axis + effective, "r_e", effective});
+    // Of middle and half thickness together, what a picture shows is a plane of the slab.
+    return along_cylinder(std::move(step), x, o, above, plane_of(o.own, above),
+                          plane_of(o.other, above == (x.cosine < 0)), effective);
 }
 
 /// See is_beyond_slab.
@@ -170,16 +175,16 @@ OverlapStep extent_step(const Numbers& x, const Owner& o) {
         reach_at_cosine(other, above ? -x.cosine : x.cosine, x.placed.squared_sine_bound);
     const Plane plane = plane_of(own, above);
     const double off = o.d - plane.at, gap = above ? off : -off;
+    const std::string reach_name = std::string("ρ") + o.j + "(" + (above ? "−n" : "n") + o.i + ")";
     OverlapStep step = comparison(
-        o.is_a ? Stage::slab_a : Stage::slab_b, 0,
-        beyond(o, above, "", plane.name) + "ρ" + o.j + "(" + (above ? "−n" : "n") + o.i + ")", off,
-        above ? reach : -reach, gap - reach - x.margin,
+        o.is_a ? Stage::slab_a : Stage::slab_b, 0, beyond(o, above, "", plane.name) + reach_name,
+        off, above ? reach : -reach, gap - reach - x.margin,
         above ? o.d - reach > own.e + x.margin : o.d + reach < own.f - x.margin);
     if (between) {
         step.skipped = o.is_a ? "B's axis meets A's slab" : "A's axis meets B's slab";
         step.separates = false;
     }
-    return along_normal(std::move(step), x, o, above, plane, {reach, std::string("ρ") + o.j});
+    return along_normal(std::move(step), x, o, above, plane, reach_name, reach);
 }
 
 /// The last step of overlap_extents.
@@ -194,10 +199,9 @@ OverlapStep center_line_step(const Numbers& x) {
                                   apart && x.distance - x.margin > reach_a + reach_b);
     if (apart) step.direction = x.c / x.distance;
     if (!apart) step.skipped = "the centers coincide";
-    step.reach_a = reach_a;
-    step.reach_b = reach_b;
-    step.name_a = "ρ0";
-    step.name_b = "ρ1";
+    set_terms(step, {{StepTerm::Of::distance, "‖c1′‖", x.distance},
+                     {StepTerm::Of::a, "−ρ0(u)", -reach_a},
+                     {StepTerm::Of::b, "−ρ1(−u)", -reach_b}});
     return step;
 }
 

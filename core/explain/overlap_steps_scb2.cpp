@@ -23,34 +23,30 @@ OverlapStep slab_step(const MeasuredSlab& s, const Placement& placed) {
     const double reach = scb2_reach(s.other, Vec3((above ? -1 : 1) * s.normal), 1.0);
     const double plane = above ? s.slab.e : s.slab.f, off = s.d - plane;
     const std::string name = (above ? "e" : "f") + s.own + s.mark;
+    const std::string reach_name =
+        "ρ" + s.other_index + "(" + (above ? "−" : "") + "n" + s.own + s.mark + ")";
     OverlapStep step = comparison(
-        s.stage, 0,
-        "d" + s.own + s.mark + " − " + name + (above ? " > ρ" : " < −ρ") + s.other_index + "(" +
-            (above ? "−" : "") + "n" + s.own + s.mark + ")",
+        s.stage, 0, "d" + s.own + s.mark + " − " + name + (above ? " > " : " < −") + reach_name,
         off, above ? reach : -reach, std::abs(s.d) - reach - std::abs(plane) - placed.margin,
         is_beyond_plane(s.slab, s.other, s.d, s.normal, placed));
     step.direction = (above == s.of_a ? 1 : -1) * s.n;
-    const double of_slab = above ? plane : -plane;
-    const std::string slab_name = (above ? "" : "−") + name, reach_name = "ρ" + s.other_index;
-    step.reach_a = s.of_a ? of_slab : reach;
-    step.reach_b = s.of_a ? reach : of_slab;
-    step.name_a = s.of_a ? slab_name : reach_name;
-    step.name_b = s.of_a ? reach_name : slab_name;
+    set_terms(step, {slab_distance(above, "d" + s.own + s.mark, s.d),
+                     slab_plane(s.of_a, above, name, plane),
+                     {s.of_a ? StepTerm::Of::b : StepTerm::Of::a, "−" + reach_name, -reach}});
     return step;
 }
 
-/// A direction that belongs to both, of any length.
-OverlapStep shared_step(Stage stage, const std::string& formula, const Vec3& direction,
-                        double length, double distance, double reach_a, double reach_b,
-                        double margin, bool separates) {
-    OverlapStep step =
-        comparison(stage, 0, formula, distance / length, (reach_a + reach_b) / length,
-                   (distance - reach_a - reach_b) / length - margin, separates);
+/// A direction that belongs to both, of any length, by its name.
+OverlapStep shared_step(Stage stage, const std::string& left, const std::string& u,
+                        const Vec3& direction, double length, double distance, double reach_a,
+                        double reach_b, double margin, bool separates) {
+    OverlapStep step = comparison(stage, 0, left + " > ρ0(" + u + ") + ρ1(−" + u + ")",
+                                  distance / length, (reach_a + reach_b) / length,
+                                  (distance - reach_a - reach_b) / length - margin, separates);
     step.direction = direction / length;
-    step.reach_a = reach_a / length;
-    step.reach_b = reach_b / length;
-    step.name_a = "ρ0";
-    step.name_b = "ρ1";
+    set_terms(step, {{StepTerm::Of::distance, left, distance / length},
+                     {StepTerm::Of::a, "−ρ0(" + u + ")", -reach_a / length},
+                     {StepTerm::Of::b, "−ρ1(−" + u + ")", -reach_b / length}});
     return step;
 }
 
@@ -98,9 +94,9 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
     double reach_a = scb2_reach(a, at.in_a, distance),
            reach_b = scb2_reach(b, Vec3(-at.in_b), distance);
     if (distance > 0) {
-        result.steps.push_back(shared_step(
-            Stage::center_line, "‖c1′‖ > ρ0(u) + ρ1(−u)", c, distance, squared_distance, reach_a,
-            reach_b, margin, squared_distance - margin * distance > reach_a + reach_b));
+        result.steps.push_back(
+            shared_step(Stage::center_line, "‖c1′‖", "u", c, distance, squared_distance, reach_a,
+                        reach_b, margin, squared_distance - margin * distance > reach_a + reach_b));
     } else {
         result.steps.push_back(comparison(Stage::center_line, 0, "‖c1′‖ > ρ0(u) + ρ1(−u)", 0,
                                           a.r + b.r, -(a.r + b.r) - margin, false));
@@ -110,13 +106,12 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
     reach_a = scb2_reach(a, product.in_a, product.length);
     reach_b = scb2_reach(b, product.in_b_reversed, product.length);
     const bool separates = product.distance > reach_a + reach_b + margin;
-    const std::string formula = "|c1′·w| > ρ0(w) + ρ1(−w)";
     const bool vanishes = !(product.length > (separates ? 0 : 1e-9));
     const Vec3 w = product.in_a[0] * at.a[0] + product.in_a[1] * at.a[1];
     // The test leaves the margin along the product as it is, which is more along a unit vector.
-    result.steps.push_back(shared_step(Stage::long_axes, formula, w, vanishes ? 1 : product.length,
-                                       product.distance, reach_a, reach_b,
-                                       vanishes ? margin : margin / product.length, separates));
+    result.steps.push_back(shared_step(
+        Stage::long_axes, "|c1′·w|", "w", w, vanishes ? 1 : product.length, product.distance,
+        reach_a, reach_b, vanishes ? margin : margin / product.length, separates));
     if (vanishes) {
         result.steps.back().direction = Vec3::UnitZ();
         // What is left of both sides is next to nothing.

@@ -18,15 +18,30 @@ OverlapStep comparison(Stage stage, int line, std::string formula, double left, 
     return step;
 }
 
+void set_terms(OverlapStep& step, std::vector<StepTerm> terms) {
+    step.reach_a = step.reach_b = 0;
+    for (const StepTerm& term : terms)
+        if (term.of != StepTerm::Of::distance)
+            (term.of == StepTerm::Of::a ? step.reach_a : step.reach_b) -= term.value;
+    step.terms = std::move(terms);
+}
+
+StepTerm slab_distance(bool above, const std::string& name, double d) {
+    return {StepTerm::Of::distance, (above ? "" : "−") + name, above ? d : -d};
+}
+
+StepTerm slab_plane(bool of_a, bool above, const std::string& name, double at) {
+    return {of_a ? StepTerm::Of::a : StepTerm::Of::b, (above ? "−" : "+") + name, above ? -at : at};
+}
+
 OverlapStep ball_step(const Vec3& c, double r0, double r1, double margin, double sum) {
     const double distance = std::sqrt(squared_norm(c));
     OverlapStep step = comparison(Stage::ball_ball, 2, "‖c1′‖ > r0 + r1", distance, r0 + r1,
                                   distance - (r0 + r1) - margin, squared_norm(c) > sum * sum);
     if (distance > 0) step.direction = c / distance;
-    step.reach_a = r0;
-    step.reach_b = r1;
-    step.name_a = "r0";
-    step.name_b = "r1";
+    set_terms(step, {{StepTerm::Of::distance, "‖c1′‖", distance},
+                     {StepTerm::Of::a, "−r0", -r0},
+                     {StepTerm::Of::b, "−r1", -r1}});
     return step;
 }
 

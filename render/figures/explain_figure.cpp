@@ -8,9 +8,12 @@
 #include "render/figures/explain_layout.h"
 #include "render/figures/explain_symbols.h"
 #include "render/figures/explain_verdict.h"
+#include "render/overlay/clip.h"
 #include "render/overlay/figure_layout.h"
+#include "render/overlay/line_stroke.h"
 #include "render/overlay/scales.h"
 #include "render/overlay/smooth_line.h"
+#include "render/plots/section_cut.h"
 #include "render/plots/section_plot.h"
 #include "render/plots/slack_chart.h"
 #include "render/view/fit_camera.h"
@@ -62,6 +65,12 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
     if (certificate.contact == Contact::disjoint) {
         pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
         const Scb& disc = std::get<Scb>(volumes[2]);
+        // explain_camera sees it edge-on, so that a line has to show it.
+        if (!figure.camera) {
+            const Vec3 across = disc.r * camera.axes.col(0);
+            pane.segments.push_back(
+                {disc.c - across, disc.c + across, theme.faint_text, 3, unit / 12.0, true});
+        }
         const Vec3 half_gap = certificate.margin / 2 * disc.n;
         pane.segments.push_back({disc.c - half_gap, disc.c + half_gap, theme.accent, 3,
                                  std::max(3.0, unit / 6.0), true});
@@ -91,6 +100,58 @@ void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Came
         return;
     draw_smooth_line(overlay, std::array{position}, figure.theme->background, unit * 0.8);
     draw_smooth_line(overlay, std::array{position}, figure.theme->text, unit * 0.5);
+}
+
+/// How far a volume reaches in a view from the view's center, in each of silhouette_direction's.
+std::vector<double> outline_of(const AnyVolume& volume, const Camera& camera,
+                               const PixelRect& view) {
+    constexpr std::size_t count = 180;
+    const double height = camera.orthographic ? camera.view_height : 2 * tan_half_fov(camera);
+    std::vector<double> reaches;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ScreenPosition d = silhouette_direction(i, count);
+        const Vec3 across = d.x * camera.axes.col(0) + d.y * camera.axes.col(1);
+        const auto beyond = [&](const Vec3& direction) {
+            const double length = std::sqrt(squared_norm(direction));
+            return length * reach(volume, Vec3(direction / length)) -
+                   dot(direction, camera.position);
+        };
+        double low = -10 * height, high = 10 * height;
+        if (camera.orthographic) low = high = beyond(across);
+        // The plane through the eye that touches the volume: its slope, by halving.
+        for (int k = 0; k < 40 && low < high; ++k) {
+            const double slope = (low + high) / 2;
+            (beyond(across + slope * Vec3(camera.axes.col(2))) > 0 ? low : high) = slope;
+        }
+        reaches.push_back(view.height / height * (low + high) / 2);
+    }
+    return reaches;
+}
+
+/// Of a volume that the other one hides or seems to: its outline, over everything.
+void mark_hidden(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
+                 const PixelRect& view, int unit) {
+    const std::vector<double> outlines[] = {
+        outline_of(placed(figure.a, figure.to_world), camera, view),
+        outline_of(placed(figure.b, figure.to_world), camera, view)};
+    const Rgba8 colors[] = {body_a_color, body_b_color};
+    for (const std::size_t side : {0, 1}) {
+        const std::vector<double>&inner = outlines[side], &outer = outlines[1 - side];
+        bool hidden = true;
+        for (std::size_t i = 0; i < inner.size(); ++i) hidden &= inner[i] <= outer[i] + 1;
+        if (!hidden) continue;
+        ScreenPolygon polygon = polygon_of(view);
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            const ScreenPosition d = silhouette_direction(i, inner.size()), normal = {d.x, -d.y};
+            polygon = clipped(
+                polygon, HalfPlane{normal, normal.x * (view.x + view.width / 2.0) +
+                                               normal.y * (view.y + view.height / 2.0) + inner[i]});
+        }
+        if (polygon.size() < 3) continue;
+        overlay.polygon(polygon, with_opacity(colors[side], 0.25));
+        polygon.push_back(polygon.front());
+        draw_stroke(overlay, polygon, colors[side], LineStroke::dashed, std::max(1.5, unit / 10.0));
+    }
 }
 
 /// Squares about what is too small to be seen.
@@ -140,10 +201,20 @@ void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLa
     box.y += caption;
     box.height -= caption;
     const bool zoomed = draw_section_plot(overlay, box, plot, theme, layout.unit);
-    const std::string line = step.line > 0 ? "line " + std::to_string(step.line) + ": " : "",
-                      text = (step.separates ? "" : "closest, ") + line + step.formula;
+    std::string text = step.separates ? "" : "closest, ";
+    if (step.line > 0) text += "line " + std::to_string(step.line) + ": ";
+    text += "slack =";
+    for (const StepTerm& term : step.terms) {
+        // Signs stand apart: they are "+", or "−" with three bytes.
+        const std::size_t sign = term.name.starts_with("+")   ? 1
+                                 : term.name.starts_with("−") ? 3
+                                                              : 0;
+        text += " " + term.name.substr(0, sign) + (text.ends_with("=") ? "" : " ") +
+                term.name.substr(sign);
+    }
     draw_caption(overlay, layout.section, text, wrong ? theme.warning : theme.text,
-                 plot.plane.words + (zoomed ? "; a detail" : ""), theme, layout.unit);
+                 plot.plane.words + (zoomed ? "; left: the frame, magnified" : ""), theme,
+                 layout.unit);
 }
 
 void draw_footnote(Overlay& overlay, const ExplainFigure& figure, const ExplainLayout& layout) {
@@ -164,10 +235,17 @@ void draw_footnote(Overlay& overlay, const ExplainFigure& figure, const ExplainL
 
 Camera explain_camera(const ExplainFigure& figure, double aspect) {
     const SectionPlane plane = plane_of(figure);
-    const SinCos azimuth = sin_cos_degrees(28), elevation = sin_cos_degrees(14);
-    const Vec3 level = azimuth.cos * plane.front + azimuth.sin * plane.right,
-               back = elevation.cos * level + elevation.sin * plane.up;
-    Vec3 right = cross(plane.up, back);
+    const ContactCertificate& certificate = figure.found->certificate;
+    // Along the plane between the two, so that neither looks as if it reached through it.
+    const bool apart = certificate.contact == Contact::disjoint;
+    const Vec3 up = apart ? certificate.direction : plane.up;
+    Vec3 front = plane.front - dot(up, plane.front) * up;
+    if (!(squared_norm(front) > 0.01)) front = plane.right - dot(up, plane.right) * up;
+    front /= std::sqrt(squared_norm(front));
+    const SinCos azimuth = sin_cos_degrees(28), elevation = sin_cos_degrees(apart ? 0 : 14);
+    const Vec3 level = azimuth.cos * front + azimuth.sin * cross(up, front),
+               back = elevation.cos * level + elevation.sin * up;
+    Vec3 right = cross(up, back);
     right /= std::sqrt(squared_norm(right));
     Mat3 axes;
     axes.col(0) = transform_direction(figure.to_world, right);
@@ -177,12 +255,12 @@ Camera explain_camera(const ExplainFigure& figure, double aspect) {
     CameraFit fit;
     fit.aspect = aspect;
     fit.margin = 0.06;
-    fit.orthographic = figure.orthographic;
+    fit.orthographic = figure.orthographic || apart;
     return fit_camera(axes, support_of(volumes), fit);
 }
 
 Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay) {
-    const ExplainLayout layout = explain_layout(width, height, figure);
+    const ExplainLayout layout = explain_layout(width, height, figure, overlay);
     const Theme& theme = *figure.theme;
     const PixelRect view = layout.view_box();
     const Camera camera = figure.camera.value_or(explain_camera(figure, aspect_of(view)));
@@ -195,7 +273,8 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
     const ContactCertificate& certificate = figure.found->certificate;
     draw_caption(overlay, layout.view, "exact: " + exact_words(certificate), theme.text,
                  certificate.contact == Contact::disjoint
-                     ? "the disc is between the two; across it, the gap"
+                     ? figure.camera ? "the disc is between the two; across it, the gap"
+                                     : "seen along a plane between the two; across it, the gap"
                  : certificate.contact == Contact::overlapping ? "the dot is a point of both"
                                                                : "neither apart nor in each other",
                  theme, layout.unit);
@@ -204,6 +283,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
                    view.width / 4,
                    pixels_per_unit(camera, center(placed(figure.a, figure.to_world)), view.height),
                    {theme, layout.unit});
+    mark_hidden(overlay, figure, camera, view, layout.unit);
     mark_small(overlay, figure, camera, view, layout.unit);
     mark_common_point(overlay, figure, camera, view, layout.unit);
     if (layout.section.width > 0) draw_section(overlay, figure, layout);

@@ -35,7 +35,8 @@ struct ExplainFigure {
 };
 
 /// A camera from which the step's plane is seen from the front, but a little from the side and from
-/// above, fitted to both volumes.
+/// above, fitted to both volumes; of disjoint ones, without perspective and along the plane between
+/// them.
 Camera explain_camera(const ExplainFigure& figure, double aspect);
 
 Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay);

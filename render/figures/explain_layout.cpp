@@ -26,8 +26,9 @@ PixelRect ExplainLayout::view_box() const {
     return {view.x, view.y + caption, view.width, std::max(1, view.height - caption - below)};
 }
 
-ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure) {
-    const FigureLayout whole = figure_layout(width, height);
+ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure, Overlay& overlay) {
+    FigureLayout whole = figure_layout(width, height);
+    whole.heading.height += second_heading_line(overlay, whole, figure.title, figure.subtitle);
     ExplainLayout layout;
     const int unit = layout.unit = whole.unit, margin = whole.heading.x, gap = unit;
     layout.heading = whole.heading;

@@ -17,6 +17,6 @@ struct ExplainLayout {
     /// The view of the scene, without its caption and the scale bar below it.
     PixelRect view_box() const;
 };
-ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure);
+ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure, Overlay& overlay);
 
 }  // namespace scb::render

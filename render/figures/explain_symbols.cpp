@@ -28,7 +28,8 @@ std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions
     switch (options.test) {
         case OverlapTest::symmetric:
             return {
-                "m, h: middle of a slab and half its thickness; r·sα: what the cylinder about a "
+                "m, h: middle of a slab and half its thickness, so e = m + h, f = m − h; r·sα: "
+                "what the cylinder about a "
                 "ball adds; sα is rounded up."};
         case OverlapTest::extents:
             return {

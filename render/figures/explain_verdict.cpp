@@ -62,7 +62,8 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
             for (int i = 0; i < 3; ++i)
                 if (sides[i] < 1e-12 * sides.maxCoeff()) sides[i] = 0;  // rounding
             return "box " + number_text(sides[0]) + " × " + number_text(sides[1]) + " × " +
-                   number_text(sides[2]);
+                   number_text(sides[2]) +
+                   (convex->rounding > 0 ? ", r " + number_text(convex->rounding) : "");
         }
         const Vec3& half = std::get<Obb>(volume).half;
         return "half " + number_text(half[0]) + " × " + number_text(half[1]) + " × " +

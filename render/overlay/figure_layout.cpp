@@ -66,6 +66,14 @@ std::string fitted_title(Overlay& overlay, std::string_view title, const TextSty
 
 }  // namespace
 
+int second_heading_line(Overlay& overlay, const FigureLayout& layout, std::string_view title,
+                        std::string_view subtitle) {
+    const int unit = layout.unit,
+              width = overlay.measure(title, {title_size(unit), FontWeight::bold, {}}).width +
+                      unit + overlay.measure(subtitle, {unit, FontWeight::regular, {}}).width;
+    return subtitle.empty() || width <= layout.heading.width ? 0 : unit * 5 / 4;
+}
+
 void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
                   std::string_view title, std::string_view subtitle) {
     const int unit = layout.unit;
@@ -74,6 +82,12 @@ void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& the
     const TextStyle subtitle_style{unit, FontWeight::regular, theme.faint_text};
     while (title_style.size > unit && overlay.measure(title, title_style).width > box.width)
         --title_style.size;
+    const int below = second_heading_line(overlay, layout, title, subtitle);
+    if (below > 0 && box.height >= title_size(unit) + below) {
+        overlay.text(box.x, box.y + title_size(unit) + unit / 8,
+                     fitted_text(overlay, subtitle, subtitle_style, box.width), subtitle_style);
+        subtitle = {};
+    }
     const std::string shown = fitted_title(overlay, title, title_style, box.width);
     overlay.text(box.x, box.y + (title_size(unit) - title_style.size) * 4 / 5, shown, title_style);
     const int used = overlay.measure(shown, title_style).width + unit;

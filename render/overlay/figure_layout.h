@@ -34,9 +34,14 @@ inline double aspect_of(const PixelRect& rect) {
     return static_cast<double>(rect.width) / rect.height;
 }
 
-/// The title and, behind or below it, a line of smaller text.
+/// The title and, behind it, a line of smaller text; below it, where it does not fit there and the
+/// heading has room (see second_heading_line).
 void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
                   std::string_view title, std::string_view subtitle);
+
+/// How much higher a heading must be for a line below the title, where it needs one; else 0.
+int second_heading_line(Overlay& overlay, const FigureLayout& layout, std::string_view title,
+                        std::string_view subtitle);
 
 /// The text, cut to what fits into `width` pixels, with an ellipsis where it was cut.
 std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width);

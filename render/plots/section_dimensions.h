@@ -9,25 +9,27 @@ namespace scb::render {
 
 class Overlay;
 
-/// A length along the direction of a step, drawn beside the section, with its number.
+/// A length along the direction of a step, drawn beside the section.
 struct SectionDimension {
     double from = 0, to = 0;  ///< heights in the section
     Rgba8 color;
-    std::string label;  ///< may be empty
-    int column = 0;     ///< of section_dimension_columns
+    std::string name;
+    double value = 0;
     bool strong = false;
 };
-inline constexpr int section_dimension_columns = 4;
 
-/// "r_e = 0.105".
-std::string length_text(const std::string& name, double value);
+/// The numbers with as many decimals as show three digits of all that matter, rounded so that the
+/// last, the sum of the others, is that of what is printed: 0.093252, −0.034666, −0.058214,
+/// +0.000372. What vanishes at that many decimals is 0.
+std::vector<std::string> sum_texts(const std::vector<double>& terms_and_sum);
 
 /// The width that they need.
 int dimensions_width(Overlay& overlay, const std::vector<SectionDimension>& dimensions, int unit);
 
-/// Draws them into `box`, which lies right of the section's rectangle and is as high.
+/// Draws them into `box`, which lies right of the section's rectangle and is as high: each in a
+/// column of its own, and in the same order a table of their numbers, of which the last is the sum.
 void draw_dimensions(Overlay& overlay, const SectionScale& scale, const PixelRect& box,
-                     std::vector<SectionDimension> dimensions, const Theme& theme, int unit,
+                     const std::vector<SectionDimension>& dimensions, const Theme& theme, int unit,
                      double line_width);
 
 }  // namespace scb::render

@@ -12,37 +12,29 @@
 namespace scb::render {
 namespace {
 
-struct Shown {
-    SectionExtent extent;
-    bool detail = false;
-};
-
-/// Both balls; or the surroundings of the smaller one, where it could not be seen beside the other;
-/// or of a gap that could not.
-Shown shown_extent(const SectionCut& a, const SectionCut& b, const SectionPlot& plot,
-                   const PixelRect& box, int unit) {
-    Shown shown;
-    for (const SectionCut& cut : {a, b}) shown.extent.add(cut.x, cut.y, cut.r);
-    const double end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b,
-                 pixels = SectionScale(box, shown.extent).pixels;
+/// What is too small to be seen in a drawing of all with this scale: the surroundings of the
+/// smaller of the two, or of the gap between them.
+std::optional<SectionExtent> detail_extent(const SectionCut& a, const SectionCut& b,
+                                           const SectionPlot& plot, const SectionScale& scale,
+                                           int unit) {
+    const double end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b, pixels = scale.pixels;
     const SectionCut& small = a.r < b.r ? a : b;
+    SectionExtent near;
     if (small.r > 0 && pixels * small.r < unit && std::max(a.r, b.r) > 4 * small.r) {
-        SectionExtent near;
         near.add(small.x, small.y, 3 * small.r);
         for (const double y : {end_a, end_b})
             near.add(small.x, std::clamp(y, small.y - 8 * small.r, small.y + 8 * small.r));
-        shown = {near, true};
-    } else if (const double gap = std::abs(end_b - end_a);
-               gap > 0 && pixels * gap < 0.4 * unit && !plot.common_point) {
-        // An eighth of the height, if that is not too much of a magnification to be understood.
-        constexpr double largest = 60;
-        const double height = std::max(8 * gap, box.height / pixels / largest);
-        const bool of_b = plot.measures_b();
-        const ScreenPosition at = nearest_point(of_b ? b : a, of_b ? -1 : 1, plot.has_cylinder());
-        shown = {{}, true};
-        shown.extent.add(at.x, (end_a + end_b) / 2, height / 2);
+        return near;
     }
-    return shown;
+    const double gap = std::abs(end_b - end_a);
+    if (!(gap > 0 && pixels * gap < 0.4 * unit) || plot.common_point) return std::nullopt;
+    // An eighth of the height, if that is not too much of a magnification to be understood.
+    constexpr double largest = 60;
+    const double height = std::max(8 * gap, scale.rect.height / pixels / largest);
+    const bool of_b = plot.measures_b();
+    const ScreenPosition at = nearest_point(of_b ? b : a, of_b ? -1 : 1, plot.has_cylinder());
+    near.add(at.x, (end_a + end_b) / 2, height / 2);
+    return near;
 }
 
 class Drawing {
@@ -114,11 +106,11 @@ class Drawing {
     }
 
     /// A level line from x on to `right`, in pixels.
-    void level(double x, double y, double right) {
+    void level(double x, double y, double right, Rgba8 color) {
         if (!scale_.shows_height(y)) return;
         const double from = std::clamp(scale_.px(x), double(scale_.rect.x),
                                        double(scale_.rect.x + scale_.rect.width));
-        draw_stroke(overlay_, {{from, scale_.py(y)}, {right, scale_.py(y)}}, theme_.faint_text,
+        draw_stroke(overlay_, {{from, scale_.py(y)}, {right, scale_.py(y)}}, color,
                     LineStroke::dotted, width_ * 0.7);
     }
 
@@ -156,41 +148,93 @@ class Drawing {
 std::vector<SectionDimension> dimensions_of(const SectionPlot& plot, double distance,
                                             const Theme& theme) {
     const OverlapStep& step = plot.step;
-    const double end_a = step.reach_a, end_b = distance - step.reach_b;
     std::vector<SectionDimension> all;
-    // Of a cylinder, its effective radius is the outer part of the reach.
-    const auto add_reach = [&](double center, double end, double sign, double reach, Rgba8 color,
-                               const std::string& name) {
-        if (name != "r_e") {
-            all.push_back({center, end, color, length_text(name, reach), 0, false});
-            return;
+    // From A's center up, and from B's down.
+    double reached_a = 0, reached_b = distance;
+    for (const StepTerm& term : step.terms) {
+        if (term.of == StepTerm::Of::distance) {
+            all.push_back({0, distance, theme.text, term.name, term.value, false});
+            continue;
         }
-        const double axis = end - sign * step.effective_radius;
-        all.push_back({center, axis, color, "", 0, false});
-        all.push_back({axis, end, color, length_text(name, step.effective_radius), 1, true});
-    };
-    add_reach(0, end_a, 1, step.reach_a, body_a_color, step.name_a);
-    add_reach(distance, end_b, -1, step.reach_b, body_b_color, step.name_b);
-    all.push_back(
-        {end_a, end_b, plot.gap_color,
-         step.slack > 0 ? length_text("gap", step.slack) : length_text("slack", step.slack), 2,
-         true});
-    const bool of_a = plot.measures_b(), of_b = step.stage == Stage::ball_slab ||
-                                                step.stage == Stage::cylinder_slab ||
-                                                step.stage == Stage::slab_b;
-    // Of others as the formula has it, on its left: the distance along the direction.
-    const bool of_centers =
-        step.stage == Stage::ball_ball || step.formula.find(" > ") == std::string::npos;
-    std::string name = of_a         ? "d0"
-                       : of_b       ? "d1"
-                       : of_centers ? "‖c1′‖"
-                                    : step.formula.substr(0, step.formula.find(" > "));
-    // The paper's distances are from the owner of the slab, along its normal.
-    const Scb* owner = std::get_if<Scb>(of_b ? &plot.b : &plot.a);
-    if (owner != nullptr && (of_a || of_b) && (dot(owner->n, step.direction) > 0) != of_a)
-        name = "−" + name;
-    all.push_back({0, distance, theme.text, length_text(name, distance), 3, false});
+        const bool of_a = term.of == StepTerm::Of::a,
+                   beyond = of_a ? reached_a != 0 : reached_b != distance;
+        double& reached = of_a ? reached_a : reached_b;
+        const double from = reached;
+        reached += of_a ? -term.value : term.value;
+        all.push_back(
+            {from, reached, of_a ? body_a_color : body_b_color, term.name, term.value, beyond});
+    }
+    all.push_back({reached_a, reached_b, plot.gap_color, "slack", step.slack, true});
     return all;
+}
+
+/// The two, with what the step takes them for.
+void draw_bodies(Drawing& drawing, const SectionPlot& plot, const SectionCut& a,
+                 const SectionCut& b, const Theme& theme) {
+    for (const SectionCut& cut : {a, b}) drawing.region(cut);
+    for (const SectionCut& cut : {a, b}) {
+        drawing.ball(cut);
+        drawing.slab(cut);
+    }
+    if (plot.has_cylinder()) drawing.cylinder(plot.measures_b() ? b : a);
+    for (const SectionCut& cut : {a, b}) drawing.dot(cut.x, cut.y, cut.color, 3 * drawing.width());
+    if (!plot.common_point) return;
+    const double x = dot(plot.plane.right, *plot.common_point),
+                 y = dot(plot.plane.up, *plot.common_point);
+    drawing.dot(x, y, theme.background, 6 * drawing.width());
+    drawing.dot(x, y, theme.text, 4 * drawing.width());
+}
+
+/// A part of the drawing, magnified in `rect`, and a frame in the whole about what that shows.
+void draw_detail(Overlay& overlay, const PixelRect& rect, const SectionExtent& extent,
+                 const SectionScale& whole, const SectionPlot& plot, const SectionCut& a,
+                 const SectionCut& b, const Theme& theme, int unit) {
+    const SectionScale scale(rect, extent);
+    const auto in_whole = [&](double px, double py) {
+        return whole.at(scale.x0 + (px - rect.width / 2.0) / scale.pixels,
+                        scale.y0 - (py - rect.height / 2.0) / scale.pixels);
+    };
+    const ScreenPosition first = in_whole(0, 0), last = in_whole(rect.width, rect.height);
+    // Not so small that nobody finds it.
+    const double least = unit / 2.0, middle_x = (first.x + last.x) / 2,
+                 middle_y = (first.y + last.y) / 2,
+                 half_width = std::max(least, last.x - first.x) / 2,
+                 half_height = std::max(least, last.y - first.y) / 2;
+    const PixelRect& all = whole.rect;
+    const auto column = [&](double x) {
+        return static_cast<int>(std::clamp(x, double(all.x), double(all.x + all.width)));
+    };
+    const auto row = [&](double y) {
+        return static_cast<int>(std::clamp(y, double(all.y), double(all.y + all.height)));
+    };
+    const int left = column(middle_x - half_width), top = row(middle_y - half_height);
+    const PixelRect frame = {left, top, std::max(1, column(middle_x + half_width) - left),
+                             std::max(1, row(middle_y + half_height) - top)};
+    for (const bool below : {false, true})
+        draw_smooth_line(overlay,
+                         std::array{ScreenPosition{double(rect.x + rect.width),
+                                                   double(rect.y + (below ? rect.height : 0))},
+                                    ScreenPosition{double(frame.x),
+                                                   double(frame.y + (below ? frame.height : 0))}},
+                         theme.border, 1);
+    overlay.frame(frame, theme.text, std::max(1, unit / 14));
+
+    Drawing drawing(overlay, scale, theme, unit);
+    draw_bodies(drawing, plot, a, b, theme);
+    const double end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b,
+                 x = rect.x + rect.width - unit;
+    drawing.level(-HUGE_VAL, end_a, x, body_a_color);
+    drawing.level(-HUGE_VAL, end_b, x, body_b_color);
+    const auto height_of = [&](double y) {
+        return std::clamp(scale.py(y), double(rect.y), double(rect.y + rect.height));
+    };
+    draw_smooth_line(
+        overlay,
+        std::array{ScreenPosition{x, height_of(end_a)}, ScreenPosition{x, height_of(end_b)}},
+        plot.gap_color, 2 * drawing.width());
+    overlay.frame(rect, theme.text, std::max(1, unit / 14));
+    draw_scale_bar(overlay, rect.x, rect.y + rect.height + 2 * unit, rect.width * 3 / 4,
+                   scale.pixels, {theme, unit});
 }
 
 }  // namespace
@@ -211,44 +255,45 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     const SectionCut a = section_cut(plot.a, Vec3::Zero(), plane, plane.before_a, body_a_color),
                      b = section_cut(plot.b, to_b, plane, plane.before_b, body_b_color);
     const std::vector<SectionDimension> dimensions = dimensions_of(plot, b.y, theme);
-    const int beside = dimensions_width(overlay, dimensions, unit);
     // Lines and dots are wider than what they stand for.
-    const int edge = unit / 4;
+    const int edge = unit / 4, numbers = dimensions_width(overlay, dimensions, unit),
+              beside = rect.width - numbers < 5 * unit ? 0 : numbers;
     PixelRect box = {rect.x + edge, rect.y + edge, rect.width - edge - beside - unit / 2,
                      rect.height - 2 * edge};
     if (box.width < 3 * unit || box.height < 3 * unit) return false;
 
-    const Shown shown = shown_extent(a, b, plot, box, unit);
-    const SectionScale scale(box, shown.extent);
-
+    SectionExtent extent;
+    for (const SectionCut& cut : {a, b}) extent.add(cut.x, cut.y, cut.r);
+    std::optional<SectionExtent> detail;
+    PixelRect inset = box;
+    if (box.width >= 14 * unit && box.height >= 10 * unit) {
+        PixelRect rest = box;
+        inset.width = box.width * 2 / 5;
+        inset.height = std::min(box.height - 3 * unit, inset.width * 3 / 2);
+        inset.y += (box.height - 2 * unit - inset.height) / 2;
+        rest.x += inset.width + unit;
+        rest.width -= inset.width + unit;
+        detail = detail_extent(a, b, plot, SectionScale(rest, extent), unit);
+        // What it shows but a little larger is better seen in a larger whole.
+        if (detail && SectionScale(inset, *detail).pixels < 3 * SectionScale(box, extent).pixels)
+            detail.reset();
+        if (detail) box = rest;
+    }
+    const SectionScale scale(box, extent);
     Drawing drawing(overlay, scale, theme, unit);
-    for (const SectionCut& cut : {a, b}) drawing.region(cut);
-    for (const SectionCut& cut : {a, b}) {
-        drawing.ball(cut);
-        drawing.slab(cut);
-    }
-    if (plot.has_cylinder()) drawing.cylinder(plot.measures_b() ? b : a);
+    draw_bodies(drawing, plot, a, b, theme);
+    if (detail) draw_detail(overlay, inset, *detail, scale, plot, a, b, theme, unit);
 
-    const double columns_x = rect.x + rect.width - beside;
-    const double x = shown.detail ? shown.extent.left : std::min(a.x, b.x),
+    if (beside == 0) return detail.has_value();
+    const double columns_x = rect.x + rect.width - beside, x = std::min(a.x, b.x),
                  end_a = plot.step.reach_a, end_b = b.y - plot.step.reach_b;
-    for (const double y : {end_a, end_b}) drawing.level(x, y, columns_x);
-    drawing.level(a.x, 0, columns_x);
-    drawing.level(b.x, b.y, columns_x);
-    for (const SectionCut& cut : {a, b}) drawing.dot(cut.x, cut.y, cut.color, 3 * drawing.width());
-    if (plot.common_point) {
-        const double px = dot(plane.right, *plot.common_point),
-                     py = dot(plane.up, *plot.common_point);
-        drawing.dot(px, py, theme.background, 6 * drawing.width());
-        drawing.dot(px, py, theme.text, 4 * drawing.width());
-    }
-    // Of the whole, the scale is that of the view beside it.
-    if (shown.detail && box.width > 10 * unit && box.height > 6 * unit)
-        draw_scale_bar(overlay, box.x + unit / 2, box.y + box.height, box.width / 4, scale.pixels,
-                       {theme, unit});
+    drawing.level(x, end_a, columns_x, body_a_color);
+    drawing.level(x, end_b, columns_x, body_b_color);
+    drawing.level(a.x, 0, columns_x, theme.faint_text);
+    drawing.level(b.x, b.y, columns_x, theme.faint_text);
     draw_dimensions(overlay, scale, {static_cast<int>(columns_x), rect.y, beside, rect.height},
                     dimensions, theme, unit, drawing.width());
-    return shown.detail;
+    return detail.has_value();
 }
 
 }  // namespace scb::render

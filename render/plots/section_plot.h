@@ -13,7 +13,7 @@ class Overlay;
 
 /// A step of an overlap test of two slab cut balls or balls as a drawing, after Figures 7 and 9 of
 /// the paper: what the section plane cuts out of them, their balls, the planes of their slabs, the
-/// cylinder if there is one, and how far the step takes each to reach, in numbers. Of other volumes
+/// cylinder if there is one, and the terms of the slack, as lengths and numbers. Of other volumes
 /// their silhouettes, and the same numbers.
 struct SectionPlot {
     AnyVolume a, b;  ///< in A's frame
@@ -28,8 +28,8 @@ struct SectionPlot {
 };
 
 /// Draws it into the rectangle and nothing outside of it. Where one of the two, or the gap
-/// between them, would be too small to see, the drawing shows its surroundings only; returns
-/// whether it does.
+/// between them, is too small to see and there is room, an inset magnifies it; returns whether it
+/// does.
 bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlot& plot,
                        const Theme& theme, int unit);
 

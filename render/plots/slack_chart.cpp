@@ -12,7 +12,8 @@ namespace {
 struct Row {
     std::string name, number, note;
     std::size_t step = 0;
-    bool decides = false, faint = false;
+    bool shown = false;  ///< the section's
+    bool faint = false;
 };
 
 std::string signed_text(double value) {
@@ -22,6 +23,7 @@ std::string signed_text(double value) {
 std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
     std::vector<Row> rows;
     const std::optional<std::size_t> decisive = steps.decisive();
+    const std::size_t closest = steps.closest();
     for (std::size_t i = 0; i < steps.steps.size(); ++i) {
         const OverlapStep& step = steps.steps[i];
         Row row;
@@ -31,9 +33,9 @@ std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
         // Nothing but rounding.
         const bool vanishes = !step.skipped.empty() && std::abs(step.slack) <= 2 * steps.margin;
         row.number = vanishes ? "–" : signed_text(step.slack);
-        row.decides = decisive == i;
+        row.shown = i == closest;
         row.faint = !step.skipped.empty() || (decisive && i > *decisive);
-        if (row.decides)
+        if (decisive == i)
             row.note = "rejects";
         else if (!step.skipped.empty())
             row.note = "not tried";
@@ -82,7 +84,8 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
         return width;
     };
     std::vector<Row> rows = rows_of(*chart.steps, true);
-    const int numbers = widest(rows, &Row::number), notes = widest(rows, &Row::note);
+    const int numbers = std::max(widest(rows, &Row::number), overlay.measure("slack", faint).width),
+              notes = widest(rows, &Row::note);
     const int least = 6 * unit, fixed = indent + numbers + notes + 3 * gap;
     int names = widest(rows, &Row::name);
     if (fixed + names + least > rect.width) {
@@ -110,17 +113,18 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
     left.align = Align::right;
     const bool has_lines = std::any_of(chart.steps->steps.begin(), chart.steps->steps.end(),
                                        [](const OverlapStep& step) { return step.line > 0; });
-    const int room = zero - 2 * gap - overlay.measure("short by", faint).width - rect.x;
+    const int room = zero - 2 * gap - overlay.measure("short", faint).width - rect.x;
     overlay.text(
         rect.x, rect.y,
         fitted_text(overlay, has_lines ? "line, separates if" : "separates if", faint, room),
         faint);
-    overlay.text(zero - gap, rect.y, "short by", left);
-    overlay.text(zero + gap, rect.y, "separates by", right);
+    overlay.text(zero - gap, rect.y, "short", left);
+    overlay.text(zero + gap, rect.y, "apart", right);
+    overlay.text(area.x + area.width + gap + numbers, rect.y, "slack", left);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
         const int y = area.y + static_cast<int>(i) * line;
-        const TextStyle& style = row.decides ? strong : row.faint ? faint : name;
+        const TextStyle& style = row.shown ? strong : row.faint ? faint : name;
         if (row.number.empty()) {
             overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
             continue;

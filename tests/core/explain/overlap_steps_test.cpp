@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "scb/overlap.h"
 #include "tests/core/overlap/overlap_checks.h"
@@ -36,13 +37,16 @@ OverlapSteps checked_steps(const V& a, const V& b, const Pose& b_to_a,
 }
 
 /// A step separates where its reaches leave more than `margin`, as far as rounding lets one tell;
-/// its slack is the rest, and so is the difference of its sides.
+/// its slack is the rest, and so are the difference of its sides and the sum of its terms.
 void expect_consistent(const OverlapStep& step, const Vec3& c, double margin, double rounding) {
     EXPECT_NEAR(squared_norm(step.direction), 1, 1e-12) << step.formula;
     const double left_over = dot(step.direction, c) - step.reach_a - step.reach_b,
                  rest = left_over - margin;
     EXPECT_NEAR(rest, step.slack, rounding) << step.formula;
     EXPECT_NEAR(std::abs(step.left - step.right), std::abs(left_over), rounding) << step.formula;
+    double sum = 0;
+    for (const StepTerm& term : step.terms) sum += term.value;
+    EXPECT_NEAR(sum, left_over, rounding) << step.formula;
     EXPECT_TRUE(std::abs(rest) <= rounding || step.separates == (rest > 0)) << step.formula;
 }
 
@@ -93,8 +97,10 @@ TEST_P(StepsOfTest, HaveTheSlackThatTheirReachesLeave) {
             const bool made = step.skipped.empty() || step.line > 0;
             if (made) expect_consistent(step, c, steps.margin, 1e-11);
             // The cylinder's is the radius of its ball, times the sine of the angle to the axis.
-            const bool of_a = step.name_a == "r_e", of_b = step.name_b == "r_e";
+            const bool of_a = step.stage == Stage::cylinder_slab,
+                       of_b = step.stage == Stage::slab_cylinder;
             cylinders += of_a || of_b;
+            ASSERT_EQ(step.terms.size(), of_a || of_b ? 4u : 3u) << step.formula;
             EXPECT_NEAR(step.effective_radius,
                         of_a   ? pair.a.r * sine
                         : of_b ? pair.b.r * sine
@@ -104,6 +110,43 @@ TEST_P(StepsOfTest, HaveTheSlackThatTheirReachesLeave) {
         }
     }
     EXPECT_EQ(cylinders > 0, GetParam() != OverlapTest::extents);
+}
+
+// The symbols that a picture sums up, by the values that they have.
+TEST_P(StepsOfTest, HaveTermsThatAreWhatTheyAreCalled) {
+    Random random(19);
+    for (int i = 0; i < many_steps / 10; ++i) {
+        const ScbPair pair = random_scb_pair(
+            random, scb_pair_families[static_cast<std::size_t>(i) % scb_pair_families.size()]);
+        const OverlapSteps steps = checked_steps(pair.a, pair.b, pair.b_to_a, {GetParam(), 0.7});
+        const Vec3 c = transform_point(pair.b_to_a, pair.b.c) - pair.a.c,
+                   n = transform_direction(pair.b_to_a, pair.b.n);
+        const double cosine = dot(pair.a.n, n), sine = cross(pair.a.n, n).norm();
+        const std::map<std::string, double> values = {{"d0", dot(pair.a.n, c)},
+                                                      {"d1", -dot(n, c)},
+                                                      {"e0", pair.a.e},
+                                                      {"f0", pair.a.f},
+                                                      {"e1", pair.b.e},
+                                                      {"f1", pair.b.f},
+                                                      {"r0", pair.a.r},
+                                                      {"r1", pair.b.r},
+                                                      {"e0·cα", pair.a.e * cosine},
+                                                      {"f0·cα", pair.a.f * cosine},
+                                                      {"e1·cα", pair.b.e * cosine},
+                                                      {"f1·cα", pair.b.f * cosine},
+                                                      {"r0·sα", pair.a.r * sine},
+                                                      {"r1·sα", pair.b.r * sine},
+                                                      {"‖c1′‖", std::sqrt(dot(c, c))}};
+        for (const OverlapStep& step : steps.steps)
+            for (const StepTerm& term : step.terms) {
+                const bool less = term.name.starts_with("−"), more = term.name.starts_with("+");
+                const std::string name = term.name.substr(less ? 3 : more ? 1 : 0);
+                EXPECT_EQ(less || more || term.of == StepTerm::Of::distance, true) << term.name;
+                if (name.starts_with("ρ")) continue;
+                ASSERT_TRUE(values.contains(name)) << name;
+                EXPECT_NEAR(term.value, (less ? -1 : 1) * values.at(name), 2e-7) << term.name;
+            }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StepsOfTest,
@@ -193,8 +236,10 @@ TEST(Steps, OfTwoSlabsNameTheSecondOne) {
     ASSERT_EQ(steps.stage(), Stage::second_slab_a);
     const OverlapStep& step = steps.steps[2];
     EXPECT_EQ(step.formula, "d0″ − e0″ > ρ1(−n0″)");
-    EXPECT_EQ(step.name_a, "e0″");
-    EXPECT_EQ(step.name_b, "ρ1");
+    ASSERT_EQ(step.terms.size(), 3u);
+    EXPECT_EQ(step.terms[0].name, "d0″");
+    EXPECT_EQ(step.terms[1].name, "−e0″");
+    EXPECT_EQ(step.terms[2].name, "−ρ1(−n0″)");
     EXPECT_DOUBLE_EQ(step.reach_a, 0.5);
     EXPECT_DOUBLE_EQ(step.reach_b, 0.25);
     EXPECT_NEAR(step.slack, 0.25, 1e-12);

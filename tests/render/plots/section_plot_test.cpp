@@ -6,7 +6,9 @@
 #include "core/explain/pair_explanation.h"
 #include "render/figures/explain_layout.h"
 #include "render/overlay/clip.h"
+#include "render/overlay/figure_layout.h"
 #include "render/plots/section_cut.h"
+#include "render/plots/section_dimensions.h"
 #include "render/plots/slack_chart.h"
 #include "scb/overlap.h"
 #include "tests/core/overlap/random_scb_pairs.h"
@@ -167,6 +169,104 @@ TEST(SectionPlot, StaysInItsRectangle) {
     }
 }
 
+// Of Figure 9's kind: A's slab up to 0.5, B's corner just above it, far from A's ball.
+SectionPlot tight_plot() {
+    SectionPlot plot;
+    const Scb a{Vec3::Zero(), 1, Vec3::UnitZ(), 0.5, -0.5};
+    const double gap = 1e-3;
+    const Vec3 n(0.6, 0, 0.8);
+    const Scb b{Vec3(2, 0, 0.5 + gap + 0.3 * 0.8 + 0.6), 1, n, 0.3, -0.3};
+    const Placement placed = placement(Pose{}, 4, 4);
+    const PairExplanation found = explain(a, b, placed, {OverlapTest::symmetric, 0.7});
+    plot.a = a;
+    plot.b = b;
+    plot.step = found.steps.steps[5];
+    plot.plane = section_plane(plot.a, plot.b, plot.step, std::nullopt);
+    return plot;
+}
+
+TEST(SectionPlot, ShowsBothBodiesBesideADetail) {
+    const SectionPlot plot = tight_plot();
+    ASSERT_EQ(plot.step.stage, Stage::slab_cylinder);
+    EXPECT_NEAR(plot.step.slack, 1e-3, 1e-6);
+    Drawing drawing;
+    for (const auto& [width, detail] : {std::pair{700, true}, {300, false}}) {
+        Overlay overlay;
+        overlay.begin();
+        EXPECT_EQ(draw_section_plot(overlay, {0, 0, width, 400}, plot, light_theme, 16), detail);
+        const Picture picture = empty_picture(width, 400);
+        const Image image = drawing.renderer.draw(picture, &overlay).image;
+        // Filled with a part of their colors, the fourth of a ball and more.
+        int of_a = 0, of_b = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const Rgba8 p = pixel(image, x, y);
+                of_a += p.b > p.r + 30;
+                of_b += p.r > p.b + 30;
+            }
+        EXPECT_GT(of_a, 1500) << width;
+        EXPECT_GT(of_b, 1500) << width;
+    }
+}
+
+TEST(SectionDimensions, AddUpAsPrinted) {
+    EXPECT_EQ(
+        sum_texts({0.0932521, -0.0346664, -0.0466667, -0.0115470, 0.000371993}),
+        (std::vector<std::string>{"0.093252", "−0.034666", "−0.046667", "−0.011547", "+0.000372"}));
+    EXPECT_EQ(sum_texts({-0.125, -1.75, -0.625, -1.34e-7, -2.5}),
+              (std::vector<std::string>{"−0.125", "−1.750", "−0.625", "0", "−2.500"}));
+    // A digit more, where that is enough.
+    EXPECT_EQ(sum_texts({0.104686, -0.0623397, -0.0816497, -0.039303}),
+              (std::vector<std::string>{"0.10469", "−0.06234", "−0.08165", "−0.03930"}));
+    EXPECT_EQ(sum_texts({1.0 / 3, 1.0 / 3, 1.0 / 3, 1}),
+              (std::vector<std::string>{"0.334", "0.333", "0.333", "+1.000"}));
+    EXPECT_EQ(sum_texts({1e60, -2e-9, 1e60}),
+              (std::vector<std::string>{"1.00e+60", "−2.00e-09", "1.00e+60"}));
+    EXPECT_EQ(sum_texts({0, 0, 0}), (std::vector<std::string>{"0", "0", "0"}));
+    const auto value_of = [](std::string text) {
+        if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
+        std::erase(text, ',');
+        return std::stod(text);
+    };
+    Random random(9);
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<double> numbers;
+        double sum = 0, size = std::pow(10.0, static_cast<double>(random.below(9)) - 4);
+        for (std::size_t k = 0; k < 2 + random.below(3); ++k) {
+            numbers.push_back(size * (random.uniform() - 0.5));
+            sum += numbers.back();
+        }
+        numbers.push_back(sum);
+        const std::vector<std::string> texts = sum_texts(numbers);
+        double printed = 0;
+        for (std::size_t k = 0; k + 1 < texts.size(); ++k) {
+            printed += value_of(texts[k]);
+            EXPECT_NEAR(value_of(texts[k]), numbers[k], 0.011 * size) << texts[k];
+        }
+        EXPECT_NEAR(printed, value_of(texts.back()), 1e-9 * size);
+    }
+}
+
+TEST(ExplainCamera, LooksAlongThePlaneBetweenDisjointVolumes) {
+    Random random(10);
+    int disjoint = 0;
+    for (int i = 0; i < many / 20; ++i) {
+        const ExplainedPair pair = random_explained(random, i);
+        if (pair.found.certificate.contact != Contact::disjoint) continue;
+        ++disjoint;
+        ExplainFigure figure;
+        figure.a = pair.a;
+        figure.b = pair.b;
+        figure.kind = VolumeKind::scb;
+        figure.found = &pair.found;
+        const Camera camera = explain_camera(figure, 1.5);
+        EXPECT_TRUE(camera.orthographic);
+        EXPECT_NEAR(dot(Vec3(camera.axes.col(2)), pair.found.certificate.direction), 0, 1e-9);
+        EXPECT_NEAR(dot(Vec3(camera.axes.col(1)), pair.found.certificate.direction), 1, 1e-9);
+    }
+    EXPECT_GT(disjoint, 0);
+}
+
 bool within(const PixelRect& inner, const PixelRect& outer) {
     return inner.x >= outer.x && inner.y >= outer.y &&
            inner.x + inner.width <= outer.x + outer.width &&
@@ -176,6 +276,7 @@ bool within(const PixelRect& inner, const PixelRect& outer) {
 TEST(ExplainLayout, PartsLieInThePictureAndApart) {
     Random random(8);
     const ExplainedPair pair = random_explained(random, 0);
+    Overlay overlay;
     const Obb box{Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 1)};
     const PairExplanation of_boxes = explain(box, box, placement(Pose{}, 2, 2));
     for (const bool boxes : {false, true})
@@ -191,7 +292,7 @@ TEST(ExplainLayout, PartsLieInThePictureAndApart) {
             figure.b = boxes ? AnyVolume(box) : pair.b;
             figure.kind = boxes ? VolumeKind::obb : VolumeKind::scb;
             figure.found = boxes ? &of_boxes : &pair.found;
-            const ExplainLayout layout = explain_layout(width, height, figure);
+            const ExplainLayout layout = explain_layout(width, height, figure, overlay);
             std::vector<PixelRect> parts = {layout.heading, layout.view, layout.steps,
                                             layout.verdict};
             EXPECT_EQ(layout.section.width > 0, height > 240) << width << 'x' << height;
@@ -202,6 +303,68 @@ TEST(ExplainLayout, PartsLieInThePictureAndApart) {
                 for (std::size_t k = 0; k < i; ++k)
                     EXPECT_TRUE(apart(parts[i], parts[k])) << width << 'x' << height << i << k;
             }
+        }
+}
+
+TEST(ExplainLayout, HasALineForASubtitleThatDoesNotFit) {
+    Random random(8);
+    const ExplainedPair pair = random_explained(random, 0);
+    ExplainFigure figure;
+    figure.a = pair.a;
+    figure.b = pair.b;
+    figure.kind = VolumeKind::scb;
+    figure.found = &pair.found;
+    figure.title = "a mesh with itself";
+    figure.subtitle = "test symmetric";
+    Overlay overlay;
+    const PixelRect usual = explain_layout(640, 360, figure, overlay).heading;
+    EXPECT_EQ(usual.height, figure_layout(640, 360).heading.height);
+    figure.title += " and a name that is as long as those of CAD models are";
+    figure.subtitle += ", frame 0, 86 volume tests wasted";
+    const ExplainLayout layout = explain_layout(640, 360, figure, overlay);
+    EXPECT_GT(layout.heading.height, usual.height);
+    EXPECT_TRUE(apart(layout.heading, layout.view));
+    overlay.begin();
+    FigureLayout heading;
+    heading.unit = layout.unit;
+    heading.heading = layout.heading;
+    draw_heading(overlay, heading, light_theme, figure.title, figure.subtitle);
+    Drawing drawing;
+    const Image image = drawing.renderer.draw(empty_picture(640, 360), &overlay).image;
+    const PixelRect second = {layout.heading.x, layout.heading.y + title_size(layout.unit), 200,
+                              layout.unit};
+    EXPECT_GT(inside_and_outside(image, second, empty_picture(1, 1).background).first, 100);
+}
+
+// Of a volume in the other one: triangles of that may hide it.
+TEST(ExplainFigure, OutlinesAVolumeThatTheOtherOneHolds) {
+    Drawing drawing;
+    for (const bool orthographic : {false, true})
+        for (const double x : {0.2, 1.1}) {
+            const Scb a{Vec3(x, 0, 0), 0.3, Vec3::UnitZ(), 0.1, -0.1},
+                b{Vec3::Zero(), 1, Vec3::UnitZ(), 0.8, -0.8};
+            const PairExplanation found = explain(a, b, placement(Pose{}, 2, 2), {});
+            ExplainFigure figure;
+            figure.a = a;
+            figure.b = b;
+            figure.kind = VolumeKind::scb;
+            figure.found = &found;
+            figure.orthographic = orthographic;
+            Overlay overlay;
+            Picture picture = compose(figure, 640, 480, 1, overlay);
+            const PixelRect view = picture.panes[0].viewport;
+            picture.panes.clear();
+            const Image image = drawing.renderer.draw(picture, &overlay).image;
+            int blue = 0;
+            for (int y = view.y; y < view.y + view.height; ++y)
+                for (int column = view.x; column < view.x + view.width; ++column) {
+                    const Rgba8 p = pixel(image, column, y);
+                    blue += p.b > p.r + 20;
+                }
+            if (x < 1)
+                EXPECT_GT(blue, 100);
+            else
+                EXPECT_EQ(blue, 0);
         }
 }
 
