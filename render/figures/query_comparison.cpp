@@ -63,6 +63,15 @@ void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
     add_numbers(views, queries, only_here);
 }
 
+/// Whether each color means the same in both.
+bool agree(const std::vector<EndingGroup>& a, const std::vector<EndingGroup>& b) {
+    return std::all_of(a.begin(), a.end(), [&](const EndingGroup& x) {
+        return std::all_of(b.begin(), b.end(), [&](const EndingGroup& y) {
+            return x.color != y.color || x.label == y.label;
+        });
+    });
+}
+
 /// Which nodes are seen in each: where they can be compared, those that either query would show.
 std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
                                          const std::array<TraversalTree, 2>& trees,
@@ -111,7 +120,7 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
         const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
         views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, style,
                                       first_pair_id + static_cast<std::uint32_t>(before));
-        views[side].legend = pairs_legend(query.bodies, *query.header, style);
+        views[side].legend = pairs_legend(query.bodies, *query.header, *query.frame, style);
     }
     compare(views, queries, only_here, *style.theme);
     if (queries[0].header->options.stop_level >= 0) return views;
@@ -142,14 +151,22 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
     const std::array<EndedNodes, 2> ended = compared_nodes(queries, trees, style);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        views[side].pane = rejections_pane(query.bodies, ended[side], style);
+        views[side].pane =
+            rejections_pane(query.bodies, *query.frame, trees[side], ended[side], style);
         views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
-        if (style.by == NodeColor::share)
-            views[side].legend.push_back(node_color_keys(style).front());
+        for (PanelItem& item : node_color_keys(style))
+            views[side].legend.push_back(std::move(item));
     }
+    if (style.by != NodeColor::share &&
+        !agree(shown_groups(*queries[0].header, style), shown_groups(*queries[1].header, style)))
+        for (ComparedView& view : views)
+            insert_before_notes(view.legend, {"colors of this side: the other side's mean others"});
     // Of other volumes every node looks another way.
     if (nodes_comparable(queries)) outline(views, 1, *style.theme);
     add_numbers(views, queries, only_here);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (PanelItem& item : drawn_keys(queries[side].bodies, ended[side], style))
+            views[side].numbers.push_back(std::move(item));
     return views;
 }
 
@@ -182,7 +199,8 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
                                                           : shown_groups(*header, style).size());
     // The heading, which stands off.
     const int key = style.by == NodeColor::share ? scale_rows : 0;
-    return {number_rows, static_cast<int>(groups) + 2 + key};
+    constexpr int bodies = 2, notes = 2;
+    return {number_rows + bodies, static_cast<int>(groups) + 2 + key + notes};
 }
 
 ComparisonRows compared_heat_rows() { return {number_rows, scale_rows}; }

@@ -55,7 +55,7 @@ void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
     vec3 base = to_linear(color.rgb);
     vec3 lit = matte(base, facing, tone);
     uint id = v_tag.y & 0x7fffffffu;
-    if (id != v_tag.y && is_in_stripe()) lit *= 0.5;
+    if (id != v_tag.y) lit = striped(lit);
     vec3 ink = base * 0.16;
     out_color = vec4(to_stored(mix(lit, ink, line)), mix(color.a, min(1.0, color.a + 0.35), line));
     out_id = id;
