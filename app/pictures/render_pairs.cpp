@@ -123,7 +123,7 @@ int run(PairsOptions& options, const Console& console) {
             const std::vector<render::AnyVolume> region =
                 render::contact_region(bodies, source.header(), frame);
             figure.pane.camera = view.camera(region);
-            view.show_small_contact(figure, region);
+            if (!options.heat) view.show_small_contact(figure, region);
             figure.center = view.center(region);
             figure.theme = style.theme;
             figure.with_panel = !options.picture.no_panel;

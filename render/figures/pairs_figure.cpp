@@ -50,9 +50,9 @@ void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
     const Rgba8 color = seen_color(ending_color(Outcome::triangles_apart, *style.theme),
                                    4 * leaf_opacity, *style.theme);
     for (std::size_t side = 0; side < 2; ++side)
-        items.emplace_back(
-            PanelLegendRow{color, "leaves of " + bodies[side].name + (side == 1 ? ", hatched" : ""),
-                           count_text(apart_leaves(frame, side).size()), "", side == 1});
+        items.emplace_back(PanelLegendRow{
+            color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
+            count_text(apart_leaves(frame, side).size()), "", side == 1});
 }
 
 }  // namespace

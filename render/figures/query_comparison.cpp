@@ -10,7 +10,7 @@
 namespace scb::render {
 namespace {
 
-constexpr int number_rows = 6, scale_rows = 4;
+constexpr int number_rows = 7, scale_rows = 4;
 
 /// "+432", "−17", "±0": an exact difference.
 std::string difference_text(std::uint64_t from, std::uint64_t to) {
@@ -51,6 +51,12 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
 void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const Theme& theme) {
     const std::size_t outlined = outline_differences(views, first_id, theme);
     for (ComparedView& view : views) view.outlined = outlined;
+}
+
+void explain_outlines(std::array<ComparedView, 2>& views) {
+    for (ComparedView& view : views)
+        if (view.outlined.value_or(0) > 0)
+            view.numbers.emplace_back(PanelNote{"outlined: shown differently"});
 }
 
 /// Outlines nodes, where these can be compared, and triangles that differ, and adds the numbers.
@@ -123,6 +129,7 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
         views[side].legend = pairs_legend(query.bodies, *query.header, *query.frame, style);
     }
     compare(views, queries, only_here, *style.theme);
+    explain_outlines(views);
     if (queries[0].header->options.stop_level >= 0) return views;
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
@@ -167,6 +174,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
     for (std::size_t side = 0; side < 2; ++side)
         for (PanelItem& item : drawn_keys(queries[side].bodies, ended[side], style))
             views[side].numbers.push_back(std::move(item));
+    explain_outlines(views);
     return views;
 }
 
@@ -185,6 +193,7 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
         views[side].legend = {heat_key(heats[side])};
     }
     compare(views, queries, only_here, theme);
+    explain_outlines(views);
     return views;
 }
 

@@ -106,7 +106,8 @@ Rgba8 backdrop_color(std::size_t side, const Theme& theme) {
 
 std::string volumes_text(std::size_t side, const std::string& name) {
     const std::string letter = side == 0 ? "A" : "B";
-    return (name == letter ? letter : letter + ": " + name) + (side == 1 ? ", hatched" : "");
+    // Names are cut at their ends.
+    return letter + (side == 1 ? ", hatched" : "") + (name == letter ? "" : ": " + name);
 }
 
 /// The triangles of the leaves at which paths ended since triangles met.
@@ -141,7 +142,7 @@ std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& 
         line.id =
             of_a ? bodies[0].first_triangle_id + pair.a : bodies[1].first_triangle_id + pair.b;
         line.color = ending_color(Outcome::triangles_meet, *style.theme);
-        line.width = 3;
+        line.width = 1.5;
         line.on_top = true;
         lines.push_back(line);
     }
@@ -208,12 +209,11 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style) {
                                      {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
     // Options are not parted from their values; where there is little room, the last is left out.
     if (style.focus < 1)
-        keys.emplace_back(
-            PanelNote{"large nodes of few paths are left out; --focus\u00a01 shows all"});
+        keys.emplace_back(PanelNote{"large nodes left out; --focus\u00a01 shows all"});
     if (style.by == NodeColor::share) return keys;
     const std::string which =
         style.by == NodeColor::dominant ? "most frequent" : std::string(node_color_names[style.by]);
-    keys.emplace_back(PanelNote{"a node's " + which + " ending; lines where triangles meet"});
+    keys.emplace_back(PanelNote{"colors: a node's " + which + " ending; lines: triangles meet"});
     return keys;
 }
 

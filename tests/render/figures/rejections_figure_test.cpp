@@ -129,7 +129,7 @@ TEST(RejectionsFigure, BodiesAreToldApart) {
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].text, "A");
     EXPECT_FALSE(rows[0].hatched);
-    EXPECT_EQ(rows[1].text, "B: lid, hatched");
+    EXPECT_EQ(rows[1].text, "B, hatched: lid");
     EXPECT_TRUE(rows[1].hatched);
     EXPECT_NE(rows[0].color, rows[1].color);
 }
@@ -278,7 +278,9 @@ TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
     for (const PanelItem& item :
          rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style)) {
         // The bodies alone.
-        if (const auto* row = std::get_if<PanelLegendRow>(&item)) EXPECT_TRUE(row->share.empty());
+        if (const auto* row = std::get_if<PanelLegendRow>(&item)) {
+            EXPECT_TRUE(row->share.empty());
+        }
         EXPECT_FALSE(std::holds_alternative<PanelKey>(item));
     }
     for (const std::vector<BarPart>& bar :
