@@ -12,8 +12,9 @@ namespace {
 
 /// Of nodes at the level at which a query stopped.
 constexpr double node_opacity = 0.3;
-/// Of leaves, many of which lie one behind the other, in front of what they are about.
-constexpr double leaf_opacity = 0.05;
+/// Of leaves. Large ones lie one behind the other, in front of what they are about: they are
+/// fainter than the body's usual ones.
+constexpr double leaf_opacity = 0.25, least_leaf_opacity = 0.05;
 
 bool stops_at_level(const TraceHeader& header) { return header.options.stop_level >= 0; }
 
@@ -35,9 +36,35 @@ std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t sid
 }
 
 void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
-                 Rgba8 color, bool hatched = false) {
+                 Rgba8 color) {
     for (const std::uint32_t node : nodes)
-        pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node, hatched});
+        pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
+}
+
+double leaf_size(const QueryBody& body, std::uint32_t node) {
+    return std::visit([&](const auto& h) { return diameter(h.volumes[node]); }, *body.hierarchy);
+}
+
+double usual_leaf_size(const QueryBody& body) {
+    const std::vector<TopologyNode>& nodes = topology_of(*body.hierarchy).nodes;
+    std::vector<double> sizes;
+    for (std::uint32_t node = 0; node < nodes.size(); ++node)
+        if (nodes[node].is_leaf()) sizes.push_back(leaf_size(body, node));
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& leaves,
+                Rgba8 color, bool hatched) {
+    const double usual = usual_leaf_size(body);
+    for (const std::uint32_t leaf : leaves) {
+        const double size = leaf_size(body, leaf), fainter = size > usual ? usual / size : 1;
+        pane.volumes.push_back(
+            {volume_of(body, leaf),
+             with_opacity(color, std::max(leaf_opacity * fainter, least_leaf_opacity)),
+             body.first_node_id + leaf, hatched});
+    }
 }
 
 /// Of lines in which triangles meet, where a body hides them.
@@ -46,9 +73,8 @@ Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
                      const TraceFrame& frame, const PairsStyle& style) {
     if (!style.leaves) return;
-    // Darker than one of them is: as a rule several overlap.
     const Rgba8 color = seen_color(ending_color(Outcome::triangles_apart, *style.theme),
-                                   4 * leaf_opacity, *style.theme);
+                                   leaf_opacity, *style.theme);
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(PanelLegendRow{
             color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
@@ -88,10 +114,8 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
             add_volumes(pane, body, side_of(frame.found.pairs, side),
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
-            add_volumes(
-                pane, body, apart_leaves(frame, side),
-                with_opacity(ending_color(Outcome::triangles_apart, *style.theme), leaf_opacity),
-                side == 1);
+            add_leaves(pane, body, apart_leaves(frame, side),
+                       ending_color(Outcome::triangles_apart, *style.theme), side == 1);
     }
     if (stops_at_level(header)) return pane;
     pane.segments = contact_segments(bodies, frame, first_pair_id);
