@@ -31,13 +31,13 @@ void draw_comparison(const QueryView& view, const render::ComparedQueries& queri
     entry["only_in_one"] = nlohmann::ordered_json::array();
     for (const std::vector<IndexPair>& pairs : only_here)
         entry["only_in_one"].push_back(pairs.size());
-    if (title == "pairs") entry["pair_ids"] = pair_ids_json(view, frames);
+    if (what == "pairs") entry["pair_ids"] = pair_ids_json(view, frames);
     entry["outlined"] = views[0].outlined ? nlohmann::ordered_json(*views[0].outlined) : nullptr;
     for (std::size_t i = 0; i < 2; ++i) {
         views[i].caption = view.labels()[i].caption;
         views[i].pane.camera = camera;
     }
-    figure.title = view.title(title);
+    figure.title = view.title(title + " compared");
     figure.subtitle = view.subtitle(frames[0]->frame);
     for (const render::ComparedView& each : views)
         pictures.explain(

@@ -1,5 +1,7 @@
 #include "app/pictures/query_view.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -16,14 +18,19 @@ double root_diameter(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy);
 }
 
-/// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or, since a
-/// volume may stick out of its parent's, all of the upper levels, below which they stick out
-/// little.
+/// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or all leaves;
+/// or, since a volume may stick out of its parent's, all of the upper levels, below which they
+/// stick out little.
 std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown) {
     constexpr int levels = 6;
     const Topology& topology = topology_of(hierarchy);
     if (shown == Shown::meshes) return level_cover(topology, levels);
     std::vector<std::uint32_t> nodes;
+    if (shown == Shown::leaves) {
+        for (std::uint32_t node = 0; node < topology.nodes.size(); ++node)
+            if (topology.nodes[node].is_leaf()) nodes.push_back(node);
+        return nodes;
+    }
     const std::vector<std::uint16_t> depths = node_depths(topology);
     for (std::uint32_t node = 0; node < depths.size(); ++node)
         if (depths[node] <= levels) nodes.push_back(node);
@@ -112,6 +119,13 @@ double QueryView::aspect() const {
     return render::aspect_of(options_.picture.layout().view);
 }
 
+double QueryView::least_radius() const {
+    const SceneQuery& query = sources_.front().query();
+    return std::min(root_diameter(query.hierarchy(query.a)),
+                    root_diameter(query.hierarchy(query.b))) /
+           50;
+}
+
 render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) const {
     if (!follows_contact() || region.empty()) return whole_;
     // Not so close that a single small triangle fills the view.
@@ -122,13 +136,34 @@ render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) c
     wish.target.reset();
     wish.distance.reset();
     wish.view_height.reset();
-    const SceneQuery& query = sources_.front().query();
-    const double smaller =
-        std::min(root_diameter(query.hierarchy(query.a)), root_diameter(query.hierarchy(query.b)));
-    wide.emplace_back(Ball{middle, smaller / 50});
+    wide.emplace_back(Ball{middle, least_radius()});
     render::Camera camera = camera_for(wish, render::support_of(wide), aspect());
     render::set_depth_range(camera, support_);
     return camera;
+}
+
+void QueryView::show_small_contact(render::SceneFigure& figure,
+                                   const std::vector<render::AnyVolume>& region) const {
+    if (follows_contact() || region.empty()) return;
+    // As if the view were so high; small is what takes an eighth of that.
+    constexpr int height = 1000, small = height / 8;
+    const int width = static_cast<int>(height * aspect());
+    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+    for (const render::AnyVolume& volume : region) {
+        const Vec3 at = render::project(figure.pane.camera, render::center(volume), width, height);
+        lower = lower.cwiseMin(at);
+        upper = upper.cwiseMax(at);
+    }
+    if (std::max(upper[0] - lower[0], upper[1] - lower[1]) > small) return;
+    render::insert_before_notes(figure.panel,
+                                {"the contact is small here: see it with --camera\u00a0contact"});
+    const Vec3 middle = render::center_of(render::support_of(region));
+    double radius = 0;
+    for (const render::AnyVolume& volume : region)
+        radius = std::max(radius, std::sqrt(squared_norm(render::center(volume) - middle)));
+    radius = std::max(1.1 * radius, least_radius());
+    figure.detail =
+        render::Detail{detail_camera(camera_view_, {middle, radius}, support_, 1), middle, radius};
 }
 
 scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {

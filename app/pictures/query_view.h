@@ -40,6 +40,10 @@ class QueryView {
     Vec3 center(const std::vector<render::AnyVolume>& region) const;
     /// The camera as a wish that leaves nothing open, see exact_camera_view.
     scenes::CameraView camera_view(const render::Camera& camera) const;
+    /// Where the contact is small in the figure's view, magnifies it, and says in the panel how to
+    /// come near.
+    void show_small_contact(render::SceneFigure& figure,
+                            const std::vector<render::AnyVolume>& region) const;
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
     const QueryViewOptions& options() const { return options_; }
@@ -69,6 +73,8 @@ class QueryView {
 
   private:
     double aspect() const;
+    /// Of a view of the contact: a single small triangle does not fill it.
+    double least_radius() const;
     /// The support over all queries and frames of what reaches so far of a body, A (0) or B (1).
     using Reach =
         std::function<double(const render::QueryBody&, std::size_t side, const Vec3& direction)>;

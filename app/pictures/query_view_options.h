@@ -15,7 +15,7 @@
 namespace scb::app {
 
 /// What of the bodies a picture shows, and a camera therefore has to hold.
-enum class Shown { nothing, meshes, volumes };
+enum class Shown { nothing, meshes, leaves, volumes };
 
 /// What every command that draws queries understands.
 struct QueryViewOptions {

@@ -20,10 +20,20 @@ struct PairsOptions : QueryViewOptions {
     std::optional<int> heat_end;
 };
 
+std::string title_of(const render::PairsStyle& style) {
+    return style.leaves ? "pairs with leaves" : "pairs";
+}
+
+std::string title_of(HeatOf heat) {
+    return "heat of " + std::string(heat == HeatOf::wasted    ? "wasted tests"
+                                    : heat == HeatOf::volumes ? "volume tests"
+                                                              : "triangle tests");
+}
+
 void describe_pairs(render::SceneFigure& figure, const QueryView& view, const QuerySource& source,
                     const TraceFrame& frame, const render::QueryBodies& bodies,
                     const render::PairsStyle& style) {
-    figure.title = view.title("pairs");
+    figure.title = view.title(title_of(style));
     figure.pane = render::pairs_pane(bodies, source.header(), frame, style, view.ids().first_free);
     figure.panel = render::pairs_panel(bodies, source.header(), frame, style);
     if (frame.found.pairs.empty())
@@ -40,7 +50,7 @@ std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
 void describe_heat(render::SceneFigure& figure, const QueryView& view, const PairsOptions& options,
                    const TraceFrame& frame, const render::QueryBodies& bodies) {
     const render::Heat heat = render::heat_of(bodies, frame, *options.heat, heat_end_of(options));
-    figure.title = view.title("heat");
+    figure.title = view.title(title_of(heat.of));
     figure.pane = render::heat_pane(bodies, heat);
     figure.panel = render::heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
@@ -67,8 +77,8 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
             views[i].remark = "no contact";
         else if (!frames[i]->found.complete)
             views[i].remark = stopped_remark(*frames[i]);
-    draw_comparison(view, queries, only_here, std::move(views), heat ? "heat" : "pairs", what,
-                    options, pictures);
+    draw_comparison(view, queries, only_here, std::move(views),
+                    heat ? title_of(*options.heat) : title_of(style), what, options, pictures);
 }
 
 int run(PairsOptions& options, const Console& console) {
@@ -79,6 +89,7 @@ int run(PairsOptions& options, const Console& console) {
     if (options.leaves && options.heat)
         throw InputError("--leaves: a heat picture has no leaves; leave out --leaves, or --heat.");
     options.named.add_if(options.leaves, "leaves");
+    if (options.leaves) options.shown = Shown::leaves;
     if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
     QuerySources sources = options.open(console);
     std::optional<render::ComparisonLayout> layout;
@@ -112,6 +123,7 @@ int run(PairsOptions& options, const Console& console) {
             const std::vector<render::AnyVolume> region =
                 render::contact_region(bodies, source.header(), frame);
             figure.pane.camera = view.camera(region);
+            if (!options.heat) view.show_small_contact(figure, region);
             figure.center = view.center(region);
             figure.theme = style.theme;
             figure.with_panel = !options.picture.no_panel;

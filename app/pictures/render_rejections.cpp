@@ -121,6 +121,13 @@ std::string filtered(std::string text, const RejectionsOptions& options) {
     return text;
 }
 
+std::string title_of(const RejectionsOptions& options) {
+    std::string title = "rejections";
+    if (options.by != RejectionsOptions{}.by)
+        title += " by " + std::string(render::node_color_names[options.by]);
+    return filtered("", options).empty() ? title : title + ", filtered";
+}
+
 NamedOptions named(const RejectionsOptions& options) {
     const RejectionsOptions usual;
     NamedOptions named;
@@ -149,14 +156,15 @@ struct Shot {
         const render::QueryBodies bodies = view.bodies(frame.frame);
         const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
         render::SceneFigure figure;
-        figure.title = view.title("rejections");
+        figure.title = view.title(title_of(options));
         figure.subtitle = filtered(view.subtitle(frame.frame), options);
-        figure.pane = render::rejections_pane(bodies, ended, style);
+        figure.pane = render::rejections_pane(bodies, frame, tree, ended, style);
         const std::vector<render::AnyVolume> region =
             render::contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
         figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
+        view.show_small_contact(figure, region);
         figure.chart = render::endings_chart(source.header(), frame, tree, style);
         figure.theme = style.theme;
         figure.with_panel = !options.picture.no_panel;
@@ -195,7 +203,7 @@ struct Shot {
                 views[i].remark = stopped_remark(*frames[i]);
             else if (rejects_roots(*frames[i]))
                 views[i].remark = "no overlap: the roots were rejected";
-        draw_comparison(view, queries, only_here, std::move(views), "rejections", "rejections",
+        draw_comparison(view, queries, only_here, std::move(views), title_of(options), "rejections",
                         options, pictures);
     }
 
@@ -214,6 +222,8 @@ struct Shot {
         const std::string result = test.test.stage == Stage::overlapping
                                        ? std::string("overlap")
                                        : "rejected at " + std::string(stage_name(test.test.stage));
+        render::insert_before_notes(
+            figure.panel, {"squares: the two nodes of test " + render::count_text(last + 1)});
         figure.remark = "test " + render::count_text(last + 1) + " of " + render::count_text(all) +
                         ": " + result;
     }

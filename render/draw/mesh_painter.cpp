@@ -97,7 +97,7 @@ MeshHandle MeshPainter::upload(const Mesh& mesh) {
 void MeshPainter::release(MeshHandle handle) { meshes_.erase(handle.index); }
 
 const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const EyeView& view,
-                                                 Rgba8 background, double opacity) {
+                                                 Rgba8 background) {
     const auto found = meshes_.find(draw.mesh.index);
     assert(found != meshes_.end() && "the mesh was uploaded to this renderer and not released");
     const GpuMesh& gpu = found->second;
@@ -125,7 +125,7 @@ const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const Eye
     program_.set("color", channel(draw.color.r), channel(draw.color.g), channel(draw.color.b), 1);
     program_.set("fade", channel(background.r), channel(background.g), channel(background.b),
                  f(draw.dim));
-    program_.set("opacity", f(opacity));
+    program_.set("shading", f(draw.shading));
     program_.set("edges", draw.edges ? 1 : 0);
     program_.set("hatched", draw.hatched ? 1 : 0);
     program_.set("first_id", draw.first_id);
@@ -163,27 +163,11 @@ void MeshPainter::draw_triangles(const std::vector<std::uint32_t>& triangles) {
 }
 
 void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
-    const GpuMesh& gpu = prepare(draw, view, background, 1);
+    const GpuMesh& gpu = prepare(draw, view, background);
     if (draw.chosen)
         draw_triangles(*draw.chosen);
     else
         gl_.DrawArrays(GL_TRIANGLES, 0, gpu.corner_count);
-}
-
-void MeshPainter::draw_shown_through(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
-    if (draw.shown_through.empty()) return;
-    constexpr double opacity = 0.4;
-    prepare(draw, view, background, opacity);
-    gl_.DepthMask(GL_FALSE);
-    gl_.DepthFunc(GL_GREATER);
-    gl_.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl_.Enable(GL_BLEND);
-    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_triangles(draw.shown_through);
-    gl_.Disable(GL_BLEND);
-    gl_.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.DepthFunc(GL_LESS);
-    gl_.DepthMask(GL_TRUE);
 }
 
 }  // namespace scb::render

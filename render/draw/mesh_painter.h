@@ -24,8 +24,6 @@ class MeshPainter {
 
     /// `background` is what a dimmed mesh fades into. Asserts that the handle is one of its own.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
-    /// Of the triangles that are to show through, what lies behind what was drawn before.
-    void draw_shown_through(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
   private:
     /// Corner by corner, in units of `scale` about `origin`, so that single precision serves meshes
@@ -40,8 +38,7 @@ class MeshPainter {
     };
 
     /// Sets what the program needs for the mesh, its colors among it.
-    const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background,
-                           double opacity);
+    const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
     /// Of the mesh that was prepared.
     void draw_triangles(const std::vector<std::uint32_t>& triangles);

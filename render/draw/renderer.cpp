@@ -143,7 +143,6 @@ struct Renderer::Parts {
         draw_meshes(pane, view, background, false);
         volumes.draw_opaque(pane.volumes, view);
         segments.draw_opaque(pane.segments, view);
-        for (const MeshDraw& mesh : pane.meshes) meshes.draw_shown_through(mesh, view, background);
         volumes.draw_translucent(pane.volumes, view);
         // Lines in which surfaces meet are hidden by what is opaque, whatever else is nearer.
         if (has_translucent(pane) && has_meeting_lines(pane)) {

@@ -116,7 +116,7 @@ void SegmentPainter::draw_over(const std::vector<Segment>& segments, const EyeVi
             seen.push_back(segment);
             hidden.push_back(segment);
             hidden.back().color = *segment.hidden_color;
-            hidden.back().width = std::min(segment.width, 1.0);
+            hidden.back().width = std::min(segment.width, 2.0);
         }
     }
     // What is hidden comes first and leaves the depths as they are: it covers nothing that is seen.

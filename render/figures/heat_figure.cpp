@@ -31,6 +31,7 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
         MeshDraw mesh = mesh_draw(bodies[side], {});
+        mesh.shading = 0.5;  // a scale is read from the colors
         for (const std::uint32_t count : heat.counts[side])
             mesh.triangle_colors.push_back(viridis(axis_position(heat.scale, count)));
         pane.meshes.push_back(std::move(mesh));

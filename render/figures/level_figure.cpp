@@ -244,13 +244,7 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
     if (!square) return picture;
     picture.panes.push_back(
         level_pane(*square, figure.detail->camera, figure.bodies, figure.level, figure.style));
-    const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
-    overlay.text(square->x, square->y - small_size(layout.unit) * 5 / 4,
-                 "detail, " + number_text(2 * figure.detail->radius) + " wide", caption);
-    overlay.frame(*square, theme.accent, std::max(1, layout.unit / 10));
-    if (const auto marker =
-            marker_of(layout.view, figure.camera, figure.detail->center, figure.detail->radius))
-        overlay.frame(*marker, theme.accent, std::max(1, layout.unit / 10));
+    draw_detail_frames(overlay, layout, *square, figure.camera, *figure.detail, theme);
     return picture;
 }
 

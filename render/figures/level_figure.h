@@ -36,13 +36,6 @@ struct LevelStyle {
     const Theme* theme = &light_theme;
 };
 
-/// A part of the scene that a smaller view magnifies.
-struct Detail {
-    Camera camera;  ///< for a square view
-    Vec3 center = Vec3::Zero();
-    double radius = 1;
-};
-
 /// A cover in numbers, per body and in all.
 struct LevelNumbers {
     std::vector<VolumeStatistics> bodies;

@@ -10,9 +10,11 @@
 namespace scb::render {
 namespace {
 
-constexpr double leaf_opacity = 0.3;
-/// Of both sides of a volume, one behind the other: what one sees.
-constexpr double seen_opacity = 1 - (1 - leaf_opacity) * (1 - leaf_opacity);
+/// Of nodes at the level at which a query stopped.
+constexpr double node_opacity = 0.3;
+/// Of leaves. Large ones lie one behind the other, in front of what they are about: they are
+/// fainter than the body's usual ones.
+constexpr double leaf_opacity = 0.25, least_leaf_opacity = 0.05;
 
 bool stops_at_level(const TraceHeader& header) { return header.options.stop_level >= 0; }
 
@@ -25,12 +27,12 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
     return indices;
 }
 
-/// The leaves that overlapped, though their triangles are apart.
-std::vector<IndexPair> apart_leaves(const TraceFrame& frame) {
+/// The leaves of one side that overlapped, though their triangles are apart.
+std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t side) {
     std::vector<IndexPair> leaves;
     for (const TriangleTest& test : frame.events.triangle_tests)
         if (!test.intersect) leaves.push_back(frame.events.volume_tests[test.after].nodes);
-    return leaves;
+    return side_of(leaves, side);
 }
 
 void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
@@ -39,19 +41,44 @@ void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint3
         pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
 }
 
-/// As a translucent volume of this color looks.
-Rgba8 seen_color(Rgba8 color, const Theme& theme) {
-    return mix(theme.background, color, seen_opacity);
+double leaf_size(const QueryBody& body, std::uint32_t node) {
+    return std::visit([&](const auto& h) { return diameter(h.volumes[node]); }, *body.hierarchy);
+}
+
+double usual_leaf_size(const QueryBody& body) {
+    const std::vector<TopologyNode>& nodes = topology_of(*body.hierarchy).nodes;
+    std::vector<double> sizes;
+    for (std::uint32_t node = 0; node < nodes.size(); ++node)
+        if (nodes[node].is_leaf()) sizes.push_back(leaf_size(body, node));
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& leaves,
+                Rgba8 color, bool hatched) {
+    const double usual = usual_leaf_size(body);
+    for (const std::uint32_t leaf : leaves) {
+        const double size = leaf_size(body, leaf), fainter = size > usual ? usual / size : 1;
+        pane.volumes.push_back(
+            {volume_of(body, leaf),
+             with_opacity(color, std::max(leaf_opacity * fainter, least_leaf_opacity)),
+             body.first_node_id + leaf, hatched});
+    }
 }
 
 /// Of lines in which triangles meet, where a body hides them.
-Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.35); }
+Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.25); }
 
-void add_leaves_key(std::vector<PanelItem>& items, const PairsStyle& style) {
-    if (style.leaves)
-        items.emplace_back(
-            PanelKey{seen_color(ending_color(Outcome::triangles_apart, *style.theme), *style.theme),
-                     "leaves that overlap"});
+void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
+                     const TraceFrame& frame, const PairsStyle& style) {
+    if (!style.leaves) return;
+    const Rgba8 color = seen_color(ending_color(Outcome::triangles_apart, *style.theme),
+                                   leaf_opacity, *style.theme);
+    for (std::size_t side = 0; side < 2; ++side)
+        items.emplace_back(PanelLegendRow{
+            color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
+            count_text(apart_leaves(frame, side).size()), "", side == 1});
 }
 
 }  // namespace
@@ -78,21 +105,17 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
         const QueryBody& body = bodies[side];
-        MeshDraw mesh = mesh_draw(body, dimmed_body_color(side, *style.theme));
-        if (!stops_at_level(header)) {
-            mesh.triangle_colors.assign(body.mesh->triangles.size(), mesh.color);
-            mesh.shown_through = side_of(frame.found.pairs, side);
-            for (const std::uint32_t triangle : mesh.shown_through)
-                mesh.triangle_colors[triangle] = body_color(side);
-        }
-        pane.meshes.push_back(std::move(mesh));
+        // Before the whole mesh, since of what coincides the first is seen.
+        if (!stops_at_level(header))
+            pane.meshes.push_back(
+                marked_triangles(body, side_of(frame.found.pairs, side), body_color(side)));
+        pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
         if (stops_at_level(header))
             add_volumes(pane, body, side_of(frame.found.pairs, side),
-                        with_opacity(body_color(side), leaf_opacity));
+                        with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
-            add_volumes(
-                pane, body, side_of(apart_leaves(frame), side),
-                with_opacity(ending_color(Outcome::triangles_apart, *style.theme), leaf_opacity));
+            add_leaves(pane, body, apart_leaves(frame, side),
+                       ending_color(Outcome::triangles_apart, *style.theme), side == 1);
     }
     if (stops_at_level(header)) return pane;
     pane.segments = contact_segments(bodies, frame, first_pair_id);
@@ -118,7 +141,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
     const bool nodes = stops_at_level(header);
     const auto shown = [&](std::size_t side) {
-        return nodes ? seen_color(body_color(side), theme) : body_color(side);
+        return nodes ? seen_color(body_color(side), node_opacity, theme) : body_color(side);
     };
     items.emplace_back(PanelRow{nodes ? "nodes" : "in pairs",
                                 {count_text(of_a.size()), count_text(of_b.size())},
@@ -136,37 +159,35 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     }
     items.emplace_back(PanelKey{theme.text, "where triangles meet"});
     items.emplace_back(PanelKey{hidden_color(theme), "hidden by a body"});
-    add_leaves_key(items, style);
-    items.emplace_back(PanelNote{
-        "strong: triangles that intersect, fainter where hidden" +
-        std::string(style.leaves ? "; leaves are shown where their triangles do not" : "")});
+    add_leaves_keys(items, bodies, frame, style);
+    items.emplace_back(PanelNote{"strong colors: triangles that intersect"});
+    if (style.leaves)
+        items.emplace_back(PanelNote{"leaves: those that overlap while their triangles are apart"});
     return items;
 }
 
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
-                                    const PairsStyle& style) {
+                                    const TraceFrame& frame, const PairsStyle& style) {
     std::vector<PanelItem> items;
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
     if (stops_at_level(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
-    add_leaves_key(items, style);
+    add_leaves_keys(items, bodies, frame, style);
     return items;
 }
 
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
                                       const TraceFrame& frame) {
     std::vector<AnyVolume> region;
+    if (!stops_at_level(header)) {
+        for (const Segment& segment : contact_segments(bodies, frame, 0))
+            for (const Vec3& end : {segment.from, segment.to}) region.push_back(Ball{end, 0});
+        return region;
+    }
     for (const IndexPair& pair : frame.found.pairs)
-        for (std::size_t side = 0; side < 2; ++side) {
-            const std::uint32_t index = side == 0 ? pair.a : pair.b;
-            if (stops_at_level(header)) {
-                region.push_back(volume_of(bodies[side], index));
-                continue;
-            }
-            for (const Vec3& corner : corners(*bodies[side].mesh, index))
-                region.push_back(Ball{transform_point(bodies[side].pose, corner), 0});
-        }
+        for (std::size_t side = 0; side < 2; ++side)
+            region.push_back(volume_of(bodies[side], side == 0 ? pair.a : pair.b));
     return region;
 }
 

@@ -18,7 +18,8 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
 
 /// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
 /// the segments in which they meet, thin and gray where a body hides them; and, if asked for,
-/// translucent, the volumes of leaves that overlapped though their triangles do not intersect. Of a
+/// translucent, those of B hatched, the volumes of leaves that overlapped though their triangles do
+/// not intersect. Of a
 /// query that stopped at a level: the volumes of the pairs of nodes. `first_pair_id` is the id of
 /// the first pair's segment.
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
@@ -30,10 +31,10 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
 
 /// What its colors mean.
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
-                                    const PairsStyle& style);
+                                    const TraceFrame& frame, const PairsStyle& style);
 
-/// The points that a camera which follows the contact has to show: the corners of the triangles
-/// that intersect, or the centers of nodes. Empty without contact.
+/// What a camera that follows the contact has to show: the ends of the segments in which triangles
+/// meet, or the volumes of nodes. Empty without contact.
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
                                       const TraceFrame& frame);
 

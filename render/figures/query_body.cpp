@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/volumes/shape.h"
@@ -50,6 +51,18 @@ MeshDraw mesh_draw(const QueryBody& body, Rgba8 color) {
     draw.color = color;
     draw.first_id = body.first_triangle_id;
     return draw;
+}
+
+MeshDraw marked_triangles(const QueryBody& body, std::vector<std::uint32_t> triangles,
+                          Rgba8 color) {
+    MeshDraw draw = mesh_draw(body, color);
+    draw.chosen = std::move(triangles);
+    draw.shading = 0.3;
+    return draw;
+}
+
+Rgba8 seen_color(Rgba8 color, double opacity, const Theme& theme) {
+    return mix(theme.background, color, 1 - (1 - opacity) * (1 - opacity));
 }
 
 }  // namespace scb::render

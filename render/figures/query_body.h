@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "render/view/fit_camera.h"
 #include "render/view/palette.h"
@@ -38,5 +39,12 @@ Rgba8 dimmed_body_color(std::size_t side, const Theme& theme);
 
 /// The body's mesh in that color, with ids.
 MeshDraw mesh_draw(const QueryBody& body, Rgba8 color);
+
+/// Of the body's mesh these triangles alone, ascending, in a color of the legend: with little light
+/// and shade.
+MeshDraw marked_triangles(const QueryBody& body, std::vector<std::uint32_t> triangles, Rgba8 color);
+
+/// As a translucent volume of this color looks: one sees both of its sides, one behind the other.
+Rgba8 seen_color(Rgba8 color, double opacity, const Theme& theme);
 
 }  // namespace scb::render

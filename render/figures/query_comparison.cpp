@@ -10,7 +10,7 @@
 namespace scb::render {
 namespace {
 
-constexpr int number_rows = 6, scale_rows = 4;
+constexpr int number_rows = 7, scale_rows = 4;
 
 /// "+432", "−17", "±0": an exact difference.
 std::string difference_text(std::uint64_t from, std::uint64_t to) {
@@ -53,6 +53,12 @@ void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const T
     for (ComparedView& view : views) view.outlined = outlined;
 }
 
+void explain_outlines(std::array<ComparedView, 2>& views) {
+    for (ComparedView& view : views)
+        if (view.outlined.value_or(0) > 0)
+            view.numbers.emplace_back(PanelNote{"outlined: shown differently"});
+}
+
 /// Outlines nodes, where these can be compared, and triangles that differ, and adds the numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
@@ -61,6 +67,15 @@ void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
            "the ids of triangles are behind those of nodes");
     outline(views, nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id, theme);
     add_numbers(views, queries, only_here);
+}
+
+/// Whether each color means the same in both.
+bool agree(const std::vector<EndingGroup>& a, const std::vector<EndingGroup>& b) {
+    return std::all_of(a.begin(), a.end(), [&](const EndingGroup& x) {
+        return std::all_of(b.begin(), b.end(), [&](const EndingGroup& y) {
+            return x.color != y.color || x.label == y.label;
+        });
+    });
 }
 
 /// Which nodes are seen in each: where they can be compared, those that either query would show.
@@ -111,9 +126,10 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
         const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
         views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, style,
                                       first_pair_id + static_cast<std::uint32_t>(before));
-        views[side].legend = pairs_legend(query.bodies, *query.header, style);
+        views[side].legend = pairs_legend(query.bodies, *query.header, *query.frame, style);
     }
     compare(views, queries, only_here, *style.theme);
+    explain_outlines(views);
     if (queries[0].header->options.stop_level >= 0) return views;
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
@@ -142,14 +158,23 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
     const std::array<EndedNodes, 2> ended = compared_nodes(queries, trees, style);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        views[side].pane = rejections_pane(query.bodies, ended[side], style);
+        views[side].pane =
+            rejections_pane(query.bodies, *query.frame, trees[side], ended[side], style);
         views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
-        if (style.by == NodeColor::share)
-            views[side].legend.push_back(node_color_keys(style).front());
+        for (PanelItem& item : node_color_keys(style))
+            views[side].legend.push_back(std::move(item));
     }
+    if (style.by != NodeColor::share &&
+        !agree(shown_groups(*queries[0].header, style), shown_groups(*queries[1].header, style)))
+        for (ComparedView& view : views)
+            insert_before_notes(view.legend, {"colors of this side: the other side's mean others"});
     // Of other volumes every node looks another way.
     if (nodes_comparable(queries)) outline(views, 1, *style.theme);
     add_numbers(views, queries, only_here);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (PanelItem& item : drawn_keys(queries[side].bodies, ended[side], style))
+            views[side].numbers.push_back(std::move(item));
+    explain_outlines(views);
     return views;
 }
 
@@ -168,6 +193,7 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
         views[side].legend = {heat_key(heats[side])};
     }
     compare(views, queries, only_here, theme);
+    explain_outlines(views);
     return views;
 }
 
@@ -182,7 +208,8 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
                                                           : shown_groups(*header, style).size());
     // The heading, which stands off.
     const int key = style.by == NodeColor::share ? scale_rows : 0;
-    return {number_rows, static_cast<int>(groups) + 2 + key};
+    constexpr int bodies = 2, notes = 2;
+    return {number_rows + bodies, static_cast<int>(groups) + 2 + key + notes};
 }
 
 ComparisonRows compared_heat_rows() { return {number_rows, scale_rows}; }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/geometry/surface_moments.h"
-#include "render/figures/body_names.h"
+#include "render/figures/pairs_figure.h"
 #include "render/plots/ending_colors.h"
 #include "scb/triangle_overlap.h"
 
@@ -100,9 +100,53 @@ bool is_shown(Outcome ending, const RejectionsStyle& style) {
 /// Meshes that are only to be guessed.
 constexpr double backdrop_dim = 0.5;
 
+Rgba8 backdrop_color(std::size_t side, const Theme& theme) {
+    return mix(dimmed_body_color(side, theme), theme.background, backdrop_dim);
+}
+
 std::string volumes_text(std::size_t side, const std::string& name) {
     const std::string letter = side == 0 ? "A" : "B";
-    return (name == letter ? letter : letter + ": " + name) + (side == 1 ? ", hatched" : "");
+    // Names are cut at their ends.
+    return letter + (side == 1 ? ", hatched" : "") + (name == letter ? "" : ": " + name);
+}
+
+/// The triangles of the leaves at which paths ended since triangles met.
+std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceFrame& frame,
+                                             const TraversalTree& tree, std::size_t side,
+                                             EndedPathsFilter filter) {
+    filter.endings = {Outcome::triangles_meet};
+    const Topology& topology = topology_of(*body.hierarchy);
+    std::vector<std::uint32_t> triangles;
+    for (const EndedPaths& leaf : ended_paths(frame, tree, side, filter))
+        triangles.push_back(topology.order[topology.nodes[leaf.node].first]);
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+/// The lines in which triangles meet, in front of all that would hide them. What a query found is
+/// the rarest of endings, and what one looks for: most of these triangles are apart from others
+/// more often.
+std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& frame,
+                                   const TraversalTree& tree, const RejectionsStyle& style) {
+    if (style.by == NodeColor::share || !is_shown(Outcome::triangles_meet, style)) return {};
+    std::array<std::vector<std::uint32_t>, 2> shown;
+    for (std::size_t side = 0; side < 2; ++side)
+        if (style.sides[side])
+            shown[side] = meeting_triangles(bodies[side], frame, tree, side, style.filter);
+    if (shown[0].empty() && shown[1].empty()) return {};
+    std::vector<Segment> lines;
+    for (Segment& line : contact_segments(bodies, frame, 0)) {
+        const IndexPair pair = frame.found.pairs[line.id];
+        const bool of_a = std::binary_search(shown[0].begin(), shown[0].end(), pair.a);
+        if (!of_a && !std::binary_search(shown[1].begin(), shown[1].end(), pair.b)) continue;
+        line.id =
+            of_a ? bodies[0].first_triangle_id + pair.a : bodies[1].first_triangle_id + pair.b;
+        line.color = ending_color(Outcome::triangles_meet, *style.theme);
+        line.width = 1.5;
+        line.on_top = true;
+        lines.push_back(line);
+    }
+    return lines;
 }
 
 }  // namespace
@@ -120,13 +164,12 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
     return ended;
 }
 
-Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
-                     const RejectionsStyle& style) {
+Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
+                     const EndedNodes& ended, const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
-        MeshDraw tested = mesh_draw(bodies[side], style.theme->mesh);
+        MeshDraw tested = marked_triangles(bodies[side], {}, style.theme->mesh);
         tested.hatched = side == 1;
-        tested.chosen.emplace();
         for (const EndedPaths& node : ended[side]) {
             const Rgba8 color = color_of(node, style.by, *style.theme);
             if (const auto triangle = tested_triangle(bodies[side], node, style.by)) {
@@ -150,6 +193,7 @@ Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
         mesh.backdrop = true;
         pane.meshes.push_back(std::move(mesh));
     }
+    pane.segments = meeting_lines(bodies, frame, tree, style);
     return pane;
 }
 
@@ -163,16 +207,13 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style) {
     if (style.by == NodeColor::share)
         keys.emplace_back(PanelScale{"color: share of a node's tests rejected",
                                      {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
+    // Options are not parted from their values; where there is little room, the last is left out.
+    if (style.focus < 1)
+        keys.emplace_back(PanelNote{"large nodes left out; --focus\u00a01 shows all"});
+    if (style.by == NodeColor::share) return keys;
     const std::string which =
         style.by == NodeColor::dominant ? "most frequent" : std::string(node_color_names[style.by]);
-    std::string left_out = style.nested ? "" : "nodes about others";
-    if (style.focus < 1)
-        left_out += (left_out.empty() ? "" : ", ") + std::string("large ones (up to ") +
-                    share_text(1 - style.focus, 1) + " of paths; --focus 1 shows all)";
-    keys.emplace_back(
-        PanelNote{(style.by == NodeColor::share ? "" : "a node's " + which + " ending; ") +
-                  "where its triangle was tested, that is drawn" +
-                  (left_out.empty() ? "" : "; left out: " + left_out)});
+    keys.emplace_back(PanelNote{"colors: a node's " + which + " ending; lines: triangles meet"});
     return keys;
 }
 
@@ -212,9 +253,23 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
     for (const EndingGroup& group : shown_groups(header, style)) {
         const std::uint64_t count = count_of(group, counts);
         if (count == 0 && group.endings.front() == Outcome::left_over) continue;
-        items.emplace_back(PanelLegendRow{group.color, std::string(group.label), count_text(count),
+        // What is left over is translucent.
+        const double opacity = opacity_of(group.color, style);
+        const Rgba8 color =
+            opacity < 1 ? seen_color(group.color, opacity, *style.theme) : group.color;
+        items.emplace_back(PanelLegendRow{color, std::string(group.label), count_text(count),
                                           share_text(static_cast<double>(count), ended)});
     }
+    return items;
+}
+
+std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& ended,
+                                  const RejectionsStyle& style) {
+    std::vector<PanelItem> items;
+    for (std::size_t side = 0; side < 2; ++side)
+        items.emplace_back(PanelLegendRow{
+            backdrop_color(side, *style.theme), volumes_text(side, bodies[side].name),
+            style.sides[side] ? count_text(ended[side].size()) : std::string("–"), "", side == 1});
     return items;
 }
 
@@ -231,11 +286,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     for (PanelItem& item : endings_legend(header, frame, tree, style))
         items.push_back(std::move(item));
     items.emplace_back(PanelHeading{"nodes drawn"});
-    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
-    for (std::size_t side = 0; side < 2; ++side)
-        items.emplace_back(
-            PanelRow{volumes_text(side, names[side]),
-                     {style.sides[side] ? count_text(ended[side].size()) : std::string("–")}});
+    for (PanelItem& item : drawn_keys(bodies, ended, style)) items.push_back(std::move(item));
     for (PanelItem& key : node_color_keys(style)) items.push_back(std::move(key));
     return items;
 }

@@ -36,9 +36,10 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
                        const TraversalTree& tree, const RejectionsStyle& style);
 
 /// Each node at which paths ended, with its ending's color, those of B hatched: as its exact
-/// volume, or, where its triangle was tested, as that; behind them faintly the meshes.
-Pane rejections_pane(const QueryBodies& bodies, const EndedNodes& ended,
-                     const RejectionsStyle& style);
+/// volume, or, where its triangle was tested, as that; behind them faintly the meshes, and before
+/// all the lines in which triangles meet.
+Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
+                     const EndedNodes& ended, const RejectionsStyle& style);
 
 /// Whether there is nothing in it but the meshes behind.
 bool shows_no_node(const Pane& pane);
@@ -53,7 +54,11 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
                                       const TraversalTree& tree, const RejectionsStyle& style);
 
-/// What the color of a node tells.
+/// Both bodies' colors, and how many nodes of each are drawn.
+std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& ended,
+                                  const RejectionsStyle& style);
+
+/// What the color of a node tells, and what is left out.
 std::vector<PanelItem> node_color_keys(const RejectionsStyle& style);
 
 /// Its numbers and legend.

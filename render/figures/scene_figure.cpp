@@ -6,11 +6,35 @@
 namespace scb::render {
 namespace {
 
+constexpr int least_bars = 5, least_bar = 3;  // how many, and how high
+
+constexpr int title_height(int small) { return small * 3 / 2; }
+
+/// The height below the panel's rows without which there is no chart.
+int least_chart(const FigureLayout& layout, const PanelChart& chart) {
+    if (chart.rows.empty() || layout.portrait) return 0;
+    return layout.unit / 2 + title_height(small_size(layout.unit)) + least_bars * least_bar;
+}
+
+/// Each `each` rows as one; all rows have the same parts.
+std::vector<std::vector<BarPart>> joined_rows(const std::vector<std::vector<BarPart>>& rows,
+                                              int each) {
+    std::vector<std::vector<BarPart>> joined;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i % static_cast<std::size_t>(each) == 0) {
+            joined.push_back(rows[i]);
+            continue;
+        }
+        for (std::size_t part = 0; part < rows[i].size(); ++part)
+            joined.back()[part].amount += rows[i][part].amount;
+    }
+    return joined;
+}
+
 // Below the panel's rows, or beside them where the panel is below the view.
 void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const Theme& theme,
                 const PanelChart& chart) {
-    const auto rows = static_cast<int>(chart.rows.size());
-    if (rows == 0) return;
+    if (chart.rows.empty()) return;
     const int unit = layout.unit, small = small_size(unit);
     PixelRect box = {layout.panel.x, below + unit / 2, layout.panel.width,
                      layout.panel.y + layout.panel.height - below - unit / 2};
@@ -19,29 +43,35 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
         box.x += layout.panel.width + unit;
         box.width = layout.view.x + layout.view.width - box.x;
     }
-    const int row_height = std::min(unit, (box.height - small * 5 / 2) / rows);
-    if (row_height < 2 || box.width < 6 * unit) return;
+    const int labels = small * 5 / 3, top = box.y + title_height(small),
+              height = box.y + box.height - top;
+    if (height < least_bars * least_bar || box.width < 6 * unit) return;
+    // Where so many bars have no room, one is of several rows.
+    const int each = (static_cast<int>(chart.rows.size()) * least_bar + height - 1) / height;
+    const std::vector<std::vector<BarPart>> bars = joined_rows(chart.rows, each);
+    const auto count = static_cast<int>(bars.size());
+    const int bar_height = std::min(unit, height / count);
     double full = 0;
-    for (const std::vector<BarPart>& row : chart.rows) {
+    for (const std::vector<BarPart>& row : bars) {
         double sum = 0;
         for (const BarPart& part : row) sum += part.amount;
         full = std::max(full, sum);
     }
     const TextStyle faint{small, FontWeight::regular, theme.faint_text};
     const TextStyle label{small, FontWeight::regular, theme.faint_text, Align::right};
-    overlay.text(box.x, box.y, chart.title, faint);
+    overlay.text(box.x, box.y,
+                 chart.title + (each > 1 ? ", " + std::to_string(each) + " each" : ""), faint);
     overlay.text(box.x + box.width, box.y, "to " + count_text(static_cast<std::uint64_t>(full)),
                  label);
-    const int labels = small * 5 / 3, top = box.y + small * 3 / 2;
-    // As many rows are labelled as there is room for.
-    const int step = row_height >= small ? 1 : row_height * 5 >= small ? 5 : 10;
-    for (int i = 0; i < rows; ++i) {
-        const int y = top + i * row_height, gap = row_height > 3 ? 1 : 0;
+    // As many bars are labelled as there is room for.
+    const int step = bar_height >= small ? 1 : bar_height * 5 >= small ? 5 : 10;
+    for (int i = 0; i < count; ++i) {
+        const int y = top + i * bar_height, gap = bar_height > 3 ? 1 : 0;
         if (i % step == 0)
-            overlay.text(box.x + labels - unit / 3, y + (row_height - small) / 2, std::to_string(i),
-                         label);
-        draw_stacked_bar(overlay, {box.x + labels, y, box.width - labels, row_height - gap},
-                         chart.rows[static_cast<std::size_t>(i)], full);
+            overlay.text(box.x + labels - unit / 3, y + (bar_height - small) / 2,
+                         std::to_string(i * each), label);
+        draw_stacked_bar(overlay, {box.x + labels, y, box.width - labels, bar_height - gap},
+                         bars[static_cast<std::size_t>(i)], full);
     }
 }
 
@@ -56,7 +86,7 @@ Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay&
             unit / 2.0 / pixels_per_unit(figure.pane.camera, marker.center, view.height);
         if (const auto square =
                 marker_of(view, figure.pane.camera, marker.center, std::max(marker.radius, least)))
-            overlay.frame(*square, theme.accent, std::max(2, unit / 8));
+            overlay.frame(*square, theme.text, std::max(2, unit / 8));
     }
     if (figure.with_panel) draw_remark(overlay, view, figure.remark, theme, unit);
     figure.pane.viewport = view;
@@ -70,12 +100,23 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
     const Theme& theme = *figure.theme;
     Picture picture{width, height, samples, theme.background, {}};
     overlay.begin();
+    int below = layout.panel.y;
     if (figure.with_panel) {
         draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
-        const int below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel);
+        below = draw_side_panel(overlay, layout.panel, theme, layout.unit, figure.panel,
+                                least_chart(layout, figure.chart));
         draw_chart(overlay, layout, below, theme, figure.chart);
     }
     picture.panes.push_back(pane_in_view(figure, layout.view, layout.unit, overlay));
+    if (!figure.detail || !figure.with_panel || !figure.chart.rows.empty()) return picture;
+    const std::optional<PixelRect> square = detail_square(layout, below);
+    if (!square) return picture;
+    Pane magnified = picture.panes.front();
+    magnified.viewport = *square;
+    magnified.camera = figure.detail->camera;
+    draw_detail_frames(overlay, layout, *square, picture.panes.front().camera, *figure.detail,
+                       theme);
+    picture.panes.push_back(std::move(magnified));
     return picture;
 }
 

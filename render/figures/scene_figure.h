@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace scb::render {
 
-/// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i.
+/// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i. Rows
+/// have the same parts; where there are too many for the room, a bar is of several rows.
 struct PanelChart {
     std::string title;
     std::vector<std::vector<BarPart>> rows;
@@ -28,7 +30,8 @@ struct SceneFigure {
     Pane pane;                   ///< its viewport is set by compose()
     Vec3 center = Vec3::Zero();  ///< where the scale bar holds
     std::vector<PanelItem> panel;
-    PanelChart chart;  ///< below the panel, where there is room
+    PanelChart chart;              ///< below the panel, where there is room
+    std::optional<Detail> detail;  ///< below the panel, where there is room and no chart
     std::vector<SceneMarker> markers;
     std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
     /// Else the view alone, with its markers: nothing that has text.

@@ -50,6 +50,17 @@ std::optional<PixelRect> detail_square(const FigureLayout& layout, int below) {
     return square;
 }
 
+void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const PixelRect& square,
+                        const Camera& camera, const Detail& detail, const Theme& theme) {
+    const int thickness = std::max(1, layout.unit / 10);
+    const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
+    overlay.text(square.x, square.y - small_size(layout.unit) * 5 / 4,
+                 "detail, " + number_text(2 * detail.radius) + " wide", caption);
+    overlay.frame(square, theme.accent, thickness);
+    if (const auto marker = marker_of(layout.view, camera, detail.center, detail.radius))
+        overlay.frame(*marker, theme.accent, thickness);
+}
+
 namespace {
 
 /// Of a title that is too long, the end of the scene's name, its first part, is cut: what the

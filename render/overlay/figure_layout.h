@@ -26,9 +26,20 @@ struct FigureLayout {
 /// Without a panel the view is the whole picture, and there is no heading.
 FigureLayout figure_layout(int width, int height, bool with_panel = true);
 
+/// A part of the scene that a smaller view magnifies.
+struct Detail {
+    Camera camera;  ///< for a square view
+    Vec3 center = Vec3::Zero();
+    double radius = 1;
+};
+
 /// Where a magnified detail can stand: below the panel's rows, which end at `below`, or beside
 /// them; nothing where there is no room.
 std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
+
+/// The frames of a detail in its square and in the view that it is a part of, and its size.
+void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const PixelRect& square,
+                        const Camera& camera, const Detail& detail, const Theme& theme);
 
 inline double aspect_of(const PixelRect& rect) {
     return static_cast<double>(rect.width) / rect.height;

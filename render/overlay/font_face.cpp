@@ -35,6 +35,14 @@ std::string_view font_file(FontWeight weight) {
     return SCB_EMBEDDED(roboto_regular);
 }
 
+/// "--frames" has two, not one long dash.
+void keep_hyphens_apart(ImFont& font) {
+    auto* hyphen = const_cast<ImFontGlyph*>(font.FindGlyphNoFallback('-'));
+    if (hyphen == nullptr || hyphen->AdvanceX + hyphen->X0 - hyphen->X1 >= 1) return;
+    hyphen->AdvanceX += 1;
+    font.IndexAdvanceX['-'] = hyphen->AdvanceX;
+}
+
 }  // namespace
 
 FontFace make_font_face(FontWeight weight, int size) {
@@ -55,6 +63,7 @@ FontFace make_font_face(FontWeight weight, int size) {
                                                  static_cast<int>(file.size()),
                                                  static_cast<float>(size), &config);
     face.atlas->Build();
+    keep_hyphens_apart(*face.font);
     face.atlas->SetTexID(reinterpret_cast<ImTextureID>(face.number));
     return face;
 }

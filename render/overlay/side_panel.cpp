@@ -1,7 +1,10 @@
 #include "render/overlay/side_panel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/scales.h"
@@ -23,6 +26,7 @@ struct PanelPainter {
     int unit;
     const std::vector<PanelItem>& items;
     int y;
+    int kept_free;
     std::map<std::size_t, std::vector<int>> ends_by_columns{};  ///< see column_ends
 
     int line_height() const { return unit * 5 / 4; }
@@ -33,7 +37,8 @@ struct PanelPainter {
 
     int least(const PanelItem& item) const {
         if (std::holds_alternative<PanelScale>(item)) return scale_height();
-        return std::holds_alternative<PanelNote>(item) ? small_size(unit) : line_height();
+        const auto* note = std::get_if<PanelNote>(&item);
+        return note == nullptr ? line_height() : note_height(note_lines(*note).size());
     }
     /// The height that the heading takes with the smallest thing that stands under it.
     int least_below(std::size_t heading) const {
@@ -45,6 +50,15 @@ struct PanelPainter {
         for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
             smallest = std::min(smallest, least(items[i]));
         return own + smallest;
+    }
+    TextStyle note_style() const {
+        return {small_size(unit), FontWeight::regular, theme.faint_text};
+    }
+    std::vector<std::string> note_lines(const PanelNote& note) const {
+        return wrapped_text(overlay, note.text, note_style(), box.width);
+    }
+    int note_height(std::size_t lines) const {
+        return static_cast<int>(lines) * (small_size(unit) * 5 / 4);
     }
     int gap() const { return y > box.y ? unit / 2 : 0; }
     int scale_height() const { return line_height() + unit * 3 / 4 + small_size(unit) + unit / 2; }
@@ -62,34 +76,38 @@ struct PanelPainter {
     std::vector<int> column_ends(std::size_t columns) const {
         // Labels take what one of at most three columns leaves.
         const int label = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
-        std::vector<int> ends = {label}, needed(columns + 1);
+        std::vector<int> ends = {label}, needed(columns + 1), numbers(columns + 1);
         for (std::size_t c = 1; c <= columns; ++c)
             ends.push_back(label +
                            (box.width - label) * static_cast<int>(c) / static_cast<int>(columns));
         for (const PanelItem& item : items) {
             const auto* row = std::get_if<PanelRow>(&item);
             if (row == nullptr || row->values.size() != columns) continue;
-            const auto need = [&](std::size_t c, const std::string& text, FontWeight weight) {
-                needed[c] = std::max(
-                    needed[c], overlay.measure(text, style(weight, theme.text)).width + unit / 4);
+            const auto need = [&](std::size_t c, const std::string& text, FontWeight weight,
+                                  bool swatch) {
+                const int width = overlay.measure(text, style(weight, theme.text)).width +
+                                  unit / 4 + (swatch ? unit * 5 / 4 : 0);
+                needed[c] = std::max(needed[c], width);
+                if (c == 0 || is_number(text)) numbers[c] = std::max(numbers[c], width);
             };
-            need(0, row->label, FontWeight::regular);
+            need(0, row->label, FontWeight::regular, false);
             for (std::size_t c = 0; c < columns; ++c)
-                if (is_number(row->values[c]))
-                    need(c + 1, row->values[c],
-                         row->strong ? FontWeight::bold : FontWeight::regular);
+                need(c + 1, row->values[c], row->strong ? FontWeight::bold : FontWeight::regular,
+                     c < row->swatches.size() && row->swatches[c].has_value());
         }
-        int sum = needed[0];
-        bool fit = true;
-        for (std::size_t c = 1; c <= columns; ++c) {
-            sum += needed[c];
-            fit &= needed[c] <= ends[c] - ends[c - 1];
+        // Where not all fits into columns of equal width, each has what it needs; or at least what
+        // its numbers need, which are never cut.
+        for (const std::vector<int>& widths : {needed, numbers}) {
+            const int sum = std::accumulate(widths.begin(), widths.end(), 0);
+            bool fit = true;
+            for (std::size_t c = 1; c <= columns; ++c) fit &= widths[c] <= ends[c] - ends[c - 1];
+            if (fit) return ends;
+            if (sum > box.width) continue;
+            const int spare = (box.width - sum) / static_cast<int>(columns + 1);
+            int end = 0;
+            for (std::size_t c = 0; c < columns; ++c) ends[c] = end += widths[c] + spare;
+            return ends;
         }
-        // Where numbers do not fit into columns of equal width, each has what it needs.
-        if (fit || sum > box.width) return ends;
-        const int spare = (box.width - sum) / static_cast<int>(columns + 1);
-        int end = 0;
-        for (std::size_t c = 0; c < columns; ++c) ends[c] = end += needed[c] + spare;
         return ends;
     }
 
@@ -132,13 +150,27 @@ struct PanelPainter {
         y += line_height();
     }
 
+    void draw_swatch(Rgba8 color, bool hatched) {
+        const PixelRect square = {box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5};
+        overlay.rectangle(square, color);
+        if (!hatched) return;
+        // As in the view: two of seven pixels.
+        const Rgba8 dark = mix(color, {0, 0, 0, 255}, 0.4);
+        for (int row = 0; row < square.height; ++row)
+            for (int column = -row % 7; column < square.width; column += 7) {
+                const int from = std::max(column, 0), to = std::min(column + 2, square.width);
+                overlay.rectangle({square.x + from, square.y + row, to - from, 1}, dark);
+            }
+    }
+
     void draw(const PanelLegendRow& row) {
         if (!fits(line_height())) return;
-        overlay.rectangle({box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5}, row.color);
+        draw_swatch(row.color, row.hatched);
         TextStyle text = style(FontWeight::regular, theme.text);
         const TextStyle value = style(FontWeight::regular, theme.text, Align::right);
         const TextStyle faint = style(FontWeight::regular, theme.faint_text, Align::right);
-        const int right = box.x + box.width, share = unit * 7 / 2, indent = unit * 5 / 4;
+        const int right = box.x + box.width, share = row.share.empty() ? 0 : unit * 7 / 2,
+                  indent = unit * 5 / 4;
         overlay.text(right, y, row.share, faint);
         overlay.text(right - share, y, row.count, value);
         const int room =
@@ -161,21 +193,26 @@ struct PanelPainter {
     }
 
     void draw(const PanelNote& note) {
-        const int small = small_size(unit);
-        const TextStyle text{small, FontWeight::regular, theme.faint_text};
-        for (const std::string& line : wrapped_text(overlay, note.text, text, box.width)) {
-            if (!fits(small)) return;
-            overlay.text(box.x, y, line, text);
-            y += small * 5 / 4;
+        const std::vector<std::string> lines = note_lines(note);
+        if (!fits(note_height(lines.size()) + kept_free)) return;
+        for (const std::string& line : lines) {
+            overlay.text(box.x, y, line, note_style());
+            y += note_height(1);
         }
     }
 };
 
 }  // namespace
 
+void insert_before_notes(std::vector<PanelItem>& items, PanelNote note) {
+    auto at = items.end();
+    while (at != items.begin() && std::holds_alternative<PanelNote>(*std::prev(at))) --at;
+    items.insert(at, std::move(note));
+}
+
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
-                    const std::vector<PanelItem>& items) {
-    PanelPainter painter{overlay, box, theme, unit, items, box.y};
+                    const std::vector<PanelItem>& items, int kept_free) {
+    PanelPainter painter{overlay, box, theme, unit, items, box.y, kept_free};
     for (std::size_t i = 0; i < items.size(); ++i) {
         // Things without their heading would be taken for those of the one above.
         if (std::holds_alternative<PanelHeading>(items[i]) &&

@@ -28,12 +28,13 @@ struct PanelKey {
     std::string text;
 };
 
-/// A color, what it means, how many there are and what share that is.
+/// A color, what it means, how many there are and what share that is, if that is said.
 struct PanelLegendRow {
     Rgba8 color;
     std::string text;
     std::string count;
     std::string share;
+    bool hatched = false;
 };
 
 /// Viridis from 0 to 1 as a bar, with labels at places between 0 and 1 below it.
@@ -42,6 +43,7 @@ struct PanelScale {
     std::vector<std::pair<double, std::string>> ticks;
 };
 
+/// Left out as a whole where it has no room.
 struct PanelNote {
     std::string text;  ///< wrapped to the width
 };
@@ -49,10 +51,13 @@ struct PanelNote {
 using PanelItem =
     std::variant<PanelHeading, PanelRow, PanelKey, PanelLegendRow, PanelScale, PanelNote>;
 
+/// Puts the note before those at the end, which are left out sooner.
+void insert_before_notes(std::vector<PanelItem>& items, PanelNote note);
+
 /// Draws the items into the box, top down; what does not fit any more is left out. A heading
-/// without room for anything of what stands under it ends the panel. Returns the y below the last
-/// one.
+/// without room for anything of what stands under it ends the panel. Notes leave the lowest
+/// `kept_free` pixels free. Returns the y below the last one.
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
-                    const std::vector<PanelItem>& items);
+                    const std::vector<PanelItem>& items, int kept_free = 0);
 
 }  // namespace scb::render

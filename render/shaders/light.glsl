@@ -12,8 +12,12 @@ vec3 matte(vec3 color, vec3 normal, float tone) {
     return (color * light + 0.03 * lit * lit) * tone;
 }
 
-// Whether the pixel is in a stripe of what is hatched.
-bool is_in_stripe() { return mod(floor((gl_FragCoord.x + gl_FragCoord.y) / line_scale), 7.0) < 2.0; }
+// What is hatched: two of seven pixels darker, the others as much lighter, so that from afar the color is the same.
+vec3 striped(vec3 light) {
+    const float dark = 0.45;
+    bool in_stripe = mod(floor((gl_FragCoord.x + gl_FragCoord.y) / line_scale), 7.0) < 2.0;
+    return light * (in_stripe ? dark : (7.0 - 2.0 * dark) / 5.0);
+}
 
 // A color of four bytes, red in the lowest.
 vec4 unpack_color(uint word) {

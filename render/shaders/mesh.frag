@@ -1,7 +1,7 @@
 uniform int edges;
 uniform int hatched;
 uniform uint first_id;
-uniform float opacity;
+uniform float shading;  // 0: no light and shade
 uniform vec4 fade;  // a color, and how far to fade into it
 
 flat in vec3 v_normal;
@@ -17,7 +17,7 @@ void main() {
     vec3 ray = orthographic != 0 ? vec3(0.0, 0.0, -1.0) : v_eye;
     vec3 facing = dot(v_normal, ray) > 0.0 ? -v_normal : v_normal;
     vec3 base = to_linear(v_color.rgb);
-    vec3 lit = matte(base, facing, 1.0);
+    vec3 lit = mix(base, matte(base, facing, 1.0), shading);
     if (edges != 0) {
         vec3 per_pixel = max(fwidth(v_corner), vec3(1e-9));
         vec3 away = v_corner / per_pixel;
@@ -27,8 +27,8 @@ void main() {
         float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
-    if (hatched != 0 && is_in_stripe()) lit *= 0.5;
-    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), opacity);
+    if (hatched != 0) lit = striped(lit);
+    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
     gl_FragDepth = buffer_depth(-v_eye.z, 0.0);
     out_id = first_id == 0u ? 0u : first_id + v_triangle;
 }

@@ -55,7 +55,7 @@ void shade(vec3 normal, vec3 ray, float tone, float line, float depth) {
     vec3 base = to_linear(color.rgb);
     vec3 lit = matte(base, facing, tone);
     uint id = v_tag.y & 0x7fffffffu;
-    if (id != v_tag.y && is_in_stripe()) lit *= 0.5;
+    if (id != v_tag.y) lit = striped(lit);
     // Darker than the surface, or lighter where that is too dark to tell.
     float luminance = dot(base, vec3(0.2126, 0.7152, 0.0722));
     vec3 ink = luminance < 0.05 ? mix(base, vec3(1.0), 0.3) : base * 0.16;

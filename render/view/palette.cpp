@@ -103,7 +103,7 @@ const Theme light_theme = {.background = {255, 255, 255},
                            .mesh = {176, 180, 186},
                            .accent = {0xD5, 0x5E, 0x00},
                            .warning = {0xB4, 0x00, 0x3C},
-                           .left_over = {0x30, 0x30, 0x30}};
+                           .left_over = {0x4B, 0x1F, 0x8A}};
 
 const Theme dark_theme = {.background = {22, 25, 30},
                           .panel = {22, 25, 30, 224},
@@ -113,6 +113,6 @@ const Theme dark_theme = {.background = {22, 25, 30},
                           .mesh = {122, 128, 136},
                           .accent = {0xF0, 0xE4, 0x42},
                           .warning = {0xFF, 0x7A, 0x90},
-                          .left_over = {236, 239, 243}};
+                          .left_over = {0xC4, 0xA6, 0xFF}};
 
 }  // namespace scb::render

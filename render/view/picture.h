@@ -31,7 +31,8 @@ struct VolumeInstance {
     Rgba8 color;
     std::uint32_t id = 0;  ///< goes into the id buffer, below 2^31; also decides between coplanar
                            ///< surfaces
-    bool hatched = false;  ///< with darker stripes: a second kind of things in the same colors
+    bool hatched =
+        false;  ///< in stripes about its color: a second kind of things in the same colors
 };
 
 /// A mesh in its place: flat shaded, both sides alike, opaque. Where a volume's surface coincides
@@ -48,9 +49,9 @@ struct MeshDraw {
     /// The triangles that are drawn, where these are not all: each index once, ascending.
     std::optional<std::vector<std::uint32_t>> chosen = std::nullopt;
     bool backdrop = false;  ///< drawn before all else, which it hides nowhere; without ids
-    /// Triangles that also show, faintly and without ids, where something opaque hides them. Each
-    /// index once, ascending.
-    std::vector<std::uint32_t> shown_through;
+    /// 0 to 1: how much of light and shade; at 0 each triangle has its color everywhere. Colors
+    /// that a legend has are to be found again.
+    double shading = 1;
 };
 
 /// A straight line in the world, of constant width in the picture. It faces the viewer at the depth
@@ -65,7 +66,7 @@ struct Segment {
     bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
     /// Of a line in which surfaces meet: it is drawn over what is translucent; and where something
     /// opaque is more than three pixels in front of it, which is more than the surfaces that meet
-    /// there are as a rule, it is one pixel wide and has this color.
+    /// there are as a rule, it is at most two pixels wide and has this color.
     std::optional<Rgba8> hidden_color = std::nullopt;
 };
 
@@ -87,11 +88,11 @@ struct Outline {
 };
 
 /// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
-/// order: meshes that are a backdrop; opaque meshes, volumes and segments by depth; what shows
-/// through these of meshes, in the order of the list; then translucent volumes from far to near (by
-/// the distance of their centers along the view axis, ties by id, then by position in the list),
-/// their back sides before their fronts; then the segments that have a color where they are hidden;
-/// then those that are on top; then the outline.
+/// order: meshes that are a backdrop; opaque meshes, volumes and segments by depth, of what
+/// coincides the first; then translucent volumes from far to near (by the distance of their centers
+/// along the view axis, ties by id, then by position in the list), their back sides before their
+/// fronts; then the segments that have a color where they are hidden; then those that are on top;
+/// then the outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;

@@ -99,7 +99,7 @@ void describe(render::SceneFigure& figure, What what, const render::QueryBodies&
     const render::RejectionsStyle style;
     const TraversalTree tree = traversal_tree(header, frame);
     const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
-    figure.pane = render::rejections_pane(bodies, ended, style);
+    figure.pane = render::rejections_pane(bodies, frame, tree, ended, style);
     figure.panel = render::rejections_panel(bodies, header, frame, tree, ended, style);
     figure.chart = render::endings_chart(header, frame, tree, style);
 }

@@ -9,35 +9,26 @@
 namespace scb::render {
 namespace {
 
-// A triangle behind a wall: faint where it is to show through, and without an id.
-TEST(MeshPainter, ShowsTrianglesThroughWhatHidesThem) {
+// Some triangles of a mesh in a color of their own, before the whole mesh.
+TEST(MeshPainter, OfWhatCoincidesTheFirstIsSeenAndFlatColorsAreTheirOwn) {
     Drawing drawing;
     Picture picture{80, 60, 1, {255, 255, 255}, {}};
     Pane& pane = picture.panes.emplace_back();
     pane.viewport = {0, 0, 80, 60};
     pane.camera = orbit_camera(0, 0, Vec3::Zero(), 5);
-    MeshDraw wall, hidden;
-    wall.mesh = hidden.mesh = drawing.renderer.upload(quad());
-    wall.color = {200, 200, 200};
-    wall.first_id = 10;
-    hidden.color = {200, 0, 0};
-    hidden.first_id = 20;
-    hidden.pose.translation = Vec3(0, 1, 0);
-    pane.meshes = {wall, hidden};
-    const Rendering without = drawing.renderer.draw(picture, nullptr, true);
-    pane.meshes[1].shown_through = {1};
-    const Rendering with = drawing.renderer.draw(picture, nullptr, true);
-    EXPECT_EQ(with.ids, without.ids);
+    MeshDraw whole, marked;
+    whole.mesh = marked.mesh = drawing.renderer.upload(quad());
+    whole.color = {200, 200, 200};
+    marked.color = {200, 90, 0};
+    marked.chosen = {1};
+    marked.shading = 0;
+    pane.meshes = {marked, whole};
+    const Image image = drawing.renderer.draw(picture).image;
     // Triangle 1 is the upper left half of the quad.
-    const Rgba8 shown = pixel(with.image, 35, 25);
-    EXPECT_NE(shown, pixel(without.image, 35, 25));
-    EXPECT_GT(shown.r, shown.g + 40);
-    EXPECT_EQ(pixel(with.image, 45, 35), pixel(without.image, 45, 35));
-    // Not where nothing hides it: the mesh itself is drawn there.
-    pane.meshes.erase(pane.meshes.begin());
-    const Rendering alone = drawing.renderer.draw(picture);
-    pane.meshes[0].shown_through.clear();
-    EXPECT_EQ(alone.image, drawing.renderer.draw(picture).image);
+    EXPECT_EQ(pixel(image, 35, 25), marked.color);
+    const Rgba8 other = pixel(image, 45, 35);
+    EXPECT_EQ(other.r, other.b);
+    EXPECT_NE(other, whole.color);
 }
 
 TEST(MeshPainter, AMeshHasAsManyCornersAsAnIntHolds) {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "render/figures/pairs_figure.h"
 #include "scb/triangle_overlap.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
@@ -78,11 +81,39 @@ TEST(RejectionsFigure, VolumesWithFewPathsForTheirSizeAreLeftOut) {
     }
 }
 
+TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
+    const Query query;
+    RejectionsStyle style;
+    const auto lines = [&] {
+        const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.tree, style);
+        return rejections_pane(query.bodies, query.frame, query.tree, ended, style).segments;
+    };
+    ASSERT_FALSE(query.frame.found.pairs.empty());
+    // Also those of triangles that are left out.
+    style.focus = 0.01;
+    EXPECT_EQ(lines().size(), query.frame.found.pairs.size());
+    for (const Segment& line : lines()) {
+        EXPECT_EQ(line.color, ending_color(Outcome::triangles_meet, light_theme));
+        EXPECT_TRUE(line.on_top);
+    }
+    style.sides = {false, true};
+    EXPECT_EQ(lines().size(), query.frame.found.pairs.size());
+    style.filter.most_depth = 1;
+    EXPECT_TRUE(lines().empty());
+    style.filter = {};
+    style.filter.endings = {Outcome::triangles_apart};
+    EXPECT_TRUE(lines().empty());
+    style.filter = {};
+    style.by = NodeColor::share;
+    EXPECT_TRUE(lines().empty());
+}
+
 TEST(RejectionsFigure, BodiesAreToldApart) {
     const Query query;
     const RejectionsStyle style;
-    const Pane pane = rejections_pane(
-        query.bodies, ended_nodes(query.bodies, query.frame, query.tree, style), style);
+    const Pane pane =
+        rejections_pane(query.bodies, query.frame, query.tree,
+                        ended_nodes(query.bodies, query.frame, query.tree, style), style);
     const std::uint32_t first_of_b = query.bodies[1].first_node_id;
     ASSERT_FALSE(pane.volumes.empty());
     EXPECT_FALSE(pane.volumes.front().hatched);
@@ -92,12 +123,15 @@ TEST(RejectionsFigure, BodiesAreToldApart) {
     EXPECT_FALSE(pane.meshes[0].hatched);
     EXPECT_TRUE(pane.meshes[1].hatched);
     EXPECT_GE(pane.volumes.back().id, first_of_b);
-    std::vector<std::string> labels;
-    for (const PanelItem& item :
-         rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style))
-        if (const auto* row = std::get_if<PanelRow>(&item)) labels.push_back(row->label);
-    EXPECT_NE(std::find(labels.begin(), labels.end(), "A"), labels.end());
-    EXPECT_NE(std::find(labels.begin(), labels.end(), "B: lid, hatched"), labels.end());
+    std::vector<PanelLegendRow> rows;
+    for (const PanelItem& item : drawn_keys(query.bodies, {}, style))
+        if (const auto* row = std::get_if<PanelLegendRow>(&item)) rows.push_back(*row);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].text, "A");
+    EXPECT_FALSE(rows[0].hatched);
+    EXPECT_EQ(rows[1].text, "B, hatched: lid");
+    EXPECT_TRUE(rows[1].hatched);
+    EXPECT_NE(rows[0].color, rows[1].color);
 }
 
 TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
@@ -105,7 +139,7 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
     RejectionsStyle style;
     style.sides = {true, false};
     const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.tree, style);
-    const Pane pane = rejections_pane(query.bodies, ended, style);
+    const Pane pane = rejections_pane(query.bodies, query.frame, query.tree, ended, style);
     std::vector<std::uint32_t> triangles;
     for (const EndedPaths& node : ended[0])
         if (query.at_triangle(node))
@@ -122,7 +156,72 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
                     color == ending_color(Outcome::triangles_meet, light_theme));
     }
     EXPECT_FALSE(shows_no_node(pane));
-    EXPECT_TRUE(shows_no_node(rejections_pane(query.bodies, {}, style)));
+    EXPECT_TRUE(shows_no_node(rejections_pane(query.bodies, query.frame, query.tree, {}, style)));
+}
+
+TEST(PairsFigure, MarksWhatIntersectsAndTheCameraHoldsTheLinesAlone) {
+    const Query query;
+    const std::vector<IndexPair>& pairs = query.frame.found.pairs;
+    ASSERT_FALSE(pairs.empty());
+    const Pane pane = pairs_pane(query.bodies, query.header, query.frame, {}, 1);
+    ASSERT_EQ(pane.meshes.size(), 4u);
+    for (const IndexPair pair : pairs)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const MeshDraw& marked = pane.meshes[2 * side];
+            EXPECT_EQ(marked.color, body_color(side));
+            ASSERT_TRUE(marked.chosen);
+            EXPECT_TRUE(std::binary_search(marked.chosen->begin(), marked.chosen->end(),
+                                           side == 0 ? pair.a : pair.b));
+            EXPECT_FALSE(pane.meshes[2 * side + 1].chosen);
+        }
+    const std::vector<AnyVolume> region = contact_region(query.bodies, query.header, query.frame);
+    ASSERT_EQ(region.size(), 2 * pairs.size());
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const TriangleCorners at = corners(query.mesh.mesh, pairs[i / 2].a);
+        const Vec3 low = at[0].cwiseMin(at[1]).cwiseMin(at[2]),
+                   high = at[0].cwiseMax(at[1]).cwiseMax(at[2]), end = center(region[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_GE(end[axis], low[axis] - 1e-9);
+            EXPECT_LE(end[axis], high[axis] + 1e-9);
+        }
+    }
+}
+
+TEST(PairsFigure, LeavesAreCountedAndThoseOfBAreHatched) {
+    const Query query;
+    PairsStyle style;
+    style.leaves = true;
+    const Pane pane = pairs_pane(query.bodies, query.header, query.frame, style, 1);
+    std::vector<PanelLegendRow> rows;
+    for (const PanelItem& item : pairs_panel(query.bodies, query.header, query.frame, style))
+        if (const auto* row = std::get_if<PanelLegendRow>(&item)) rows.push_back(*row);
+    ASSERT_EQ(rows.size(), 2u);
+    for (const bool hatched : {false, true}) {
+        const auto count = std::count_if(pane.volumes.begin(), pane.volumes.end(),
+                                         [&](const auto& v) { return v.hatched == hatched; });
+        EXPECT_GT(count, 0);
+        EXPECT_EQ(rows[hatched].hatched, hatched);
+        EXPECT_EQ(rows[hatched].count, count_text(static_cast<std::uint64_t>(count)));
+    }
+}
+
+/// How much is drawn over a picture of that chart.
+int drawn_over(int rows) {
+    SceneFigure figure;
+    figure.pane.camera = orbit_camera(0, 0, Vec3::Zero(), 5);
+    figure.panel.assign(14, PanelKey{});
+    for (int i = 0; i < rows; ++i) figure.chart.rows.push_back({{Rgba8{}, 1.0}});
+    Overlay overlay;
+    overlay.begin();
+    compose(std::move(figure), 640, 360, 1, overlay);
+    return overlay.draw_list().VtxBuffer.Size;
+}
+
+TEST(SceneFigure, ManyRowsOfAChartShareBars) {
+    // The bars of 10 rows, of 3 pixels each, and of 200 rows in bars of several each.
+    EXPECT_GT(drawn_over(10), drawn_over(0));
+    EXPECT_GT(drawn_over(200), drawn_over(0));
+    EXPECT_LT(drawn_over(200), drawn_over(0) + 40 * 8);
 }
 
 TEST(QueryBody, AMeshReachesAsFarAsItsVertices) {
@@ -177,7 +276,10 @@ TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
     style.by = NodeColor::share;
     for (const PanelItem& item :
          rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style)) {
-        EXPECT_FALSE(std::holds_alternative<PanelLegendRow>(item));
+        // The bodies alone.
+        if (const auto* row = std::get_if<PanelLegendRow>(&item)) {
+            EXPECT_TRUE(row->share.empty());
+        }
         EXPECT_FALSE(std::holds_alternative<PanelKey>(item));
     }
     for (const std::vector<BarPart>& bar :

@@ -106,7 +106,7 @@ TEST(EndingColors, OnlyWhatIsLeftOverTakesTheThemes) {
                     dark = ending_color(ending, dark_theme);
         if (ending == Outcome::left_over) {
             EXPECT_LT(light.g, 60);
-            EXPECT_GT(dark.g, 200);
+            EXPECT_GT(dark.g, light.g + 100);
         } else {
             EXPECT_EQ(light, dark) << outcome_name(ending);
         }

@@ -29,6 +29,10 @@ TEST(SidePanel, HasNoHeadingWithoutWhatStandsBelowIt) {
     EXPECT_EQ(filled(70, {PanelHeading{"a"}, PanelScale{"scale", {}}}), 0);
     // A note is small enough.
     EXPECT_EQ(filled(52, {PanelHeading{"a"}, PanelScale{"scale", {}}, PanelNote{"b"}}), 51);
+    // One of two lines is left out as a whole.
+    const PanelNote two_lines{"a note that is too long for a single line of a panel so narrow"};
+    EXPECT_EQ(filled(25 + 41, {PanelRow{"first", {}}, two_lines}), 25);
+    EXPECT_EQ(filled(25 + 42, {PanelRow{"first", {}}, two_lines}), 25 + 42);
     EXPECT_EQ(filled(30, {PanelHeading{"a"}}), 30);
 }
 

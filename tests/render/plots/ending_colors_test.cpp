@@ -57,5 +57,17 @@ TEST(EndingColors, OfSecondSlabsAreFarFromAllOthers) {
     }
 }
 
+TEST(EndingColors, WhatIsLeftOverIsSeenToBeNoBall) {
+    for (const Theme* theme : {&light_theme, &dark_theme}) {
+        const Rgba8 ball = ending_color(rejected_at(Stage::ball_ball), *theme);
+        // As it is, and as volumes have it.
+        for (const double part : {1.0, 0.36}) {
+            const Rgba8 left = mix(theme->background, theme->left_over, part);
+            for (std::size_t eye = 0; eye < 2; ++eye)
+                EXPECT_GT((seen(left)[eye] - seen(ball)[eye]).norm(), 15) << part << ' ' << eye;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scb::render
