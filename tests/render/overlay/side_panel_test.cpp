@@ -30,6 +30,11 @@ TEST(SidePanel, HasNoHeadingWithoutWhatStandsBelowIt) {
     // A note is small enough.
     EXPECT_EQ(filled(52, {PanelHeading{"a"}, PanelScale{"scale", {}}, PanelNote{"b"}}), 51);
     EXPECT_EQ(filled(30, {PanelHeading{"a"}}), 30);
+    // Heads of columns alone say nothing.
+    const std::vector<PanelItem> columns = {PanelHeading{"a"}, PanelRow{"", {"tests"}},
+                                            PanelRow{"b", {"1"}}};
+    EXPECT_EQ(filled(30 + 25 + 24, columns), 0);
+    EXPECT_EQ(filled(30 + 25 + 25, columns), 30 + 25 + 25);
 }
 
 TEST(SidePanel, LeavesOutWhatBelongsToAHeadingThatIsNotDrawn) {
