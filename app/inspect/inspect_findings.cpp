@@ -127,32 +127,11 @@ std::vector<std::string> causes(const InspectReport& report) {
     return sentences;
 }
 
-/// The setting that would have taken the fewest tests.
-std::string best_setting(const InspectReport& report) {
-    const SceneTuning& tuning = *report.settings;
-    const TuneRow &best = tuning.rows[tuning.best[0]], &base = tuning.base();
-    const std::string counted = "Of " + std::to_string(tuning.rows.size()) + " settings, ";
-    const TuneRow& cheapest = tuning.rows[tuning.least_cost];
-    std::string cost;
-    if (tuning.least_cost == 0)
-        cost = " None costs less than this one, by the operations of all tests.";
-    else if (tuning.least_cost != tuning.best[0])
-        cost =
-            " " + setting_text(cheapest.setting) +
-            " costs least, by the operations of all tests: it " +
-            change(estimated_cost(base.counts), estimated_cost(cheapest.counts), "saves", "takes") +
-            (estimated_cost(cheapest.counts) <= estimated_cost(base.counts) ? " of these."
-                                                                            : " more.");
-    if (tuning.best[0] == 0) return counted + "none takes fewer volume tests than this one." + cost;
-    std::string text =
-        counted + setting_text(best.setting) + " takes the fewest volume tests: it " +
-        change(base.counts.volume_tests, best.counts.volume_tests, "saves", "takes") + " of these";
-    if (base.counts.triangle_tests > 0)
-        text += ", and " +
-                change(base.counts.triangle_tests, best.counts.triangle_tests, "saves", "makes") +
-                (best.counts.triangle_tests <= base.counts.triangle_tests ? " of the triangle tests"
-                                                                          : " more triangle tests");
-    return text + "." + cost;
+/// What would have helped most. The table has the rest.
+std::string best_setting(const SceneTuning& tuning) {
+    std::string text = best_sentences(tuning, "the present setting").front();
+    if (!tuning.timed()) text += std::string(" Cost: ") + cost_words + ".";
+    return text;
 }
 
 }  // namespace
@@ -185,7 +164,7 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
         sentences.push_back(best_other(report));
     if (counts.wasted.volume_tests > 0)
         for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
-    if (report.settings) sentences.push_back(best_setting(report));
+    if (report.settings) sentences.push_back(best_setting(*report.settings));
     return sentences;
 }
 

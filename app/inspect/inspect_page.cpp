@@ -98,6 +98,8 @@ void set_changes(data& row, const Work& from, const Work& to) {
     row["n_p_change"] = render::change_text(from.triangle_tests, to.triangle_tests);
     row["operations"] = render::count_text(to.operations);
     row["operations_change"] = render::change_text(from.operations, to.operations);
+    row["cost"] = render::count_text(estimated_cost(to));
+    row["cost_change"] = render::change_text(estimated_cost(from), estimated_cost(to));
 }
 
 data other_rows(const InspectReport& report) {
@@ -118,12 +120,12 @@ data setting_rows(const SceneTuning& tuning) {
     const auto add = [&](std::size_t r) {
         const TuneRow& found = tuning.rows[r];
         data row;
-        row["setting"] = (r == 0 ? "as it was: " : "") + setting_text(found.setting);
+        row["setting"] = (r == 0 ? "present: " : "") + setting_text(found.setting);
+        row["best"] =
+            data(r == tuning.recommended() ? data::type::bool_true : data::type::bool_false);
         set_changes(row, tuning.base().counts, found.counts);
         row["bytes"] = format("%.0f", found.bytes_per_triangle);
-        row["ms"] = found.ms ? format("%.4f (%.4f to %.4f)", found.ms->median, found.ms->low,
-                                      found.ms->high)
-                             : std::string();
+        row["ms"] = found.ms ? interval_text(tuning, *found.ms) : std::string();
         rows << row;
     };
     add(0);
@@ -202,21 +204,32 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
     return groups;
 }
 
+/// The name of the scene; of a mesh with itself, which has it twice, the name of the mesh.
+std::string scene_words(const TraceHeader& header) {
+    const std::string &a = header.bodies[0].name, &b = header.bodies[1].name;
+    if (header.source.size() == 2 && a.ends_with("-A") && b.ends_with("-B") &&
+        a.substr(0, a.size() - 2) == b.substr(0, b.size() - 2))
+        return scenes::printable(a.substr(0, a.size() - 2)) + " with itself";
+    return scenes::printable(header.scene);
+}
+
 }  // namespace
 
 std::string inspect_title(const InspectReport& report) {
-    return scenes::printable(report.header.scene) + " · " +
+    return scene_words(report.header) + " · " +
            std::string(render::volume_title(report.header.volume)) + " · inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    std::string text = scenes::printable(header.bodies[0].name) + " and " +
-                       scenes::printable(header.bodies[1].name);
+    // What tells pictures of a scene apart comes first: the end is cut where there is no room.
+    std::string text = report.frames.size() == 1 ? "frame " + std::to_string(report.frames[0].frame)
+                                                 : std::to_string(report.frames.size()) + " frames";
     if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
-    return text + (report.frames.size() == 1
-                       ? ", frame " + std::to_string(report.frames[0].frame)
-                       : ", " + std::to_string(report.frames.size()) + " frames");
+    // The title has the names of two meshes.
+    if (header.source.size() == 2) return text;
+    return text + ", " + scenes::printable(header.bodies[0].name) + " and " +
+           scenes::printable(header.bodies[1].name);
 }
 
 std::string inspect_html(const InspectReport& report, const InspectPage& page) {
@@ -256,6 +269,8 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     if (report.settings) {
         values["settings"] = setting_rows(*report.settings);
         values["settings_words"] = settings_words(report, "sums over");
+        values["cost_words"] = cost_words;
+        values["best_words"] = best_sentences(*report.settings, "the present setting").front();
         values["use"] = report.command;
         const std::string packed = layout_sentence(*report.settings);
         if (!packed.empty()) values["packed"] = packed;

@@ -19,7 +19,7 @@ struct InspectPage {
 /// One HTML file; the pictures are files beside it.
 std::string inspect_html(const InspectReport& report, const InspectPage& page);
 
-/// "spheres-l1 · SCB · inspect", and "A and B, test symmetric, 10 frames", as UTF-8.
+/// "spheres-l1 · SCB · inspect", and "10 frames, test symmetric, A and B", as UTF-8.
 std::string inspect_title(const InspectReport& report);
 std::string inspect_subtitle(const InspectReport& report);
 

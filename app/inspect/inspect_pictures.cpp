@@ -7,6 +7,7 @@
 #include "app/explain/explain_report.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
+#include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
@@ -19,31 +20,29 @@ using Json = nlohmann::ordered_json;
 
 const std::string loose = "fit too loose";
 
-/// So many have room in the panel.
-constexpr std::size_t most_volumes = 4;
+/// So many have room in the panel, beside the recommended one.
+constexpr std::size_t most_volumes = 3;
 
-/// The best split of each volume, all else as in the base, so that volumes can be compared; the
-/// best first.
+/// The best setting of each volume, by cost, the least first; the recommended one, whose volume has
+/// no other row, is always among them.
 std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning) {
     std::vector<render::InspectedSetting> settings;
-    for (std::size_t r = 1; r < tuning.rows.size(); ++r) {
+    const std::size_t recommended = tuning.recommended();
+    const VolumeKind best = tuning.rows[recommended].setting.volume;
+    std::vector<VolumeKind> seen;
+    std::size_t others = 0;
+    for (const std::size_t r : tuning.best) {
         const TuneRow& row = tuning.rows[r];
-        TuneSetting as_base = tuning.base().setting;
-        as_base.volume = row.setting.volume;
-        as_base.split = row.setting.split;
-        if (row.misses_pairs || !(row.setting == as_base)) continue;
-        const std::string name(volume_kind_name(row.setting.volume));
-        const auto same = std::find_if(settings.begin(), settings.end(),
-                                       [&](const auto& s) { return s.name == name; });
-        if (same == settings.end())
-            settings.push_back({name, row.counts});
-        else if (estimated_cost(row.counts) < estimated_cost(same->counts))
-            same->counts = row.counts;
+        const VolumeKind kind = row.setting.volume;
+        if (r != recommended) {
+            if (kind == best || std::find(seen.begin(), seen.end(), kind) != seen.end()) continue;
+            seen.push_back(kind);
+            // What the others are compared with is no other.
+            if (r == 0 || others == most_volumes) continue;
+            ++others;
+        }
+        settings.push_back({std::string(volume_kind_name(kind)), row.counts, r == recommended});
     }
-    std::stable_sort(settings.begin(), settings.end(), [](const auto& x, const auto& y) {
-        return estimated_cost(x.counts) < estimated_cost(y.counts);
-    });
-    settings.resize(std::min(settings.size(), most_volumes));
     return settings;
 }
 
@@ -58,6 +57,7 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     if (report.settings) {
         figure.settings_from = report.settings->base().counts;
         figure.settings = best_of_volumes(*report.settings);
+        figure.best = setting_text(report.settings->rows[report.settings->recommended()].setting);
     }
     figure.theme = options.theme();
     const render::Picture picture =

@@ -20,29 +20,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string cell(std::size_t width, std::uint64_t count) {
+    return " " + right_aligned(render::count_text(count), width);
+}
+
 std::string frame_row(const std::string& name, const Inspection& i) {
-    return format("%5s %8llu %9llu %9llu %8llu %8llu %8llu %9llu %8s %9llu %8s", name.c_str(),
-                  wide(i.pairs), wide(i.counts.all.volume_tests), wide(i.counts.passed()),
-                  wide(i.counts.passed(PassReason::triangles_meet)),
-                  wide(i.counts.passed(PassReason::loose_fit)),
-                  wide(i.counts.passed(PassReason::weak_test)), wide(i.counts.wasted.volume_tests),
-                  share(i.counts.wasted.volume_tests, i.counts.all.volume_tests).c_str(),
-                  wide(i.counts.wasted.triangle_tests),
-                  share(i.counts.wasted.triangle_tests, i.counts.all.triangle_tests).c_str()) +
-           (i.counts.wrongly_rejected > 0
-                ? format("  REJECTED WRONGLY: %llu, %llu pairs missed",
-                         wide(i.counts.wrongly_rejected), wide(i.counts.missed))
+    const PassCounts& counts = i.counts;
+    return format("%5s", name.c_str()) + cell(8, i.pairs) + cell(10, counts.all.volume_tests) +
+           cell(9, counts.passed()) + cell(8, counts.passed(PassReason::triangles_meet)) +
+           cell(8, counts.passed(PassReason::loose_fit)) +
+           cell(8, counts.passed(PassReason::weak_test)) + cell(10, counts.wasted.volume_tests) +
+           format(" %8s", share(counts.wasted.volume_tests, counts.all.volume_tests).c_str()) +
+           cell(9, counts.wasted.triangle_tests) +
+           format(" %8s", share(counts.wasted.triangle_tests, counts.all.triangle_tests).c_str()) +
+           (counts.wrongly_rejected > 0
+                ? format("  REJECTED WRONGLY: %s, %s pairs missed",
+                         render::count_text(counts.wrongly_rejected).c_str(),
+                         render::count_text(counts.missed).c_str())
                 : "") +
            "\n";
 }
 
 std::string frames_text(const InspectReport& report) {
     std::string text =
-        "frame    pairs       N_v    passed     true      fit     test    wasted    share    "
-        "wasted "
-        "   share\n"
-        "                                                                   N_v   of N_v       N_p "
-        "  of N_p\n";
+        "frame    pairs        N_v    passed     true      fit     test     wasted    share    "
+        "wasted    share\n"
+        "                                                                     N_v   of N_v       "
+        "N_p   of N_p\n";
     const std::size_t rows = std::min(report.frames.size(), most_frame_rows);
     for (std::size_t i = 0; i < rows; ++i)
         text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
@@ -58,10 +62,10 @@ std::string reasons_text(const PassCounts& sum) {
         "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
     const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
         const auto r = static_cast<std::size_t>(reason);
-        text += format("%-14s %10llu %9llu", title, wide(sum.inner[r]), wide(sum.leaves[r]));
+        text += format("%-14s", title) + cell(10, sum.inner[r]) + cell(9, sum.leaves[r]);
         if (wasted != nullptr)
-            text += format(" %11llu %11llu %18llu", wide(wasted->volume_tests),
-                           wide(wasted->triangle_tests), wide(wasted->operations));
+            text += cell(11, wasted->volume_tests) + cell(11, wasted->triangle_tests) +
+                    cell(18, wasted->operations);
         text += "\n";
     };
     const Work by_fit = sum.wasted_by_fit();
@@ -76,12 +80,12 @@ std::string depths_text(const Inspection& sum) {
     for (std::size_t d = 0; d < sum.depths.size(); ++d) {
         const DepthInspection& at = sum.depths[d];
         const auto of = [&](PassReason r) { return at.passed[static_cast<std::size_t>(r)]; };
-        text += format("%5zu %9llu %9llu %8llu %8llu %8llu %9llu %8s\n", d, wide(at.tests),
-                       wide(of(PassReason::triangles_meet) + of(PassReason::loose_fit) +
-                            of(PassReason::weak_test)),
-                       wide(of(PassReason::triangles_meet)), wide(of(PassReason::loose_fit)),
-                       wide(of(PassReason::weak_test)), wide(at.wasted),
-                       share(at.wasted, at.tests).c_str());
+        text += format("%5zu", d) + cell(9, at.tests) +
+                cell(9, of(PassReason::triangles_meet) + of(PassReason::loose_fit) +
+                            of(PassReason::weak_test)) +
+                cell(8, of(PassReason::triangles_meet)) + cell(8, of(PassReason::loose_fit)) +
+                cell(8, of(PassReason::weak_test)) + cell(9, at.wasted) +
+                format(" %8s\n", share(at.wasted, at.tests).c_str());
     }
     return text + "\n";
 }
@@ -95,9 +99,10 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
     text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
     for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
-        text += format("%5d %8u %8u   %3d %3d %11llu %9llu %12llu", p.frame, p.test.nodes.a,
-                       p.test.nodes.b, p.test.depth_a, p.test.depth_b, wide(below.volume_tests),
-                       wide(below.triangle_tests), wide(below.operations));
+        text += format("%5d %8u %8u   %3d %3d", p.frame, p.test.nodes.a, p.test.nodes.b,
+                       p.test.depth_a, p.test.depth_b) +
+                cell(11, below.volume_tests) + cell(9, below.triangle_tests) +
+                cell(12, below.operations);
         text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
         text += "\n";
     }
@@ -120,16 +125,16 @@ std::string others_text(const InspectReport& report) {
     if (report.others.empty()) return "";
     const std::uint64_t weak = report.sum.counts.passed(PassReason::weak_test);
     std::string text = format(
-        "what would have caught it: of the %llu pairs that %s passed though their volumes are "
+        "what would have caught it: of the %s pairs that %s passed though their volumes are "
         "disjoint\n"
         "test                  caught       N_v                N_p           operations\n",
-        wide(weak), overlap_title(report.header.options.overlap).c_str());
+        render::count_text(weak).c_str(), overlap_title(report.header.options.overlap).c_str());
     const Work& base = report.sum.counts.all;
-    const auto changed = [](int width, std::uint64_t from, std::uint64_t to) {
-        return format(" %*llu ", width, wide(to)) + right_aligned(render::change_text(from, to), 8);
+    const auto changed = [](std::size_t width, std::uint64_t from, std::uint64_t to) {
+        return cell(width, to) + " " + right_aligned(render::change_text(from, to), 8);
     };
     for (const AlternativeTest& other : report.others)
-        text += format("%-19s %8llu", overlap_title(other.overlap).c_str(), wide(other.caught)) +
+        text += format("%-19s", overlap_title(other.overlap).c_str()) + cell(8, other.caught) +
                 changed(9, base.volume_tests, other.all.volume_tests) +
                 changed(9, base.triangle_tests, other.all.triangle_tests) +
                 changed(12, base.operations, other.all.operations) + "\n";
@@ -138,9 +143,10 @@ std::string others_text(const InspectReport& report) {
 
 std::string settings_text(const InspectReport& report) {
     if (!report.settings) return "";
-    return "\nwhat would have helped, the best first: " +
-           settings_words(report, "means per frame over") + "\n" +
-           tune_rows_text(*report.settings, most_settings) +
+    return "\nwhat would have helped, by cost, the least first: " +
+           settings_words(report, "means per frame over") + "\ncost: " + cost_words +
+           ", over that of the base, which is the present setting\n" +
+           tune_rows_text(*report.settings, most_settings, "the present setting") +
            (report.settings->timed()
                 ? ""
                 : "Packed layouts change time and memory: --time tries them.\n") +

@@ -163,8 +163,8 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         .type_name("volumes|triangles|wasted");
     command
         .add_option("--heat-end", options->heat_end,
-                    "Count at the end of the color scale. Default: the smallest power of ten that "
-                    "holds all counts")
+                    "Count at the end of the color scale. Default: the first of 1, 2 and 5 times a "
+                    "power of ten that holds all counts")
         .check(decimal_number)
         .type_name("N");
     command.footer(

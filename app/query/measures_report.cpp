@@ -62,7 +62,11 @@ std::string measures_table(const HierarchyMeasures& m) {
            format(
                "EPO %.4g +- %.1g; a line through the surface meets %.4g leaves; "
                "LCV, the standard deviation of that: %.4g +- %.1g\n",
-               m.all.epo, m.epo_error, m.leaf_count, m.lcv, m.lcv_error);
+               m.all.epo, m.epo_error, m.leaf_count, m.lcv, m.lcv_error) +
+           "solid: nodes whose points lie in no plane; tight: the volume of the hull of these "
+           "points over that of the node, their mean;\n"
+           "overlap: the volume that two siblings share over that of the smaller, the mean; "
+           "hulls, shared: sums of these volumes\n";
 }
 
 }  // namespace scb::app

@@ -1,5 +1,6 @@
 #include "app/query/stats_report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
@@ -23,7 +24,11 @@ std::string rules_text(const LevelStatistics& level) {
     return text;
 }
 
-std::string vector_text(const Vec3& v) { return format("%.6g, %.6g, %.6g", v[0], v[1], v[2]); }
+/// Of a box with that diagonal, beside which rounding errors are 0.
+std::string vector_text(const Vec3& v, double diagonal) {
+    const auto rounded = [&](double x) { return std::abs(x) <= 1e-12 * diagonal ? 0 : x; };
+    return format("%.6g, %.6g, %.6g", rounded(v[0]), rounded(v[1]), rounded(v[2]));
+}
 
 std::string share_text(std::size_t part, std::size_t whole) {
     return format("%.1f %%", 100 * ratio(static_cast<double>(part), static_cast<double>(whole)));
@@ -44,9 +49,12 @@ std::string slenderness_text(const MeshFacts& f) {
 }
 
 std::string facts_text(const MeshFacts& f) {
-    std::string text = "box          " + vector_text(f.box.lower) + " to " +
-                       vector_text(f.box.upper) + "; size " +
-                       vector_text(f.box.upper - f.box.lower) + "\n" + "surface      " +
+    const Vec3 size = f.box.upper - f.box.lower;
+    const auto vector = [diagonal = size.norm()](const Vec3& v) {
+        return vector_text(v, diagonal);
+    };
+    std::string text = "box          " + vector(f.box.lower) + " to " + vector(f.box.upper) +
+                       "; size " + vector(size) + "\n" + "surface      " +
                        (f.closed() ? "closed"
                                    : format("open: %zu edges of one triangle, %zu of more than two",
                                             f.open_edges, f.crowded_edges)) +

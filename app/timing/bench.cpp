@@ -9,12 +9,14 @@
 #include "app/cli/open_file.h"
 #include "app/cli/progress.h"
 #include "app/cli/version.h"
+#include "app/pictures/picture_name.h"
 #include "app/pictures/picture_texts.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/correlation_report.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -107,9 +109,27 @@ struct Report {
     }
 };
 
-constexpr const char *correlation_csv_file = "measures.csv", *correlation_picture = "measures.png";
+/// Where the files of a run are: those of another pose, and of other bodies, are others.
+struct BenchFiles {
+    NamedOptions named;
 
-std::string bench_picture_name(const scenes::Scene& scene) { return scene.name + "_bench.png"; }
+    explicit BenchFiles(const BenchCommandOptions& options) {
+        named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
+        name_pose(named, options.scene.pose);
+    }
+    std::string picture(const scenes::Scene& scene) const {
+        return picture_name(scene.name, "bench", named, "") + ".png";
+    }
+    std::string of_all(const char* name, const char* ending) const {
+        return name + named.text() + ending;
+    }
+};
+
+/// Behind the name of the scene in a title: where B is, which tells poses of one rotation apart.
+std::string place_words(const std::vector<double>& pose) {
+    if (pose.empty()) return "";
+    return format(" · B at %.4g, %.4g, %.4g", pose[3], pose[7], pose[11]);
+}
 
 int run(const BenchCommandOptions& options, const Console& console) {
     BenchOptions bench_options;
@@ -143,13 +163,18 @@ int run(const BenchCommandOptions& options, const Console& console) {
             }
 
     const bool writes = !options.picture.output.empty();
+    const BenchFiles files(options);
+    const std::string csv_file = files.of_all("bench", ".csv"),
+                      json_file = files.of_all("bench", ".json"),
+                      measures_csv = files.of_all("measures", ".csv"),
+                      measures_picture = files.of_all("measures", ".png");
     if (writes) {
-        std::vector<std::string> files = {"bench.csv", "bench.json"};
+        std::vector<std::string> written = {csv_file, json_file};
         if (options.measures)
-            for (const char* file : {correlation_csv_file, correlation_picture})
-                files.push_back(file);
-        for (const Entry& entry : all) files.push_back(bench_picture_name(entry.scene));
-        for (const std::string& file : files)
+            for (const std::string& file : {measures_csv, measures_picture})
+                written.push_back(file);
+        for (const Entry& entry : all) written.push_back(files.picture(entry.scene));
+        for (const std::string& file : written)
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     }
     std::filesystem::path folder;
@@ -205,14 +230,16 @@ int run(const BenchCommandOptions& options, const Console& console) {
         report.csv += bench_csv(*bench);
         report.scenes.push_back(bench_json(*bench));
         if (!writes) return true;
-        draw(bench_figure(*bench), bench_picture_name(entry.scene), entry.scene.name);
+        render::BenchFigure figure = bench_figure(*bench);
+        figure.scene += place_words(options.scene.pose);
+        draw(std::move(figure), files.picture(entry.scene), entry.scene.name);
         if (report.correlation) {
-            draw(report.correlation->figure(), correlation_picture, scene_names());
-            render::write_file_whole(folder / correlation_csv_file,
+            draw(report.correlation->figure(), measures_picture, scene_names());
+            render::write_file_whole(folder / measures_csv,
                                      correlation_csv_header() + report.correlation->csv);
         }
-        render::write_file_whole(folder / "bench.csv", report.csv);
-        render::write_file_whole(folder / "bench.json", json());
+        render::write_file_whole(folder / csv_file, report.csv);
+        render::write_file_whole(folder / json_file, json());
         return true;
     };
     // What was measured is printed also where the rest fails.
@@ -230,7 +257,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         print_result(report.text() + "\n" + conditions(options, bench_options) + "\n");
     if (failure) std::rethrow_exception(failure);
     if (options.picture.open && !report.scenes.empty())
-        open_file(all.size() == 1 ? folder / bench_picture_name(all[0].scene) : folder, console);
+        open_file(all.size() == 1 ? folder / files.picture(all[0].scene) : folder, console);
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");

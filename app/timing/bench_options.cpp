@@ -116,7 +116,10 @@ std::string conditions(const BenchCommandOptions& options, const BenchOptions& b
     // Where there are several, names say it.
     if (splits.size() == 1) build.split = splits[0];
     const std::string built = build_sentence(build);
-    return (built.empty() ? "" : built + " ") +
+    std::string pose;
+    for (const double number : options.scene.pose)
+        pose += (pose.empty() ? "" : ",") + exact_number(number);
+    return (built.empty() ? "" : built + " ") + (pose.empty() ? "" : "Pose of B: " + pose + ". ") +
            std::string(options.warm ? "Warm: each hierarchy runs through all frames."
                                     : "Cold: at each frame the hierarchies take turns.") +
            (!shared ? std::string(" One thread, processor time; ")

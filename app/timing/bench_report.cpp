@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/timing/table_3.h"
 #include "core/analysis/measure_correlation.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "render/overlay/figure_layout.h"
 
 namespace scb::app {
 namespace {
@@ -40,6 +42,13 @@ std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
                   entry->n_p);
 }
 
+std::string count_cell(std::size_t width, const std::vector<std::uint64_t>& counts) {
+    return " " + right_aligned(render::mean_text(
+                                   std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}),
+                                   counts.size()),
+                               width - 1);
+}
+
 /// The share of queries that began at the front of an earlier one.
 std::string front_cell(const SubjectBench& subject) {
     return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
@@ -62,10 +71,11 @@ std::string pairs_text(const SceneBench& bench) {
 std::string bench_table(const SceneBench& bench) {
     const SubjectBench* scb = first_scb(bench);
     const bool in_paper = paper_entry(bench, VolumeKind::scb).has_value();
-    std::string text =
-        bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
-        format(", %zu and %zu triangles, %zu frame%s\n", bench.triangles[0], bench.triangles[1],
-               bench.frames.size(), bench.frames.size() == 1 ? "" : "s");
+    std::string text = bench.scene + ": " + bench.bodies[0] + " and " + bench.bodies[1] +
+                       format(", %s and %s triangles, %zu frame%s\n",
+                              render::count_text(bench.triangles[0]).c_str(),
+                              render::count_text(bench.triangles[1]).c_str(), bench.frames.size(),
+                              bench.frames.size() == 1 ? "" : "s");
     std::size_t width = 16;
     for (const SubjectBench& subject : bench.subjects)
         width = std::max(width, subject.subject.title().size());
@@ -74,7 +84,7 @@ std::string bench_table(const SceneBench& bench) {
         std::any_of(bench.subjects.begin(), bench.subjects.end(),
                     [](const SubjectBench& subject) { return subject.subject.coherent; });
     text += format("  %-*s", column, "hierarchy");
-    text += "       ms    / SCB        N_v       N_p     pairs   ns/N_v  bytes";
+    text += "       ms    / SCB         N_v        N_p      pairs   ns/N_v  bytes";
     if (coherent) text += "   front";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
@@ -82,7 +92,8 @@ std::string bench_table(const SceneBench& bench) {
         text += format("  %-*s %8.4f", column, subject.subject.title().c_str(), ms) +
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
-                format(" %10.1f %9.1f %9.1f", n_v, mean(subject.n_p), mean(subject.pairs)) +
+                count_cell(11, subject.n_v) + count_cell(11, subject.n_p) +
+                count_cell(11, subject.pairs) +
                 (n_v > 0 ? format(" %8.1f", 1e6 * ms / n_v) : "        -") +
                 format(" %6.1f", subject.bytes_per_triangle) +
                 (coherent ? front_cell(subject) : "") +
@@ -118,9 +129,17 @@ std::string BenchCosts::table() const {
                queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s") +
         format("  %-*s", column, "hierarchy") +
         "  C_v ns  C_p ns  C_u ns   volumes triangles    moves    error\n";
+    std::vector<CostEquation> equations;
+    for (const auto& of_subject : samples) equations.push_back(fit_cost_equation(of_subject));
+    if (std::none_of(equations.begin(), equations.end(),
+                     [](const CostEquation& costs) { return costs.determined; }))
+        return format(
+            "Equation 1, T = N_v C_v + N_p C_p + N_u C_u: %zu quer%s of %zu scene%s "
+            "cannot tell its costs apart; time more frames or other scenes.\n",
+            queries, queries == 1 ? "y" : "ies", scenes, scenes == 1 ? "" : "s");
     bool doubtful = false, without_moves = false, none = false;
     for (std::size_t s = 0; s < samples.size(); ++s) {
-        const CostEquation costs = fit_cost_equation(samples[s]);
+        const CostEquation& costs = equations[s];
         text += format("  %-*s", column, titles[s].c_str());
         if (!costs.determined) {
             text += "       -       -       -         -         -        -        -\n";

@@ -74,10 +74,11 @@ std::string conditions(const TuneCommandOptions& options, const SceneTuning& tun
            (options.repeats == 1 ? " run" : " runs") + " over " + std::to_string(frames) +
            (frames == 1 ? " frame" : " frames") +
            ", in which the settings take turns, each after an untimed query of the same nodes; one "
-           "thread, processor time, sorting the pairs included. The interval is from the least to "
-           "the most of the runs; where two intervals meet, no difference was measured. Compiled "
-           "by " +
-           compiler_text() +
+           "thread, processor time, sorting the pairs included. " +
+           (options.repeats == 1 ? ""
+                                 : "The interval is from the least to the most of the runs; where "
+                                   "two intervals meet, no difference was measured. ") +
+           "Compiled by " + compiler_text() +
            ". Times differ from machine to machine and from run to run; counts do not.";
 }
 
@@ -247,10 +248,12 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "for volumes and splits that come near\n"
         "the best, everything that can be chosen. Counts are the same on every machine. Then it "
         "tries packed layouts\n"
-        "of the best, and times these, the base and the best. operations:\n"
-        "arithmetic operations of the volume tests (Table 1 of the paper). B/tri: bytes of the "
-        "hierarchies per triangle. The printed\n"
-        "test misses pairs and is never best. Ctrl-C stops it, with exit status 130.\n\n"
+        "of the best, and times these, the base and the best. The best is the quickest of those "
+        "timed, with --no-time the one with\n"
+        "the least cost: operations of the volume tests (Table 1 of the paper) and 900 for each "
+        "triangle test. B/tri: bytes of the\n"
+        "hierarchies per triangle. The printed test misses pairs and is never best. Ctrl-C stops "
+        "it, with exit status 130.\n\n"
         "Examples:\n"
         "  scb tune spheres-l1 -o out/\n"
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"

@@ -6,6 +6,7 @@
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "render/overlay/figure_layout.h"
 #include "scb/packed_hierarchy.h"
 
 namespace scb::app {
@@ -23,14 +24,16 @@ std::string packed_text(const TuneSetting& s) {
 
 std::string row_text(const SceneTuning& tuning, const TuneLayout& layout) {
     const Work& unpacked = tuning.rows[layout.row].counts;
-    std::string line = format(
-        "  %-10s  %4d %11.1f %9.3f %10.1f %9.3f %7.0f", packed_layout_name(layout.layout).c_str(),
-        layout.layout.leaf_triangles, tuning.mean(layout.n_v),
-        multiple_of(layout.n_v, unpacked.volume_tests), tuning.mean(layout.n_p),
-        multiple_of(layout.n_p, unpacked.triangle_tests), layout.bytes_per_triangle);
-    if (layout.ms)
-        line += format(" %9.1f  %8.4f [%.4f, %.4f]", layout.build_ms, layout.ms->median,
-                       layout.ms->low, layout.ms->high);
+    const auto mean = [&](std::uint64_t sum) {
+        return right_aligned(render::mean_text(sum, tuning.frames.size()), 12);
+    };
+    std::string line =
+        format("  %-10s  %4d", packed_layout_name(layout.layout).c_str(),
+               layout.layout.leaf_triangles) +
+        mean(layout.n_v) + format(" %9.3f", multiple_of(layout.n_v, unpacked.volume_tests)) +
+        mean(layout.n_p) + format(" %9.3f", multiple_of(layout.n_p, unpacked.triangle_tests)) +
+        format(" %7.0f", layout.bytes_per_triangle);
+    if (layout.ms) line += format(" %9.1f  ", layout.build_ms) + interval_text(tuning, *layout.ms);
     return line + (layout.misses_pairs ? "  misses pairs" : "") + "\n";
 }
 
@@ -61,18 +64,21 @@ std::string layout_sentence(const SceneTuning& tuning) {
     if (!tuning.timed() || tuning.layouts.empty()) return "";
     const std::string unpacked = setting_text(tuning.rows[tuning.least_time].setting);
     if (!tuning.quicker_layout)
-        return "No packed layout is measurably quicker than " + unpacked + ".";
+        return std::string("No packed layout is ") + (tuning.runs == 1 ? "" : "measurably ") +
+               "quicker than " + unpacked + ".";
     const TuneLayout& best = tuning.layouts[*tuning.quicker_layout];
     std::size_t alike = 0;
     for (const TuneLayout& other : tuning.layouts) alike += !apart(*other.ms, *best.ms);
-    return "Least time packed: " + layout_text(tuning, best) +
+    return "Best packed: " + layout_text(tuning, best) +
            format(", %.2f of that of ",
                   ratio(best.ms->median, tuning.rows[tuning.least_time].ms->median, 1)) +
            unpacked +
-           (alike > 1 ? format("; of %zu layouts between which no difference was measured the one "
-                               "with the least memory",
-                               alike)
-                      : std::string()) +
+           (tuning.runs == 1 ? std::string("; one run")
+            : alike > 1
+                ? format("; of %zu layouts between which no difference was measured the one "
+                         "with the least memory",
+                         alike)
+                : std::string()) +
            ".";
 }
 
@@ -85,8 +91,11 @@ std::string layout_rows_text(const SceneTuning& tuning, std::size_t most) {
         if (i + 1 < tuning.layouts.size() && tuning.layouts[i + 1].row == layout.row) continue;
         text += "\n" + packed_text(tuning.rows[layout.row].setting) +
                 ", packed: N_v and N_p over those unpacked\n"
-                "  layout      leaf         N_v /unpacked        N_p /unpacked   B/tri" +
-                (tuning.timed() ? "  build ms        ms [least, most]" : "") + "\n";
+                "  layout      leaf         N_v /unpacked         N_p /unpacked   B/tri" +
+                (!tuning.timed()    ? ""
+                 : tuning.runs == 1 ? "  build ms  ms, one run"
+                                    : "  build ms      ms [least, most]") +
+                "\n";
         if (tuning.timed()) {
             std::stable_sort(of_row.begin(), of_row.end(),
                              [](const TuneLayout* x, const TuneLayout* y) {

@@ -8,6 +8,7 @@
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
+#include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
@@ -30,56 +31,84 @@ std::string setting_columns(const TuneSetting& s) {
                   has_growth(s.volume) ? std::string(ball_growth_name(s.growth)).c_str() : "");
 }
 
+/// The place where a mark says which row is the base, and which one is recommended.
+std::string mark(const SceneTuning& tuning, std::size_t r) {
+    return std::string(r == 0 ? "  base" : "") + (r == tuning.recommended() ? "  best" : "");
+}
+
+double cost_of_base(const SceneTuning& tuning, std::size_t r) {
+    return multiple_of(estimated_cost(tuning.rows[r].counts), estimated_cost(tuning.base().counts));
+}
+
 std::string table_row(const SceneTuning& tuning, std::size_t r) {
     const TuneRow &row = tuning.rows[r], &base = tuning.base();
+    const auto mean = [&](int width, std::uint64_t sum) {
+        return right_aligned(render::mean_text(sum, tuning.frames.size()), width);
+    };
     std::string line =
-        setting_columns(row.setting) +
-        format(" %11.1f %6.3f %10.1f %6.3f %13.1f %6.3f %7.0f",
-               tuning.mean(row.counts.volume_tests),
-               multiple_of(row.counts.volume_tests, base.counts.volume_tests),
-               tuning.mean(row.counts.triangle_tests),
-               multiple_of(row.counts.triangle_tests, base.counts.triangle_tests),
-               tuning.mean(row.counts.operations),
-               multiple_of(row.counts.operations, base.counts.operations), row.bytes_per_triangle);
+        setting_columns(row.setting) + mean(12, row.counts.volume_tests) +
+        format(" %6.3f", multiple_of(row.counts.volume_tests, base.counts.volume_tests)) +
+        mean(12, row.counts.triangle_tests) +
+        format(" %6.3f", multiple_of(row.counts.triangle_tests, base.counts.triangle_tests)) +
+        mean(15, row.counts.operations) +
+        format(" %7.3f %7.0f", cost_of_base(tuning, r), row.bytes_per_triangle);
     if (tuning.timed()) line += format(" %9.1f", row.build_ms);
-    if (row.ms) line += format("  %8.4f [%.4f, %.4f]", row.ms->median, row.ms->low, row.ms->high);
+    if (row.ms) line += "  " + interval_text(tuning, *row.ms);
     if (row.misses_pairs) line += "  misses pairs";
     if (const std::size_t equal = tuning.equals(r); equal > 0)
         line += format("  and %zu equal", equal);
-    return line + "\n";
+    return line + mark(tuning, r) + "\n";
 }
 
-std::string best_line(const SceneTuning& tuning, const char* what, std::size_t best, double share) {
-    std::string line = std::string(what) + ": " + setting_text(tuning.rows[best].setting);
-    if (best == 0) return line + ", the base.\n";
-    return line + format(", %.3f of the base's.\n", share);
+/// "0.047 of the cost of the base (-95.3 %)".
+std::string cost_text(const SceneTuning& tuning, std::size_t r, const std::string& base) {
+    return format("%.3f of the cost of ", cost_of_base(tuning, r)) + base + " (" +
+           render::change_text(estimated_cost(tuning.base().counts),
+                               estimated_cost(tuning.rows[r].counts)) +
+           ")";
 }
 
-std::string time_line(const SceneTuning& tuning) {
-    const TuneRow &row = tuning.rows[tuning.least_time], &base = tuning.base();
-    std::string line = "Least time: " + setting_text(row.setting);
-    line += tuning.least_time == 0
-                ? ", the base"
-                : format(", %.2f of the base's", ratio(row.ms->median, base.ms->median, 1));
+/// Which differences between the times of the best and of others are none.
+std::string alike_text(const SceneTuning& tuning) {
+    if (tuning.runs == 1)
+        return "; one run, which cannot tell small differences from none: --repeat 5 can";
+    const TuneRow& best = tuning.rows[tuning.least_time];
     std::size_t alike = 0;
     for (const TuneRow& other : tuning.rows)
-        alike += &other != &row && other.ms && !apart(*other.ms, *row.ms);
-    if (alike > 0)
-        line += format("; no measurable difference from %zu other%s of those timed", alike,
-                       alike == 1 ? "" : "s");
-    return line + ".\n";
+        alike += &other != &best && other.ms && !apart(*other.ms, *best.ms);
+    if (alike == 0) return "";
+    return format("; no measurable difference from %zu other%s of those timed", alike,
+                  alike == 1 ? "" : "s");
 }
 
-/// "scb2, cost, area": the volume, and what is not as by default, as a bar has room for.
+std::string best_text(const SceneTuning& tuning, const std::string& base) {
+    const std::size_t best = tuning.recommended();
+    const TuneRow& row = tuning.rows[best];
+    std::string text = "Best of " + std::to_string(tuning.rows.size()) + " settings: ";
+    if (best == 0) text += base + ", ";
+    text += setting_text(row.setting);
+    if (!tuning.timed())
+        return text +
+               (best == 0 ? ": none costs less." : ", with " + cost_text(tuning, best, base) + ".");
+    const TimeInterval &ms = *row.ms, &of_base = *tuning.base().ms;
+    text += best == 0 ? std::string(": of those timed none is measurably quicker, ")
+                      : format(", with %.2f of the time of ", ratio(ms.median, of_base.median, 1)) +
+                            base + ", ";
+    text += interval_text(tuning, ms) + " ms";
+    if (best != 0) text += " against " + interval_text(tuning, of_base);
+    return text + alike_text(tuning) + ".";
+}
+
+/// "scb2, split cost, descent area": the volume, and what is not as by default.
 std::string bar_name(const TuneSetting& s) {
     const TuneSetting usual;
     std::string name(volume_kind_name(s.volume));
     const auto add = [&](bool is, const std::string& part) {
         if (is) name += ", " + part;
     };
-    add(s.split != usual.split, std::string(split_method_name(s.split)));
+    add(s.split != usual.split, "split " + std::string(split_method_name(s.split)));
     add(has_tests(s) && s.overlap.test != usual.overlap.test, overlap_title(s.overlap));
-    add(s.descent != usual.descent, std::string(descent_rule_name(s.descent)));
+    add(s.descent != usual.descent, "descent " + std::string(descent_rule_name(s.descent)));
     add(has_growth(s.volume) && s.growth != usual.growth,
         "growth " + std::string(ball_growth_name(s.growth)));
     return name;
@@ -121,36 +150,62 @@ std::string setting_text(const TuneSetting& s) {
            (has_growth(s.volume) ? ", growth " + std::string(ball_growth_name(s.growth)) : "");
 }
 
-std::string tune_rows_text(const SceneTuning& tuning, std::size_t most) {
+std::string interval_text(const SceneTuning& tuning, const TimeInterval& ms) {
+    return tuning.runs == 1 ? format("%.4f", ms.median)
+                            : format("%.4f [%.4f, %.4f]", ms.median, ms.low, ms.high);
+}
+
+std::vector<std::string> best_sentences(const SceneTuning& tuning, const std::string& base) {
+    std::vector<std::string> sentences = {best_text(tuning, base)};
+    const std::size_t recommended = tuning.recommended(), cheapest = tuning.best[0],
+                      fewest = tuning.fewest_tests;
+    const auto time = [&](std::size_t r) {
+        const TuneRow& row = tuning.rows[r];
+        return row.ms ? format(", and %.2f of its time",
+                               ratio(row.ms->median, tuning.base().ms->median, 1))
+                      : std::string();
+    };
+    if (cheapest != recommended)
+        sentences.push_back("Least cost: " +
+                            (cheapest == 0
+                                 ? base + "."
+                                 : setting_text(tuning.rows[cheapest].setting) + ", with " +
+                                       cost_text(tuning, cheapest, base) + time(cheapest) + "."));
+    if (fewest != recommended && fewest != cheapest && fewest != 0)
+        sentences.push_back(
+            "Fewest volume tests: " + setting_text(tuning.rows[fewest].setting) +
+            format(", %.3f of those of ", multiple_of(tuning.rows[fewest].counts.volume_tests,
+                                                      tuning.base().counts.volume_tests)) +
+            base + ", but with " + cost_text(tuning, fewest, base) + time(fewest) + ".");
+    return sentences;
+}
+
+std::string tune_rows_text(const SceneTuning& tuning, std::size_t most, const std::string& base) {
     std::string text =
-        "  volume      split  test              descent      growth         N_v  /base        N_p  "
-        "/base    operations  /base    B/tri";
-    if (tuning.timed()) text += "  build ms        ms [least, most]";
+        "  volume      split  test              descent      growth          N_v  /base         "
+        "N_p  /base     operations    cost   B/tri";
+    if (tuning.timed())
+        text += tuning.runs == 1 ? "  build ms  ms, one run" : "  build ms      ms [least, most]";
     text += "\n" + table_row(tuning, 0);
     const std::vector<std::size_t> listed = tuning.listed(most);
-    for (const std::size_t r : listed) text += table_row(tuning, r);
-    // What the sentences below speak of, and what was timed.
+    // Also what the sentences below speak of, and what was timed.
     for (const std::size_t r : tuning.best)
-        if (r != 0 && std::find(listed.begin(), listed.end(), r) == listed.end() &&
-            (tuning.rows[r].ms || r == tuning.fewest_operations))
+        if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
+                       tuning.rows[r].ms || r == tuning.fewest_tests))
             text += table_row(tuning, r);
-    return text + "\n" +
-           best_line(tuning, "Fewest volume tests", tuning.best[0],
-                     multiple_of(tuning.rows[tuning.best[0]].counts.volume_tests,
-                                 tuning.base().counts.volume_tests)) +
-           best_line(tuning, "Fewest operations", tuning.fewest_operations,
-                     multiple_of(tuning.rows[tuning.fewest_operations].counts.operations,
-                                 tuning.base().counts.operations)) +
-           (tuning.timed() ? time_line(tuning) : "") + layout_rows_text(tuning, most);
+    text += "\n";
+    for (const std::string& sentence : best_sentences(tuning, base)) text += sentence + "\n";
+    return text + layout_rows_text(tuning, most);
 }
 
 std::string tune_table(const SceneTuning& tuning) {
     return tuning.scene + ": " + tuning.bodies[0] + " and " + tuning.bodies[1] +
-           format(", %zu and %zu triangles, ", tuning.triangles[0], tuning.triangles[1]) +
+           format(", %s and %s triangles, ", render::count_text(tuning.triangles[0]).c_str(),
+                  render::count_text(tuning.triangles[1]).c_str()) +
            render::frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
-           format("%s counted: the base, then the best first (by N_v, then N_p, then operations)\n",
-                  count_text(tuning.rows.size(), " setting", " settings").c_str()) +
-           tune_rows_text(tuning, most_table_rows);
+           count_text(tuning.rows.size(), " setting", " settings") +
+           " counted: the base, then by cost, the least first\ncost: " + cost_words +
+           ", over that of the base\n" + tune_rows_text(tuning, most_table_rows, "the base");
 }
 
 Json tune_json(const SceneTuning& tuning) {
@@ -169,6 +224,7 @@ Json tune_json(const SceneTuning& tuning) {
         entry["n_v"] = tuning.mean(row.counts.volume_tests);
         entry["n_p"] = tuning.mean(row.counts.triangle_tests);
         entry["operations"] = tuning.mean(row.counts.operations);
+        entry["cost"] = tuning.mean(estimated_cost(row.counts));
         entry["pairs"] = tuning.mean(row.pairs);
         entry["misses_pairs"] = row.misses_pairs;
         entry["bytes_per_triangle"] = row.bytes_per_triangle;
@@ -178,9 +234,10 @@ Json tune_json(const SceneTuning& tuning) {
                 Json{{"ms", row.ms->median}, {"ms_least", row.ms->low}, {"ms_most", row.ms->high}});
         settings.push_back(std::move(entry));
     }
-    Json best = {{"tests", tuning.best[0]},
+    Json best = {{"tests", tuning.fewest_tests},
                  {"operations", tuning.fewest_operations},
-                 {"cost", tuning.least_cost}};
+                 {"cost", tuning.best[0]},
+                 {"recommended", tuning.recommended()}};
     if (tuning.timed()) best["time"] = tuning.least_time;
     if (tuning.quicker_layout) best["layout"] = *tuning.quicker_layout;
     Json json = {{"scene", tuning.scene},
@@ -243,37 +300,36 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
         return render::TuneBar::Times{ratio(ms.low, of_base, 1), ratio(ms.median, of_base, 1),
                                       ratio(ms.high, of_base, 1)};
     };
+    figure.runs = tuning.runs;
     const auto add = [&](std::size_t r) {
         const TuneRow& row = tuning.rows[r];
+        // Both halves have the same rows.
+        if (tuning.timed() && !row.ms) return;
         render::TuneBar bar;
-        bar.name = r == 0 ? "base" : bar_name(row.setting);
+        bar.name = (r == 0 ? "base: " : "") + bar_name(row.setting);
         bar.n_v = multiple_of(row.counts.volume_tests, base.counts.volume_tests);
-        bar.operations = multiple_of(row.counts.operations, base.counts.operations);
+        bar.cost = cost_of_base(tuning, r);
         if (row.ms) bar.time = times(*row.ms);
         bar.misses_pairs = row.misses_pairs;
-        bar.fewest_tests = r == tuning.best[0];
-        bar.fewest_operations = r == tuning.fewest_operations;
-        bar.least_time = tuning.timed() && r == tuning.least_time;
+        bar.recommended = r == tuning.recommended();
+        bar.alike = !bar.recommended && row.ms && tuning.runs > 1 &&
+                    !apart(*row.ms, *tuning.rows[tuning.least_time].ms);
         figure.bars.push_back(std::move(bar));
     };
     add(0);
-    const std::vector<std::size_t> listed = tuning.listed(most_bars);
-    for (const std::size_t r : tuning.best)
-        if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
-                       r == tuning.fewest_operations || (tuning.timed() && r == tuning.least_time)))
-            add(r);
+    for (const std::size_t r : tuning.listed(most_bars)) add(r);
     if (tuning.quicker_layout) {
         const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
-        for (render::TuneBar& bar : figure.bars) bar.least_time = false;
-        render::TuneBar& bar = figure.bars.emplace_back();
         TuneSetting packed;
         packed.volume = tuning.rows[layout.row].setting.volume;
         packed.split = tuning.rows[layout.row].setting.split;
         packed.growth = tuning.rows[layout.row].setting.growth;
-        bar.name = bar_name(packed) + ", " + packed_layout_name(layout.layout);
+        render::TuneBar& bar = figure.bars.emplace_back();
+        bar.name = "packed: " + bar_name(packed) + ", " + packed_layout_name(layout.layout);
         bar.n_v = multiple_of(layout.n_v, base.counts.volume_tests);
+        bar.cost.reset();
         bar.time = times(*layout.ms);
-        bar.least_time = true;
+        bar.packed = true;
     }
     return figure;
 }

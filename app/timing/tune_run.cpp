@@ -189,7 +189,8 @@ std::vector<std::size_t> best_rows(const std::vector<TuneRow>& all,
 }
 
 /// The row that no other is measurably quicker than: of those whose intervals meet that of the
-/// least median the base, or else the one with the fewest tests.
+/// least median the base, or else the one with the least cost. One run has no interval: the
+/// quickest of it.
 std::size_t least_time_of(const std::vector<TuneRow>& all, const std::vector<std::size_t>& best) {
     const TuneRow* least = nullptr;
     for (const std::size_t r : best)
@@ -202,18 +203,17 @@ std::size_t least_time_of(const std::vector<TuneRow>& all, const std::vector<std
     return *std::find_if(best.begin(), best.end(), is_least);
 }
 
-/// What is timed: the base, also with the other split, the rows with the fewest tests, the best of
-/// each volume, the one with the fewest operations.
+/// What is timed: the base, also with the other split, the rows with the least cost, the best of
+/// each volume, the one with the fewest volume tests.
 std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     std::vector<std::size_t> timed = {0};
     const auto add = [&](std::size_t r) {
         if (std::find(timed.begin(), timed.end(), r) == timed.end()) timed.push_back(r);
     };
-    add(tuning.best[0]);
     for (const std::size_t r : tuning.listed(most_timed)) add(r);
     for (std::size_t r = 0; r < tuning.rows.size(); ++r)
         if (tuned(tuning.rows[r].setting, tuning.base().setting) == Tuned::split) add(r);
-    add(tuning.fewest_operations);
+    add(tuning.fewest_tests);
     for (const VolumeKind kind : all_volume_kinds()) {
         const auto of_kind =
             std::find_if(tuning.best.begin(), tuning.best.end(),
@@ -223,10 +223,14 @@ std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     return timed;
 }
 
-/// The best row of each volume that can be packed.
+/// Of each volume that can be packed the row with the fewest volume tests: what these cost in a
+/// layout is another matter.
 std::vector<std::size_t> packed_rows(const SceneTuning& tuning) {
-    std::vector<std::size_t> packed;
-    for (const std::size_t r : tuning.best) {
+    std::vector<std::size_t> fewest_first = tuning.best, packed;
+    std::stable_sort(fewest_first.begin(), fewest_first.end(), [&](std::size_t x, std::size_t y) {
+        return tuning.rows[x].counts < tuning.rows[y].counts;
+    });
+    for (const std::size_t r : fewest_first) {
         const VolumeKind kind = tuning.rows[r].setting.volume;
         if (can_pack(kind) && std::none_of(packed.begin(), packed.end(), [&](std::size_t other) {
                 return tuning.rows[other].setting.volume == kind;
@@ -281,11 +285,10 @@ std::vector<std::size_t> SceneTuning::listed(std::size_t most) const {
         return setting;
     };
     for (const std::size_t r : best) {
-        if (places.size() == most) break;
         const bool alike = std::any_of(places.begin(), places.end(), [&](std::size_t better) {
             return but_for_growth(better) == but_for_growth(r);
         });
-        if (r != 0 && !alike) places.push_back(r);
+        if (r != 0 && (r == recommended() || (places.size() < most && !alike))) places.push_back(r);
     }
     return places;
 }
@@ -329,14 +332,14 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
     result.build.split = BuildOptions{}.split;
     result.rows = run.rows;
     result.best = best_rows(run.rows, run.counts());
-    const auto least_of = [&](const auto& cost) {
+    const auto fewest_of = [&](std::uint64_t Work::*count) {
         return *std::min_element(
             result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {
-                return cost(result.rows[x].counts) < cost(result.rows[y].counts);
+                return result.rows[x].counts.*count < result.rows[y].counts.*count;
             });
     };
-    result.fewest_operations = least_of([](const Work& work) { return work.operations; });
-    result.least_cost = least_of(estimated_cost);
+    result.fewest_tests = fewest_of(&Work::volume_tests);
+    result.fewest_operations = fewest_of(&Work::operations);
     if (options.layouts) {
         try {
             if (!run.count_layouts(packed_rows(result))) return std::nullopt;
@@ -354,6 +357,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
                                            most_timed_tests);
         if (!run.time(timed, places, options.repeats)) return std::nullopt;
         for (const std::size_t i : places) result.timed_frames.push_back(frames[i]);
+        result.runs = options.repeats;
         result.rows = std::move(run.rows);
         result.layouts = std::move(run.layouts);
         result.least_time = least_time_of(result.rows, result.best);

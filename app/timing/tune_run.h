@@ -43,11 +43,12 @@ struct SceneTuning {
     std::vector<int> frames, timed_frames;
     BuildOptions build;  ///< but for split and growth, which are tuned
     std::vector<TuneRow> rows;
-    std::vector<std::size_t> best;  ///< rows that find all pairs, by counts, the best first; of
-                                    ///< rows with equal counts only the first
-    std::size_t fewest_operations = 0, least_cost = 0;  ///< see estimated_cost
+    std::vector<std::size_t> best;  ///< rows that find all pairs, by estimated_cost, the least
+                                    ///< first; of rows with equal counts only the first
+    std::size_t fewest_tests = 0, fewest_operations = 0;  ///< of these
+    int runs = 0;                                         ///< of each timed query
     std::size_t least_time = 0;       ///< see least_time_of; 0 where nothing is timed
-    std::vector<TuneLayout> layouts;  ///< of the best row of each volume that can be packed
+    std::vector<TuneLayout> layouts;  ///< of the row with the fewest tests of each packable volume
     std::string no_layouts;           ///< why some are not there: a sentence
     /// The layout with the least time, if that is measurably less than that of `recommended`; of
     /// those that no other is measurably quicker than, the one with the least memory.
@@ -57,8 +58,8 @@ struct SceneTuning {
         return static_cast<double>(sum) / static_cast<double>(frames.size());
     }
     const TuneRow& base() const { return rows[0]; }
-    /// So many of the best, the best first, without the base and without those that differ from a
-    /// better one in the growth of balls alone.
+    /// So many of the best, the best first, without those that differ from a better one in the
+    /// growth of balls alone; and the recommended one. The base is not among them.
     std::vector<std::size_t> listed(std::size_t most) const;
     /// How many other rows have the counts of this one.
     std::size_t equals(std::size_t row) const;
@@ -66,7 +67,7 @@ struct SceneTuning {
     /// The setting to use: that with the least time, or where nothing is timed with the least
     /// estimated cost, since a test of some volumes takes a hundred times what it takes of others.
     /// A row that misses pairs is never it.
-    std::size_t recommended() const { return timed() ? least_time : least_cost; }
+    std::size_t recommended() const { return timed() ? least_time : best[0]; }
 };
 
 struct TuneOptions {
@@ -90,8 +91,8 @@ struct TuneProgress {
     std::function<bool()> ends;
 };
 
-/// So many settings with the fewest tests are timed, beside the base, the base with the other
-/// split, and the best of every volume and by operations.
+/// So many settings with the least cost are timed, beside the base, the base with the other split,
+/// the one with the fewest volume tests, and the best of every volume.
 inline constexpr std::size_t most_timed = 8;
 
 /// Counts what the settings take in the frames, all of them: those that change one thing or take

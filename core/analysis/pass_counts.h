@@ -38,6 +38,9 @@ struct Work {
 inline std::uint64_t estimated_cost(const Work& work) {
     return work.operations + 900 * work.triangle_tests;
 }
+/// The same, for a reader.
+inline constexpr const char* cost_words =
+    "operations of the volume tests and 900 for each triangle test";
 
 /// The passed pairs of a query, or of several, and what came of the false ones.
 ///

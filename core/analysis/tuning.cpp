@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "core/base/statistics.h"
 
@@ -122,15 +123,16 @@ std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
         as_base.split = trials[i].split;
         if (trials[i] == as_base) grid.push_back(i);
     }
-    const auto least = [&](std::uint64_t Work::*count) {
-        std::uint64_t fewest = counts[0].*count;
-        for (const std::size_t i : grid) fewest = std::min(fewest, counts[i].*count);
+    const auto most = [&](const auto& count) {
+        std::uint64_t fewest = count(counts[0]);
+        for (const std::size_t i : grid) fewest = std::min(fewest, count(counts[i]));
         return worth_refining * static_cast<double>(fewest);
     };
-    const double most_n_v = least(&Work::volume_tests), most_operations = least(&Work::operations);
+    const auto n_v = [](const Work& work) { return work.volume_tests; };
+    const double most_n_v = most(n_v), most_cost = most(estimated_cost);
     std::erase_if(grid, [&](std::size_t i) {
-        return static_cast<double>(counts[i].volume_tests) > most_n_v &&
-               static_cast<double>(counts[i].operations) > most_operations;
+        return static_cast<double>(n_v(counts[i])) > most_n_v &&
+               static_cast<double>(estimated_cost(counts[i])) > most_cost;
     });
     return grid;
 }
@@ -138,8 +140,10 @@ std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
 std::vector<std::size_t> best_first(std::span<const Work> counts) {
     std::vector<std::size_t> places(counts.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    std::stable_sort(places.begin(), places.end(),
-                     [&](std::size_t x, std::size_t y) { return counts[x] < counts[y]; });
+    std::stable_sort(places.begin(), places.end(), [&](std::size_t x, std::size_t y) {
+        return std::pair(estimated_cost(counts[x]), counts[x]) <
+               std::pair(estimated_cost(counts[y]), counts[y]);
+    });
     return places;
 }
 

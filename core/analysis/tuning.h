@@ -55,13 +55,14 @@ std::vector<TuneSetting> first_trials(const TuneSetting& base);
 std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
 /// Those of the first trials whose volume and split are worth being refined: with the test, descent
-/// and growth of the base, they take at most so many times the least N_v, or the least operations,
-/// of all that have these. By their first places.
+/// and growth of the base, they take at most so many times the least N_v, or the least estimated
+/// cost, of all that have these. By their first places.
 inline constexpr double worth_refining = 1.3;
 std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
                                            std::span<const Work> counts);
 
-/// The places of the settings, the one with the least counts first; of equal ones the first.
+/// The places of the settings, the one with the least estimated cost first; of equal costs by the
+/// order of Work, of equal counts the first.
 std::vector<std::size_t> best_first(std::span<const Work> counts);
 
 /// A time that was measured several times.

@@ -1,6 +1,8 @@
 #include "render/figures/heat_figure.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "render/figures/body_names.h"
 #include "render/view/palette.h"
@@ -36,6 +38,9 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
             mesh.triangle_colors.push_back(viridis(axis_position(heat.scale, count)));
         pane.meshes.push_back(std::move(mesh));
     }
+    // Both have the same colors: an outline tells them apart where they meet.
+    pane.outline = {std::vector<std::uint32_t>(heat.counts[1].size()), body_color(1), {0, 0, 0}, 2};
+    std::iota(pane.outline.ids.begin(), pane.outline.ids.end(), bodies[1].first_triangle_id);
     return pane;
 }
 
@@ -44,9 +49,14 @@ PanelItem heat_key(const Heat& heat) {
                      : heat.of == HeatOf::triangles ? "triangle tests of a triangle"
                                                     : "wasted tests of a triangle",
                      {}};
+    // The end has a label whatever it is, and none stands so near that it would meet that.
+    constexpr double nearest = 0.85;
     for (const AxisTick& tick : heat.scale.ticks)
-        if (!tick.label.empty())
-            scale.ticks.emplace_back(axis_position(heat.scale, tick.value), tick.label);
+        if (const double at = axis_position(heat.scale, tick.value);
+            !tick.label.empty() && at < nearest)
+            scale.ticks.emplace_back(at, tick.label);
+    const auto end = static_cast<std::uint64_t>(std::llround(heat.scale.high));
+    scale.ticks.emplace_back(1, end < 1000 ? std::to_string(end) : count_text(end / 1000) + "k");
     return scale;
 }
 
@@ -63,16 +73,18 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
              share_text(static_cast<double>(heat.wasted), static_cast<double>(frame.found.n_v))}});
     items.emplace_back(PanelHeading{""});
     PanelRow body{"body", column_names(items, {bodies[0].name, bodies[1].name}), {}, true},
-        most{"most tests", {}}, none{heat.of == HeatOf::wasted ? "none wasted" : "untested", {}};
+        most{"most tests", {}}, none{"triangles with 0", {}};
     for (std::size_t side = 0; side < 2; ++side) {
         const std::vector<std::uint32_t>& counts = heat.counts[side];
         most.values.push_back(count_text(*std::max_element(counts.begin(), counts.end())));
         none.values.push_back(
             count_text(static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0u))));
     }
+    const std::string name_of_b = body.values[1];
     items.emplace_back(std::move(body));
     items.emplace_back(std::move(most));
     items.emplace_back(std::move(none));
+    items.emplace_back(PanelKey{body_color(1), "outlined: " + name_of_b});
     items.emplace_back(PanelHeading{""});
     items.push_back(heat_key(heat));
     items.emplace_back(PanelNote{

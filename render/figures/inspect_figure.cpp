@@ -75,14 +75,16 @@ void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>&
 
 void add_changes_heading(std::vector<PanelItem>& items, const char* words) {
     items.emplace_back(PanelHeading{words});
-    items.emplace_back(PanelRow{"", {"tests", "operations"}});
+    items.emplace_back(PanelRow{"", {"tests", "cost"}});
 }
 
 void add_changes(std::vector<PanelItem>& items, const std::string& name, const Work& from,
-                 const Work& to) {
+                 const Work& to, bool best = false) {
     items.emplace_back(PanelRow{name,
                                 {change_text(from.volume_tests, to.volume_tests),
-                                 change_text(from.operations, to.operations)}});
+                                 change_text(estimated_cost(from), estimated_cost(to))},
+                                {},
+                                best});
 }
 
 /// Beside two numbers there is no room for all of "corrected", and thresholds tell these apart.
@@ -111,8 +113,10 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     if (!figure.settings.empty()) {
         add_changes_heading(items, "what would have helped");
         for (const InspectedSetting& setting : figure.settings)
-            add_changes(items, setting.name, figure.settings_from, setting.counts);
-        items.emplace_back(PanelNote{"each volume with its best split"});
+            add_changes(items, setting.name, figure.settings_from, setting.counts,
+                        setting.recommended);
+        items.emplace_back(PanelNote{"bold: the best, " + figure.best});
+        items.emplace_back(PanelNote{std::string("cost: ") + cost_words});
     }
     if (!figure.others.empty()) {
         add_changes_heading(items, "with another test");

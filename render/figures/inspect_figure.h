@@ -11,10 +11,11 @@
 
 namespace scb::render {
 
-/// What the same queries take with a volume and the better split for it.
+/// What the same queries take with a volume and what is best for it.
 struct InspectedSetting {
     std::string name;  ///< of the volume
     Work counts;
+    bool recommended = false;
 };
 
 /// What the tests of queries wasted and why: per frame, per depth and in all, and what other
@@ -25,7 +26,8 @@ struct InspectFigure {
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
     Work settings_from;                      ///< what the settings are compared with
-    std::vector<InspectedSetting> settings;  ///< the best first
+    std::vector<InspectedSetting> settings;  ///< by cost, the least first
+    std::string best;                        ///< the recommended one: all of it
     std::vector<AlternativeTest> others;     ///< what others would have done
     const Theme* theme = &light_theme;
 };

@@ -33,8 +33,8 @@ std::string remark_of(const TraceHeader& header, const Collision& found, bool pa
 std::string share_text(std::uint64_t part, std::uint64_t all) {
     if (all == 0) return "–";
     const std::uint64_t tenths = (2000 * part + all) / (2 * all);
-    if (tenths == 0 && part > 0) return "<0.1%";
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "%";
+    if (tenths == 0 && part > 0) return "<0.1 %";
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
 /// A count and its name.
@@ -46,15 +46,17 @@ std::vector<Number> numbers_of(const Collision& found, const DepthMatrix& matrix
     const std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
     std::string depth = count_text(static_cast<std::uint64_t>(found.depth));
     if (of_a > 0 && of_b > 0)
-        depth += " (A " + std::to_string(of_a - 1) + ", B " + std::to_string(of_b - 1) + ")";
+        depth +=
+            "; A down to " + std::to_string(of_a - 1) + ", B down to " + std::to_string(of_b - 1);
     const std::uint64_t rejected =
         found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
-    return {{"pairs", count_text(found.pairs.size())},
-            {"N_v", count_text(found.n_v)},
-            {"rejected", count_text(rejected) + " (" + share_text(rejected, found.n_v) + ")"},
-            {"N_p", count_text(found.n_p)},
-            {"N_u", count_text(found.n_u)},
-            {"depth reached", depth}};
+    return {
+        {"pairs", count_text(found.pairs.size())},
+        {"N_v", count_text(found.n_v)},
+        {"rejected", count_text(rejected) + " (" + share_text(rejected, found.n_v) + " of N_v)"},
+        {"N_p", count_text(found.n_p)},
+        {"N_u", count_text(found.n_u)},
+        {"deepest pair", depth}};
 }
 
 /// Numbers in a row, in several rows where they are too many. Returns the y below.
@@ -123,7 +125,7 @@ class Legend {
             label_ = std::max(label_, overlay.measure(key.label, left()).width);
             count_ = std::max(count_, overlay.measure(count_text(key.count), right()).width);
         }
-        share_ = overlay.measure("100.0%", right()).width;
+        share_ = overlay.measure("100.0 %", right()).width;
         const int gap = 2 * style.unit;
         const int each = indent() + label_ + count_ + share_ + 2 * space();
         columns_ = std::clamp((width + gap) / (each + gap), 1, static_cast<int>(keys_.size()));

@@ -1,8 +1,10 @@
 #include "render/figures/tune_figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "core/analysis/pass_counts.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/bar_plot.h"
 #include "render/view/palette.h"
@@ -10,7 +12,7 @@
 namespace scb::render {
 namespace {
 
-const Rgba8 n_v_color = category_color(0), operations_color = category_color(1),
+const Rgba8 n_v_color = category_color(0), cost_color = category_color(1),
             time_color = category_color(2);
 
 bool is_timed(const TuneFigure& figure) {
@@ -18,9 +20,9 @@ bool is_timed(const TuneFigure& figure) {
                        [](const TuneBar& bar) { return bar.time.has_value(); });
 }
 
-// The best bars are in full color.
-Rgba8 bar_color(Rgba8 color, bool best, const Theme& theme) {
-    return best ? color : mix(color, theme.background, 0.5);
+bool has_packed(const TuneFigure& figure) {
+    return std::any_of(figure.bars.begin(), figure.bars.end(),
+                       [](const TuneBar& bar) { return bar.packed; });
 }
 
 std::string multiple_text(double ratio) {
@@ -29,42 +31,71 @@ std::string multiple_text(double ratio) {
     return text;
 }
 
-std::string bar_text(const std::string& value, const TuneBar& bar, bool best) {
-    return value + (best ? ", best" : "") + (bar.misses_pairs ? ", misses pairs" : "");
-}
-
-BarPlot plot_of_counts(const TuneFigure& figure, const char* title, Rgba8 color,
-                       double TuneBar::*count, bool TuneBar::*fewest) {
-    BarPlot plot;
-    plot.title = title;
-    plot.label = "mean per frame, base = 1";
-    for (const TuneBar& bar : figure.bars)
-        plot.bars.push_back({bar.name, bar_color(color, bar.*fewest, *figure.theme), bar.*count,
-                             bar_text(multiple_text(bar.*count), bar, bar.*fewest)});
-    return plot;
+/// The bar of the recommended setting is in full color.
+PlotBar bar_of(const TuneFigure& figure, std::size_t i, Rgba8 color, double value,
+               std::string number) {
+    const TuneBar& bar = figure.bars[i];
+    if (bar.misses_pairs) number += ", misses pairs";
+    PlotBar plotted{bar.name, bar.recommended ? color : mix(color, figure.theme->background, 0.5),
+                    value, std::move(number)};
+    plotted.marked = bar.recommended;
+    plotted.apart = bar.packed && i > 0 && !figure.bars[i - 1].packed;
+    return plotted;
 }
 
 BarPlot plot_of_tests(const TuneFigure& figure) {
-    return plot_of_counts(figure, "volume tests, N_v", n_v_color, &TuneBar::n_v,
-                          &TuneBar::fewest_tests);
+    BarPlot plot;
+    plot.title = "volume tests, N_v";
+    plot.label = "mean per frame, base = 1";
+    for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+        const double n_v = figure.bars[i].n_v;
+        plot.bars.push_back(bar_of(figure, i, n_v_color, n_v, multiple_text(n_v)));
+    }
+    return plot;
 }
 
-BarPlot plot_of_operations(const TuneFigure& figure) {
-    return plot_of_counts(figure, "operations of the volume tests", operations_color,
-                          &TuneBar::operations, &TuneBar::fewest_operations);
+/// Whether the recommended setting is best in it.
+BarPlot plot_of_costs(const TuneFigure& figure, bool is_best) {
+    BarPlot plot;
+    plot.title = "cost";
+    plot.label = std::string(cost_words) + ", base = 1";
+    for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+        const TuneBar& bar = figure.bars[i];
+        plot.bars.push_back(
+            bar.cost
+                ? bar_of(figure, i, cost_color, *bar.cost,
+                         multiple_text(*bar.cost) + (bar.recommended && is_best ? ", best" : ""))
+                : bar_of(figure, i, cost_color, std::nan(""), "not counted: packed"));
+    }
+    return plot;
+}
+
+std::string time_text(const TuneFigure& figure, const TuneBar& bar) {
+    std::string text = multiple_text(bar.time->median);
+    if (figure.runs > 1)
+        text +=
+            " (" + multiple_text(bar.time->least) + " to " + multiple_text(bar.time->most) + ")";
+    if (bar.recommended) return text + (has_packed(figure) ? ", best unpacked" : ", best");
+    return text + (bar.packed ? ", best packed" : bar.alike ? ", no difference" : "");
 }
 
 BarPlot plot_of_times(const TuneFigure& figure) {
     BarPlot plot;
     plot.title = "time";
-    plot.label = "processor time of a query, base = 1: median of the runs, least to most";
-    for (const TuneBar& bar : figure.bars)
-        if (bar.time)
-            plot.bars.push_back(
-                {bar.name, bar_color(time_color, bar.least_time, *figure.theme), bar.time->median,
-                 bar_text(multiple_text(bar.time->median) + " (" + multiple_text(bar.time->least) +
-                              " to " + multiple_text(bar.time->most) + ")",
-                          bar, bar.least_time)});
+    plot.label =
+        std::string("processor time of a query, base = 1") +
+        (figure.runs > 1 ? ": median, least to most of " + std::to_string(figure.runs) + " runs"
+                         : ": one run");
+    for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+        const TuneBar& bar = figure.bars[i];
+        if (!bar.time) {
+            plot.bars.push_back(bar_of(figure, i, time_color, std::nan(""), "not timed"));
+            continue;
+        }
+        plot.bars.push_back(
+            bar_of(figure, i, time_color, bar.time->median, time_text(figure, bar)));
+        if (figure.runs > 1) plot.bars.back().range = {bar.time->least, bar.time->most};
+    }
     return plot;
 }
 
@@ -98,18 +129,23 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
         bottom -= footnote_height + unit / 2;
     }
 
-    PixelRect tests{margin, top, width - 2 * margin, bottom - top};
-    PixelRect beside = tests;
+    const bool timed = is_timed(figure);
+    const BarPlot first = timed ? plot_of_costs(figure, false) : plot_of_tests(figure);
+    BarPlot second = timed ? plot_of_times(figure) : plot_of_costs(figure, true);
+    PixelRect before{margin, top, width - 2 * margin, bottom - top};
+    PixelRect beside = before;
     if (frame.portrait) {
-        tests.height = beside.height = (tests.height - gap) / 2;
-        beside.y += tests.height + gap;
+        before.height = beside.height = (before.height - gap) / 2;
+        beside.y += before.height + gap;
     } else {
-        tests.width = beside.width = (tests.width - 2 * gap) / 2;
-        beside.x += tests.width + 2 * gap;
+        // Rows are level, so that names at the left are those of both.
+        before.width = (before.width - gap) * 3 / 5;
+        beside.x += before.width + gap;
+        beside.width -= before.width + gap;
+        for (PlotBar& bar : second.bars) bar.name.clear();
     }
-    draw_bar_plot(overlay, tests, plot_of_tests(figure), style);
-    draw_bar_plot(overlay, beside,
-                  is_timed(figure) ? plot_of_times(figure) : plot_of_operations(figure), style);
+    draw_bar_plot(overlay, before, first, style);
+    draw_bar_plot(overlay, beside, second, style);
     return picture;
 }
 

@@ -201,6 +201,13 @@ std::string count_text(std::uint64_t count) {
     return text;
 }
 
+std::string mean_text(std::uint64_t sum, std::size_t frames) {
+    if (frames <= 1) return count_text(sum);
+    const auto tenths = static_cast<std::uint64_t>(
+        std::llround(10 * static_cast<double>(sum) / static_cast<double>(frames)));
+    return count_text(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
 std::string share_text(double part, double whole) {
     if (!(whole > 0)) return "–";
     char text[16];

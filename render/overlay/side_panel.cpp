@@ -46,6 +46,10 @@ struct PanelPainter {
         std::size_t i = heading + 1;
         if (i == items.size()) return own;
         if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(i);
+        // Heads of columns stand above at least a row.
+        if (const auto* row = std::get_if<PanelRow>(&items[i]);
+            row != nullptr && row->label.empty() && i + 1 < items.size())
+            return own + line_height() + least(items[i + 1]);
         int smallest = least(items[i]);
         for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
             smallest = std::min(smallest, least(items[i]));

@@ -11,6 +11,8 @@ namespace {
 
 bool drawable(const PlotBar& bar) { return std::isfinite(bar.value) && bar.value >= 0; }
 
+double end_of(const PlotBar& bar) { return bar.range ? bar.range->second : bar.value; }
+
 }  // namespace
 
 PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& plot,
@@ -29,9 +31,9 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
     int names = 0, numbers = 0;
     double largest = 0;
     for (const PlotBar& bar : plot.bars) {
-        names = std::max(names, overlay.measure(bar.name, name).width);
+        names = std::max(names, overlay.measure(bar.name, bar.marked ? number : name).width);
         numbers = std::max(numbers, overlay.measure(bar.number, number).width);
-        if (drawable(bar)) largest = std::max(largest, bar.value);
+        if (drawable(bar)) largest = std::max({largest, bar.value, end_of(bar)});
     }
     const int gap = unit / 2;
     // A name may be cut, a number never.
@@ -51,22 +53,38 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
                      fitted_text(overlay, plot.empty_text, middle, rect.width), middle);
         return area;
     }
-    const int thickness = std::clamp(row * 3 / 5, 2, 5 * unit / 2);
+    const int thickness = std::clamp(row * 3 / 5, 2, 5 * unit / 2),
+              hairline = std::max(1, unit / 20);
     for (int i = 0; i < static_cast<int>(plot.bars.size()); ++i) {
         const PlotBar& bar = plot.bars[static_cast<std::size_t>(i)];
         const int middle = area.y + i * row + row / 2, text = middle - text_size / 2;
-        TextStyle right = name;
+        const PixelRect whole_row{rect.x, area.y + i * row, rect.width, row};
+        if (bar.marked)
+            overlay.rectangle(whole_row, mix(style.theme.border, style.theme.background, 0.7));
+        if (bar.apart)
+            overlay.rectangle({rect.x, whole_row.y, rect.width, hairline}, style.theme.faint_text);
+        TextStyle right = bar.marked ? number : name;
         right.align = Align::right;
-        overlay.text(area.x - gap, text, fitted_text(overlay, bar.name, name, names), right);
-        int length = 0;
-        if (drawable(bar) && largest > 0)
-            length = static_cast<int>(std::lround(bar.value / largest * area.width));
-        overlay.rectangle({area.x, middle - thickness / 2, length, thickness}, bar.color);
-        overlay.text(area.x + length + gap, text, bar.number, number);
+        overlay.text(area.x - gap, text, fitted_text(overlay, bar.name, right, names), right);
+        const auto length_of = [&](double value) {
+            return drawable(bar) && largest > 0
+                       ? static_cast<int>(std::lround(value / largest * area.width))
+                       : 0;
+        };
+        overlay.rectangle({area.x, middle - thickness / 2, length_of(bar.value), thickness},
+                          bar.color);
+        if (bar.range) {
+            const int from = area.x + length_of(bar.range->first),
+                      to = area.x + length_of(bar.range->second), cap = thickness / 2;
+            overlay.rectangle({from, middle, std::max(hairline, to - from), hairline},
+                              style.theme.text);
+            for (const int end : {from, to})
+                overlay.rectangle({end, middle - cap / 2, hairline, cap}, style.theme.text);
+        }
+        overlay.text(area.x + length_of(end_of(bar)) + gap, text, bar.number, number);
     }
     // Where bars begin.
-    overlay.rectangle({area.x, area.y, std::max(1, unit / 20), area.height},
-                      style.theme.faint_text);
+    overlay.rectangle({area.x, area.y, hairline, area.height}, style.theme.faint_text);
     return area;
 }
 

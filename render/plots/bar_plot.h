@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/overlay/scales.h"
@@ -13,6 +15,9 @@ struct PlotBar {
     Rgba8 color;
     double value = 0;    ///< none is drawn where it is negative or not finite
     std::string number;  ///< the value for a reader
+    std::optional<std::pair<double, double>> range = {};  ///< within which it is: a whisker
+    bool marked = false;                                  ///< its row is shaded and its name bold
+    bool apart = false;                                   ///< a line sets it apart from those above
 };
 
 /// Values that have no axis but their names.

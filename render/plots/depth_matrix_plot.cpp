@@ -22,7 +22,9 @@ PlotAxis axis_of_tests(const DepthMatrix& matrix) {
     return axis;
 }
 
-PlotAxis axis_of_shares() { return {0, 1, false, false, {{0, "0%"}, {0.5, "50%"}, {1, "100%"}}}; }
+PlotAxis axis_of_shares() {
+    return {0, 1, false, false, {{0, "0 %"}, {0.5, "50 %"}, {1, "100 %"}}};
+}
 
 double value_of(const DepthCell& cell, MatrixMeasure measure) {
     if (measure == MatrixMeasure::tests) return static_cast<double>(cell.tests);

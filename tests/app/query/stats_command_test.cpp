@@ -52,6 +52,14 @@ TEST(StatsCommand, SaysWhatTheMeshesAre) {
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
+TEST(StatsCommand, SaysThatRoundingErrorsOfABoxAre0) {
+    const TemporaryFolder folder;
+    const std::string flat =
+        folder.write("flat.off", "OFF\n3 1 0\n0 0 4.5e-16\n1 0 0\n0 1e-6 0\n3 0 1 2\n");
+    const std::string text = run_scb("stats " + flat).out;
+    EXPECT_NE(text.find("0, 0, 0 to 1, 1e-06, 0; size 1, 1e-06, 0"), std::string::npos) << text;
+}
+
 TEST(StatsCommand, ReportsTheLayoutsAndLeavesAskedFor) {
     const json few = hierarchies("--layout indexed8,float2 --leaf 1")[0]["packed"];
     ASSERT_EQ(few.size(), 2u);
@@ -95,7 +103,8 @@ TEST(StatsCommand, MeasuresWhereAskedTo) {
         EXPECT_EQ(hierarchy["levels"][0]["epo"], 0);
     }
     const std::string text = run_scb("stats spheres-l1 --measures").out;
-    for (const char* part : {"SAH cost        EPO    tight  overlap", "  all ", "\nEPO "})
+    for (const char* part :
+         {"SAH cost        EPO    tight  overlap", "  all ", "\nEPO ", "\nsolid: nodes"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 

@@ -39,6 +39,22 @@ TEST(BenchCommand, HasTheCountsOfCollide) {
     EXPECT_EQ(picture.height, 720);
 }
 
+TEST(BenchCommand, NamesThePoseInItsFiles) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder / "level.ply", out = folder / "out";
+    ASSERT_EQ(run_scb("export spheres-l1 --levels 3 -o " + mesh).status, 0);
+    for (const char* pose : {"1,0,0,0.25,0,1,0,0,0,0,1,0", "1,0,0,0.5,0,1,0,0,0,0,1,0"}) {
+        const ProgramRun run = run_scb("bench " + mesh + " " + mesh +
+                                       " --frames 0 --repeat 1 --pose " + pose + " -o " + out);
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find(std::string("Pose of B: ") + pose), std::string::npos) << run.out;
+        // One query says nothing of what its parts cost.
+        EXPECT_NE(run.out.find("cannot tell its costs apart"), std::string::npos) << run.out;
+        EXPECT_EQ(run.out.find("C_v ns"), std::string::npos) << run.out;
+    }
+    EXPECT_EQ(files_in(out), 6u);
+}
+
 TEST(BenchCommand, HasTable3BesideWhereAllFramesAreRun) {
     const ProgramRun run = run_scb("bench knots-l3 --repeat 1 --volume scb,ritter --json");
     ASSERT_EQ(run.status, 0) << run.err;

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
@@ -125,20 +126,56 @@ json least_of(const json& found, const char* count) {
     return least;
 }
 
-TEST(TuneCommand, TheBestHasTheFewestTestsOrOperations) {
+TEST(TuneCommand, TheBestCostsLeast) {
     const json found = tune("spheres-l1 --frames 60,250 --no-time");
     const json &settings = found["settings"], &best = found["best"];
     EXPECT_FALSE(best.contains("time"));
     EXPECT_EQ(settings[best["tests"].get<std::size_t>()]["n_v"], least_of(found, "n_v"));
     EXPECT_EQ(settings[best["operations"].get<std::size_t>()]["operations"],
               least_of(found, "operations"));
+    EXPECT_EQ(settings[best["cost"].get<std::size_t>()]["cost"], least_of(found, "cost"));
+    EXPECT_EQ(best["recommended"], best["cost"]);
     EXPECT_EQ(settings.front()["tuned"], "base");
-    EXPECT_EQ(found["best_first"][0], best["tests"]);
+    EXPECT_EQ(found["best_first"][0], best["cost"]);
     json last = 0;
     for (const std::size_t place : found["best_first"]) {
-        EXPECT_GE(settings[place]["n_v"], last);
-        last = settings[place]["n_v"];
+        EXPECT_GE(settings[place]["cost"], last);
+        last = settings[place]["cost"];
     }
+}
+
+/// The lines that end with that mark.
+std::vector<std::string> marked_lines(const std::string& text, const std::string& mark) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        if (line.ends_with(mark)) lines.push_back(line);
+    return lines;
+}
+
+TEST(TuneCommand, AgreesWithInspectAndMarksTheRow) {
+    for (const char* asked : {"cone --frames 80", "soup --frames 60", "long-triangles --frames 120",
+                              "spheres-l1 --frames 100 --volume obb"}) {
+        const std::string query(asked), tuned = run_scb("tune " + query + " --no-time").out,
+                                        inspected = run_scb("inspect " + query).out;
+        const auto use = [](const std::string& text) {
+            return text.substr(text.rfind("To use it: "));
+        };
+        EXPECT_EQ(use(tuned), use(inspected)) << asked;
+        const std::vector<std::string> rows = marked_lines(tuned, "  best");
+        ASSERT_EQ(rows.size(), 1u) << tuned;
+        EXPECT_EQ(marked_lines(inspected, "  best"), rows) << asked;
+        EXPECT_EQ(tuned.find("Fewest operations"), std::string::npos);
+    }
+}
+
+TEST(TuneCommand, SaysThatOneRunHasNoInterval) {
+    const std::string text = run_scb("tune cone --frames 80 --repeat 1").out;
+    EXPECT_NE(text.find("ms, one run"), std::string::npos) << text;
+    EXPECT_NE(text.find("one run, which cannot tell"), std::string::npos) << text;
+    for (const char* interval : {"no measurable difference", "[least, most]", "interval"})
+        EXPECT_EQ(text.find(interval), std::string::npos) << interval;
+    EXPECT_EQ(marked_lines(text, "  best").size(), 1u) << text;
 }
 
 TEST(TuneCommand, WhatIsLeftOutIsNotBetter) {
@@ -148,6 +185,8 @@ TEST(TuneCommand, WhatIsLeftOutIsNotBetter) {
         const json some = tune(asked), every = tune(asked + " --every");
         EXPECT_GT(every["settings"].size(), some["settings"].size()) << scene;
         EXPECT_LE(least_of(some, "n_v").get<double>(), 1.1 * least_of(every, "n_v").get<double>())
+            << scene;
+        EXPECT_LE(least_of(some, "cost").get<double>(), 1.1 * least_of(every, "cost").get<double>())
             << scene;
     }
 }
@@ -247,8 +286,7 @@ TEST(TuneCommand, TimesTheBestSettingsAndWritesFiles) {
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
     const std::string table = run_scb("tune cone --frames 60 --repeat 1").out;
-    for (const char* part :
-         {"Fewest volume tests: ", "Fewest operations: ", "Least time: ", "To use it: "})
+    for (const char* part : {"Best of ", " settings: ", "cost: ", "To use it: "})
         EXPECT_NE(table.find(part), std::string::npos) << part;
 }
 

@@ -102,7 +102,7 @@ TEST(RefinedTrials, AreAllThatCanBeChosenOfAVolumeAndASplit) {
     }
 }
 
-TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByOperations) {
+TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
     const std::vector<TuneSetting> trials = first_trials({});
     std::vector<Work> counts(trials.size(), {1000, 100, 1000});
     const auto place = [&](const TuneSetting& setting) {
@@ -114,18 +114,20 @@ TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByOperations) {
     TuneSetting extents;
     extents.overlap.test = OverlapTest::extents;
     counts[boxes] = {100, 9, 900};
-    counts[two] = {129, 9, 900};
-    counts[balls] = {900, 9, 100};
+    counts[two] = {129, 9, 9000};
+    counts[balls] = {900, 0, 9900};
+    // Few operations, but the triangle tests are many.
+    counts[place(with(VolumeKind::ritter))] = {900, 100, 10};
     counts[place(extents)] = {1, 1, 1};  // not with the test of the base
     std::vector<std::size_t> expected = {boxes, two, balls};
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(worth_refining_of(trials, counts), expected);
 }
 
-TEST(BestFirst, OrdersByVolumeTestsThenTriangleTestsThenOperationsThenPlace) {
-    const std::vector<Work> counts = {{2, 0, 0}, {1, 1, 0}, {1, 0, 2},
-                                      {1, 0, 1}, {1, 0, 1}, {0, 9, 9}};
-    EXPECT_EQ(best_first(counts), (std::vector<std::size_t>{5, 3, 4, 2, 1, 0}));
+TEST(BestFirst, OrdersByCostThenVolumeTestsThenPlace) {
+    const std::vector<Work> counts = {{1, 1, 0}, {2, 0, 900}, {9, 0, 2},
+                                      {9, 0, 1}, {9, 0, 1},   {0, 9, 0}};
+    EXPECT_EQ(best_first(counts), (std::vector<std::size_t>{3, 4, 2, 0, 1, 5}));
 }
 
 TEST(TimeInterval, IsFromTheLeastToTheMost) {

@@ -77,6 +77,12 @@ TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {
     EXPECT_NE(with(0.9, 500), image);
     EXPECT_NE(with(0.5, 400), image);
     EXPECT_NE(with(0.5, 0), image);
+    InspectFigure best = figure_of(1, 100, 50);
+    best.settings_from = {1000, 100, 10000};
+    best.settings = {{"scb2", {500, 10, 1000}}};
+    const Image unmarked = drawn(drawing, best, 1280, 720);
+    best.settings[0].recommended = true;
+    EXPECT_NE(drawn(drawing, best, 1280, 720), unmarked);
 }
 
 /// How many pixels left of the panel have the colors of the reasons: of what is not wasted, of

@@ -34,6 +34,11 @@ TEST(SidePanel, HasNoHeadingWithoutWhatStandsBelowIt) {
     EXPECT_EQ(filled(25 + 41, {PanelRow{"first", {}}, two_lines}), 25);
     EXPECT_EQ(filled(25 + 42, {PanelRow{"first", {}}, two_lines}), 25 + 42);
     EXPECT_EQ(filled(30, {PanelHeading{"a"}}), 30);
+    // Heads of columns alone say nothing.
+    const std::vector<PanelItem> columns = {PanelHeading{"a"}, PanelRow{"", {"tests"}},
+                                            PanelRow{"b", {"1"}}};
+    EXPECT_EQ(filled(30 + 25 + 24, columns), 0);
+    EXPECT_EQ(filled(30 + 25 + 25, columns), 30 + 25 + 25);
 }
 
 TEST(SidePanel, LeavesOutWhatBelongsToAHeadingThatIsNotDrawn) {

@@ -295,6 +295,25 @@ TEST(BarPlot, HasBarsAsLongAsTheirValues) {
     }
 }
 
+TEST(BarPlot, HasWhiskersThatNeedRoomToo) {
+    Drawing drawing;
+    const auto drawn = [&](const BarPlot& plot) {
+        Overlay overlay;
+        overlay.begin();
+        draw_bar_plot(overlay, {10, 10, 480, 300}, plot, {light_theme, 16});
+        return drawing.renderer.draw(empty_picture(500, 320), &overlay).image;
+    };
+    BarPlot plot = bars_of({50, 100, 25});
+    const Image plain = drawn(plot);
+    plot.bars[0].range = {40, 60};
+    EXPECT_NE(drawn(plot), plain);
+    plot.bars[0].range = {40, 200};
+    const auto [inside, outside] =
+        inside_and_outside(drawn(plot), {9, 9, 482, 302}, light_theme.background);
+    EXPECT_GT(inside, 0);
+    EXPECT_EQ(outside, 0);
+}
+
 TEST(BarPlot, StaysInItsRectangleWhateverTheData) {
     Drawing drawing;
     Overlay overlay;
