@@ -9,7 +9,9 @@ namespace scb::scenes {
 namespace {
 
 TEST(TellingLevels, EndWhereHardlyAnyLeafIsDeeper) {
-    const Mesh mesh = random_soup(3, 500, 0.1);
+    // Dense in the middle, so that some leaves are far deeper than others.
+    Mesh mesh = random_soup(3, 500, 0.1);
+    for (Vec3& v : mesh.vertices) v *= squared_norm(v) * squared_norm(v);
     std::vector<MeshTopology> topologies;
     topologies.push_back(mesh_topology(mesh));
     const std::vector<int> levels = telling_levels(topologies);
