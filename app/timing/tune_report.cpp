@@ -42,7 +42,7 @@ double cost_of_base(const SceneTuning& tuning, std::size_t r) {
 
 std::string table_row(const SceneTuning& tuning, std::size_t r) {
     const TuneRow &row = tuning.rows[r], &base = tuning.base();
-    const auto mean = [&](int width, std::uint64_t sum) {
+    const auto mean = [&](std::size_t width, std::uint64_t sum) {
         return right_aligned(render::mean_text(sum, tuning.frames.size()), width);
     };
     std::string line =

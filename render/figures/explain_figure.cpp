@@ -135,7 +135,7 @@ void mark_hidden(Overlay& overlay, const ExplainFigure& figure, const Camera& ca
         outline_of(placed(figure.a, figure.to_world), camera, view),
         outline_of(placed(figure.b, figure.to_world), camera, view)};
     const Rgba8 colors[] = {body_a_color, body_b_color};
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         const std::vector<double>&inner = outlines[side], &outer = outlines[1 - side];
         bool hidden = true;
         for (std::size_t i = 0; i < inner.size(); ++i) hidden &= inner[i] <= outer[i] + 1;
