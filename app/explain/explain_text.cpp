@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/console.h"
+#include "app/query/scene_title.h"
 #include "core/base/text_format.h"
 #include "render/figures/explain_symbols.h"
 #include "render/figures/volume_titles.h"
@@ -201,11 +202,9 @@ PairNames pair_names(const std::string& scene, const ExplainedPair& pair) {
     if (!pair.nodes) return {scene, ""};
     const auto& [a, b] = *pair.nodes;
     if (scene == a.body + "-" + b.body) return {"", node_names(pair)};
-    const std::string mesh = a.body.substr(0, a.body.rfind("-A"));
-    if (mesh + "-A" != a.body || mesh + "-B" != b.body || scene != mesh + "-" + mesh)
-        return {scene, node_names(pair)};
-    return {mesh + " with itself",
-            "A " + std::to_string(a.index) + ", B " + std::to_string(b.index)};
+    const std::string title = scene_title(scene, a.body, b.body);
+    if (title == scene) return {scene, node_names(pair)};
+    return {title, "A " + std::to_string(a.index) + ", B " + std::to_string(b.index)};
 }
 
 std::string explanation_text(const ExplainedPair& pair, bool colored) {

@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/query/scene_title.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
@@ -204,20 +205,12 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
     return groups;
 }
 
-/// The name of the scene; of a mesh with itself, which has it twice, the name of the mesh.
-std::string scene_words(const TraceHeader& header) {
-    const std::string &a = header.bodies[0].name, &b = header.bodies[1].name;
-    if (header.source.size() == 2 && a.ends_with("-A") && b.ends_with("-B") &&
-        a.substr(0, a.size() - 2) == b.substr(0, b.size() - 2))
-        return scenes::printable(a.substr(0, a.size() - 2)) + " with itself";
-    return scenes::printable(header.scene);
-}
-
 }  // namespace
 
 std::string inspect_title(const InspectReport& report) {
-    return scene_words(report.header) + " · " +
-           std::string(render::volume_title(report.header.volume)) + " · inspect";
+    const TraceHeader& header = report.header;
+    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + " · " +
+           std::string(render::volume_title(header.volume)) + " · inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cli/build_text.h"
+#include "app/query/scene_title.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
 #include "scb/level_cover.h"
@@ -178,8 +179,9 @@ Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
 std::string QueryView::title(const std::string& what) const {
     const SceneQuery& query = sources_.front().query();
     const bool one_kind = sources_.back().query().kind == query.kind;
-    return query.scene.name + " · " +
-           (one_kind ? std::string(render::volume_title(query.kind)) + " · " : "") + what;
+    return scene_title(query.scene.name, query.scene.bodies[query.a].name,
+                       query.scene.bodies[query.b].name) +
+           " · " + (one_kind ? std::string(render::volume_title(query.kind)) + " · " : "") + what;
 }
 
 std::string QueryView::subtitle(std::optional<int> frame) const {

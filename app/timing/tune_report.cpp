@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
+#include "app/query/scene_title.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -293,7 +294,7 @@ std::string tune_csv(const SceneTuning& tuning) {
 render::TuneFigure tune_figure(const SceneTuning& tuning) {
     const TuneRow& base = tuning.base();
     render::TuneFigure figure;
-    figure.title = tuning.scene + " · settings";
+    figure.title = scene_title(tuning.scene, tuning.bodies[0], tuning.bodies[1]) + " · settings";
     figure.subtitle = render::frames_text(tuning.frames) + ", base: " + setting_text(base.setting);
     const auto times = [&](const TimeInterval& ms) {
         const double of_base = base.ms->median;

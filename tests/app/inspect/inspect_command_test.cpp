@@ -194,6 +194,18 @@ std::vector<std::string> all_between(const std::string& text, const std::string&
     return found;
 }
 
+TEST(InspectCommand, NamesAMeshOnceInTitles) {
+    const TemporaryFolder folder;
+    const std::string mesh = SCB_SOURCE_DIR "/scenes/samples/bracket.ply";
+    const ProgramRun run =
+        run_scb("inspect " + mesh + " " + mesh + " --pose 1,0,0,30,0,1,0,0,0,0,1,70 --top 1 -o " +
+                folder / "out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string html = html_in(folder / "out");
+    EXPECT_NE(html.find("bracket with itself"), std::string::npos);
+    EXPECT_EQ(html.find("bracket-bracket ·"), std::string::npos);
+}
+
 TEST(InspectCommand, WritesAPageWithPicturesOfTheWorstPairs) {
     const TemporaryFolder folder;
     const std::string arguments = "spheres-l1 --frames 60,100 --top 2 --test corrected";

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace scb::app {
+
+/// What a title calls a scene, as printable UTF-8, so that no name is there twice: "cheese with
+/// itself" for "cheese-cheese", the scene of one mesh twice, whose bodies are "cheese-A" and
+/// "cheese-B"; else the scene's name.
+std::string scene_title(const std::string& scene, const std::string& a, const std::string& b);
+
+}  // namespace scb::app
