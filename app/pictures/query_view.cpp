@@ -1,7 +1,6 @@
 #include "app/pictures/query_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -26,12 +25,8 @@ std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown
     constexpr int levels = 6;
     const Topology& topology = topology_of(hierarchy);
     if (shown == Shown::meshes) return level_cover(topology, levels);
+    if (shown == Shown::leaves) return level_cover(topology, leaf_level);
     std::vector<std::uint32_t> nodes;
-    if (shown == Shown::leaves) {
-        for (std::uint32_t node = 0; node < topology.nodes.size(); ++node)
-            if (topology.nodes[node].is_leaf()) nodes.push_back(node);
-        return nodes;
-    }
     const std::vector<std::uint16_t> depths = node_depths(topology);
     for (std::uint32_t node = 0; node < depths.size(); ++node)
         if (depths[node] <= levels) nodes.push_back(node);
@@ -146,25 +141,14 @@ render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) c
 void QueryView::show_small_contact(render::SceneFigure& figure,
                                    const std::vector<render::AnyVolume>& region) const {
     if (follows_contact() || region.empty()) return;
-    // As if the view were so high; small is what takes an eighth of that.
-    constexpr int height = 1000, small = height / 8;
-    const int width = static_cast<int>(height * aspect());
-    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-    for (const render::AnyVolume& volume : region) {
-        const Vec3 at = render::project(figure.pane.camera, render::center(volume), width, height);
-        lower = lower.cwiseMin(at);
-        upper = upper.cwiseMax(at);
-    }
-    if (std::max(upper[0] - lower[0], upper[1] - lower[1]) > small) return;
+    constexpr double small = 1.0 / 8;
+    if (render::extent_in_view(figure.pane.camera, region) > small) return;
     render::insert_before_notes(figure.panel,
                                 {"the contact is small here: see it with --camera\u00a0contact"});
-    const Vec3 middle = render::center_of(render::support_of(region));
-    double radius = 0;
-    for (const render::AnyVolume& volume : region)
-        radius = std::max(radius, std::sqrt(squared_norm(render::center(volume) - middle)));
-    radius = std::max(1.1 * radius, least_radius());
-    figure.detail =
-        render::Detail{detail_camera(camera_view_, {middle, radius}, support_, 1), middle, radius};
+    const Ball contact = render::ball_about_centers(region);
+    const double radius = std::max(1.1 * contact.radius, least_radius());
+    figure.detail = render::Detail{
+        detail_camera(camera_view_, {contact.center, radius}, support_, 1), contact.center, radius};
 }
 
 scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {

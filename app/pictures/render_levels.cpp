@@ -140,10 +140,13 @@ int run(const LevelOptions& options, const Console& console) {
         for (const scenes::NamedMesh& mesh : scene.meshes)
             meshes.push_back(pictures.renderer().upload(mesh.mesh));
     std::vector<std::vector<render::LevelBody>> bodies;  // per kind
-    std::vector<render::Support> parts;
     for (const auto& h : hierarchies) bodies.push_back(bodies_of(scene, frame, h, meshes));
-    for (const auto& b : bodies) parts.push_back(render::support_of_levels(b, levels));
-    const render::Support support = render::support_of_all(std::move(parts));
+    const auto support_of = [&bodies](const std::vector<int>& shown) {
+        std::vector<render::Support> of_kinds;
+        for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));
+        return render::support_of_all(std::move(of_kinds));
+    };
+    const render::Support support = support_of(levels);
 
     render::LevelFigure figure;
     figure.style = style;
@@ -174,11 +177,6 @@ int run(const LevelOptions& options, const Console& console) {
 
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;
-        const auto support_of = [&bodies](const std::vector<int>& shown) {
-            std::vector<render::Support> of_kinds;
-            for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));
-            return render::support_of_all(std::move(of_kinds));
-        };
         std::vector<int> shared = levels;
         std::erase_if(shared, has_own_view);
         const render::Support held = support_of(shared.empty() ? levels : shared);

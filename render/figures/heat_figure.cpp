@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "render/figures/body_names.h"
+#include "render/plots/depth_matrix_plot.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
@@ -56,7 +57,7 @@ PanelItem heat_key(const Heat& heat) {
             !tick.label.empty() && at < nearest)
             scale.ticks.emplace_back(at, tick.label);
     const auto end = static_cast<std::uint64_t>(std::llround(heat.scale.high));
-    scale.ticks.emplace_back(1, end < 1000 ? std::to_string(end) : count_text(end / 1000) + "k");
+    scale.ticks.emplace_back(1, short_count(end));
     return scale;
 }
 

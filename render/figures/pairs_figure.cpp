@@ -5,6 +5,7 @@
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/body_names.h"
 #include "render/plots/ending_colors.h"
+#include "scb/level_cover.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb::render {
@@ -46,10 +47,9 @@ double leaf_size(const QueryBody& body, std::uint32_t node) {
 }
 
 double usual_leaf_size(const QueryBody& body) {
-    const std::vector<TopologyNode>& nodes = topology_of(*body.hierarchy).nodes;
     std::vector<double> sizes;
-    for (std::uint32_t node = 0; node < nodes.size(); ++node)
-        if (nodes[node].is_leaf()) sizes.push_back(leaf_size(body, node));
+    for (const std::uint32_t leaf : level_cover(topology_of(*body.hierarchy), leaf_level))
+        sizes.push_back(leaf_size(body, leaf));
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     return *middle;

@@ -125,6 +125,24 @@ Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& opt
     return camera;
 }
 
+double extent_in_view(const Camera& camera, std::span<const AnyVolume> volumes) {
+    if (volumes.empty()) return 0;
+    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+    for (const AnyVolume& volume : volumes) {
+        const Vec3 at = project(camera, center(volume), 1, 1);
+        lower = lower.cwiseMin(at);
+        upper = upper.cwiseMax(at);
+    }
+    return std::max(upper[0] - lower[0], upper[1] - lower[1]);
+}
+
+Ball ball_about_centers(std::span<const AnyVolume> volumes) {
+    Ball ball{center_of(support_of(volumes)), 0};
+    for (const AnyVolume& volume : volumes)
+        ball.radius = std::max(ball.radius, std::sqrt(squared_norm(center(volume) - ball.center)));
+    return ball;
+}
+
 void set_depth_range(Camera& camera, const Support& support) {
     const Vec3 back = camera.axes.col(2);
     const double eye = dot(camera.position, back);

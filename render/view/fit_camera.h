@@ -50,6 +50,13 @@ struct CameraFit {
 /// not finite.
 Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options = {});
 
+/// How much the centers of the volumes spread as the camera sees them, to the side or in height,
+/// whichever is more, as a part of the view's height. 0 where there are none.
+double extent_in_view(const Camera& camera, std::span<const AnyVolume> volumes);
+
+/// A ball that holds the centers of volumes, about the middle of them all.
+Ball ball_about_centers(std::span<const AnyVolume> volumes);
+
 /// Makes the camera's depth range as narrow as the support allows. What is behind the eye, or
 /// nearer than a ten thousandth of the far distance, is cut off.
 void set_depth_range(Camera& camera, const Support& support);

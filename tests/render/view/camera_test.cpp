@@ -69,6 +69,22 @@ TEST(FitCamera, EverythingIsInsideAndTouchesTheMargins) {
         }
 }
 
+TEST(FitCamera, CentersSpreadAsTheCameraSeesThem) {
+    // From along y, 10 away: x is to the side, z is up, and what is nearer spreads more.
+    const std::vector<AnyVolume> balls = {Ball{{-1, 0, 0}, 5}, Ball{{3, 0, 0.5}, 7}};
+    const Camera camera = orbit_camera(0, 0, {0, 0, 0}, 10, true);
+    EXPECT_NEAR(extent_in_view(camera, balls), 4 / camera.view_height, 1e-12);
+    const Camera from_the_side = orbit_camera(90, 0, {0, 0, 0}, 10, true);
+    EXPECT_NEAR(extent_in_view(from_the_side, balls), 0.5 / camera.view_height, 1e-12);
+    EXPECT_EQ(extent_in_view(camera, {}), 0);
+
+    const Ball held = ball_about_centers(balls);
+    for (const AnyVolume& ball : balls)
+        EXPECT_LE(std::sqrt(squared_norm(center(ball) - held.center)), held.radius);
+    EXPECT_LT(held.radius, 5);
+    EXPECT_EQ(ball_about_centers(std::vector<AnyVolume>{Ball{{1, 2, 3}, 4}}).radius, 0);
+}
+
 TEST(FitCamera, NothingIsCutOffByTheDepthRange) {
     const std::vector<AnyVolume> volumes = {Ball{Vec3(0, 0, 0), 1}};
     const Camera camera = fit_camera(orbit_axes(0, 0), support_of(volumes));
