@@ -11,6 +11,7 @@
 #include "core/volumes/measured_shape.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/hierarchy/built_mesh.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
@@ -87,7 +88,7 @@ TEST(HierarchyMeasures, ABoxIsAsTightAsItsHull) {
 }
 
 TEST(HierarchyMeasures, NoVolumeIsSmallerThanItsHull) {
-    const Mesh mesh = random_soup(7, 300, 0.3);
+    const Mesh mesh = random_soup(7, unless_sanitized(300, 25), 0.3);
     for (const VolumeKind kind : all_volume_kinds())
         for (const LevelMeasures& level : measured(mesh, kind).levels) {
             EXPECT_LE(level.hull_volume, level.volume * (1 + 1e-9)) << volume_kind_name(kind);
@@ -98,7 +99,7 @@ TEST(HierarchyMeasures, NoVolumeIsSmallerThanItsHull) {
 
 TEST(HierarchyMeasures, SumUpOverLevels) {
     for (const VolumeKind kind : all_volume_kinds()) {
-        const HierarchyMeasures m = measured(random_soup(8, 200, 0.3), kind);
+        const HierarchyMeasures m = measured(random_soup(8, unless_sanitized(200, 20), 0.3), kind);
         double epo = 0, sah_cost = 0, area = 0;
         for (const LevelMeasures& level : m.levels) {
             epo += level.epo;
@@ -113,8 +114,8 @@ TEST(HierarchyMeasures, SumUpOverLevels) {
 }
 
 TEST(HierarchyMeasures, AreTheSameForAnyNumberOfThreads) {
-    const Mesh mesh = random_soup(9, 1000, 0.1);
-    for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::dop18, VolumeKind::rss}) {
+    const Mesh mesh = random_soup(9, unless_sanitized(3000, 30), 0.1);
+    for (const VolumeKind kind : all_volume_kinds()) {
         const HierarchyMeasures one = measured(mesh, kind, 1), four = measured(mesh, kind, 4);
         for (std::size_t i = 0; i < cost_predictors().size(); ++i)
             EXPECT_EQ(cost_predictors()[i].of(one), cost_predictors()[i].of(four))

@@ -7,12 +7,14 @@
 #include "scb/level_cover.h"
 #include "tests/core/collide/collide_checks.h"
 #include "tests/core/overlap/volume_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
 TEST(CollideMaxPairs, EndsTheQueryWithSoManyOfAllPairs) {
-    const BuiltMesh a(random_soup(61, 60, 0.4)), b(random_soup(62, 60, 0.4));
+    const BuiltMesh a(random_soup(61, unless_sanitized(60, 45), 0.4)),
+        b(random_soup(62, unless_sanitized(60, 45), 0.4));
     const std::vector<IndexPair> all = brute_force(a.mesh, b.mesh, Pose{});
     ASSERT_GT(all.size(), 20u);
     for (QueryVariant variant : all_query_variants()) {
@@ -86,7 +88,8 @@ std::vector<std::uint32_t> cover_node_of(const Topology& topology, int level) {
 // the pairs found are some of those of the two covers that overlap, and all whose triangles
 // intersect are among them.
 TEST(CollideStopLevel, FindsPairsOfTheCoversThatOverlapAndAllThatHoldIntersections) {
-    const BuiltMesh a(random_soup(63, 80, 0.4)), b(random_soup(64, 60, 0.4));
+    const BuiltMesh a(random_soup(63, unless_sanitized(80, 55), 0.4)),
+        b(random_soup(64, unless_sanitized(60, 50), 0.4));
     Random random(65);
     const Pose pose = random_pose(random, 0.2);
     const std::vector<IndexPair> triangles = brute_force(a.mesh, b.mesh, pose);

@@ -7,6 +7,7 @@
 #include "scb/level_cover.h"
 #include "tests/core/collide/collide_checks.h"
 #include "tests/core/collide/small_scenes.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
@@ -27,7 +28,7 @@ TEST(Collide, FindsWhatBruteForceFindsInSmallScenes) {
 TEST(Collide, FindsWhatBruteForceFindsInMeshesOfFewTriangles) {
     for (const int count_a : {1, 2, 7, 8, 9})
         for (const int count_b : {1, 2, 7, 8, 9})
-            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            for (std::uint64_t seed = 1; seed <= unless_sanitized(3u, 1u); ++seed) {
                 const Mesh a = random_soup(seed, count_a, 1.5),
                            b = random_soup(seed + 10, count_b, 1.5);
                 SCOPED_TRACE(std::to_string(count_a) + " and " + std::to_string(count_b));
@@ -68,7 +69,7 @@ Mesh halving_mesh(int count) {
 }
 
 TEST(Collide, FindsWhatBruteForceFindsWherePositionsAttackTheDepth) {
-    const BuiltMesh a(halving_mesh(100));
+    const BuiltMesh a(halving_mesh(unless_sanitized(100, 75)));
     EXPECT_GT(depth(a.topology()), 8);
     expect_queries(a, a, Pose{});
     expect_queries(a, a, {Mat3::Identity(), {0, std::ldexp(1.0, -20), 0}});
@@ -90,11 +91,7 @@ Topology chain(std::uint32_t count) {
 }
 
 TEST(Collide, TakesTreesThatAreAsDeepAsTheirTriangles) {
-#ifdef SCB_SANITIZED
-    constexpr std::uint32_t count = 150;
-#else
-    constexpr std::uint32_t count = 400;
-#endif
+    constexpr std::uint32_t count = unless_sanitized(400u, 100u);
     const Mesh mesh = random_soup(55, count, 0.05);
     const BuiltMesh a(mesh, chain(count));
     ASSERT_EQ(validate(a.topology(), mesh), "");

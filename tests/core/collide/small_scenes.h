@@ -4,15 +4,12 @@
 
 #include "tests/core/hierarchy/built_mesh.h"
 #include "tests/core/overlap/volume_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 
 /// How many small scenes a test tries.
-#ifdef SCB_SANITIZED
-inline constexpr int scenes_tried = 100;
-#else
-inline constexpr int scenes_tried = 1000;
-#endif
+inline constexpr int scenes_tried = unless_sanitized(1000, 20);
 
 /// Corners on a grid of dyadic coordinates, most of them shared.
 inline Mesh grid_soup(Random& random, int count, std::uint32_t size) {

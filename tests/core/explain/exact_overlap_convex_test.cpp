@@ -10,15 +10,12 @@
 #include "core/overlap/overlap_convex.h"
 #include "core/volumes/shape.h"
 #include "tests/core/overlap/convex_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_convex = 100;
-#else
-constexpr int many_convex = 1000;
-#endif
+constexpr int many_convex = unless_sanitized(1000, 100);
 
 ConvexShape shape_of_box(const Obb& box) {
     return {box.center, 0, box.axes, [box](const Vec3& d) {

@@ -8,15 +8,12 @@
 #include <cstring>
 
 #include "tests/core/overlap/random_scb_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_scbs = 2000;
-#else
-constexpr int many_scbs = 112000;
-#endif
+constexpr int many_scbs = unless_sanitized(112000, 2000);
 
 // Narrower than what counts as touching by default: what the search can tell.
 constexpr double strict = 1e-13;

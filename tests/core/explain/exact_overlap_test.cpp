@@ -9,15 +9,12 @@
 #include "scb/overlap.h"
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/core/overlap/scb2_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_pairs = 2000;
-#else
-constexpr int many_pairs = 50000;
-#endif
+constexpr int many_pairs = unless_sanitized(50000, 2000);
 
 Obb random_box(Random& random) {
     const Pose pose = random_pose(random);

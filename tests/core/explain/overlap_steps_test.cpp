@@ -11,15 +11,12 @@
 #include "tests/core/overlap/overlap_checks.h"
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/core/overlap/scb2_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_steps = 2000;
-#else
-constexpr int many_steps = 100000;
-#endif
+constexpr int many_steps = unless_sanitized(100000, 2000);
 // All axes of two boxes decide in some pair.
 constexpr int many_boxes = std::max(many_steps, 20000);
 

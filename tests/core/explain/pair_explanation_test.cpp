@@ -6,15 +6,12 @@
 
 #include "tests/core/overlap/overlap_checks.h"
 #include "tests/core/overlap/random_scb_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_explained = 50;
-#else
-constexpr int many_explained = 2000;
-#endif
+constexpr int many_explained = unless_sanitized(2000, 50);
 
 TEST(Judged, ByWhatIsSo) {
     EXPECT_EQ(judged(Stage::overlapping, Contact::disjoint), Answer::false_positive);

@@ -6,16 +6,13 @@
 #include "core/base/random.h"
 #include "scb/triangle_overlap.h"
 #include "tests/core/geometry/triangle_reference.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 
 /// What tests divide their counts by: sanitizers take some twenty times as long. (Prime to the
 /// sizes of the sets that are walked through in such steps.)
-#ifdef SCB_SANITIZED
-inline constexpr int effort = 23;
-#else
-inline constexpr int effort = 1;
-#endif
+inline constexpr int effort = unless_sanitized(1, 23);
 
 struct TrianglePair {
     TriangleCorners a, b;

@@ -9,15 +9,12 @@
 #include "scb/hierarchy.h"
 #include "scb/overlap.h"
 #include "tests/core/overlap/volume_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many_pairs = 5000;
-#else
-constexpr int many_pairs = 100000;
-#endif
+constexpr int many_pairs = unless_sanitized(100000, 5000);
 
 struct BoxPair {
     ExactAabb a, b;

@@ -13,15 +13,12 @@
 #include "core/volumes/direction_grid.h"
 #include "scb/volume.h"
 #include "tests/core/overlap/convex_pairs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr int many = 1000;
-#else
-constexpr int many = 20000;
-#endif
+constexpr int many = unless_sanitized(20000, 1000);
 
 template <class V>
 class Convex : public testing::Test {};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/core/overlap/overlap_checks.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
@@ -101,11 +102,7 @@ bool edges_meet(const Obb& a, const Obb& b, double slack) {
 
 TEST(OverlapOfBoxes, AgreesWithClippingTheirEdges) {
     Random random(22);
-#ifdef SCB_SANITIZED
-    constexpr int count = 10000;
-#else
-    constexpr int count = 100000;
-#endif
+    constexpr int count = unless_sanitized(100000, 10000);
     int apart = 0, overlapping = 0;
     std::set<Stage> seen;
     for (int i = 0; i < count; ++i) {

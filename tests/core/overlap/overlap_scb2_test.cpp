@@ -7,15 +7,12 @@
 #include "scb/overlap.h"
 #include "scb/overlap_options.h"
 #include "tests/core/overlap/scb2_tally.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr std::uint64_t pairs_per_scb2_family = 300;
-#else
-constexpr std::uint64_t pairs_per_scb2_family = 20000;
-#endif
+constexpr std::uint64_t pairs_per_scb2_family = unless_sanitized<std::uint64_t>(20000, 300);
 
 std::string text_of(const VolumePair<Scb2>& pair) {
     std::ostringstream out;

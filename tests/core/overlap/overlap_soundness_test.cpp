@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "tests/core/overlap/overlap_tally.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
 
-#ifdef SCB_SANITIZED
-constexpr std::uint64_t pairs_per_family = 2000;
-#else
-constexpr std::uint64_t pairs_per_family = 112000;
-#endif
+constexpr std::uint64_t pairs_per_family = unless_sanitized<std::uint64_t>(112000, 2000);
 
 std::string to_text(const ScbPair& pair) {
     std::ostringstream out;

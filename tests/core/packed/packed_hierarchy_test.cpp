@@ -12,6 +12,7 @@
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/packed/packed_variants.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
@@ -149,11 +150,12 @@ Mesh acute_grid(std::uint32_t side, double height) {
 TEST(PackedHierarchy, BuiltAtOnceIsThatOfTheHierarchy) {
     std::vector<Mesh> meshes = all_kinds();
     for (const double height : {0.866, 0.5, 1e-3, 1e-9}) meshes.push_back(acute_grid(12, height));
-    meshes.push_back(height_field(80));  // more than a thread takes at a time
+    meshes.push_back(height_field(unless_sanitized(80, 50)));  // more than a thread takes at a time
     for (const Mesh& mesh : meshes)
         for (const SplitMethod split : {SplitMethod::section_3, SplitMethod::cost}) {
             const BuiltMesh built(mesh, build_topology(mesh, {.split = split}));
-            const int first = mesh.triangles.size() < 5000 ? 1 : most_leaf_triangles;
+            const int first =
+                mesh.triangles.size() < unless_sanitized(5000u, 30u) ? 1 : most_leaf_triangles;
             for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
                 const auto& hierarchy = scb_of<typename Codec::Volume>(built);
                 for (int leaf = first; leaf <= most_leaf_triangles; ++leaf) {

@@ -45,6 +45,7 @@ HWY_AFTER_NAMESPACE();
 #include "core/base/random.h"
 #include "scb/placement.h"
 #include "tests/core/packed/random_scbs.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb {
 namespace {
@@ -161,11 +162,7 @@ void set_random(PackedScb2& v, Random& random, const Vec3& normal) {
 // not. The bound adds up what is never all there: no pair of one slab needed more than one unit.
 template <class Packed>
 void expect_distances_within_bound(float too_few) {
-#ifdef SCB_SANITIZED
-    constexpr int pairs_tried = 10000;
-#else
-    constexpr int pairs_tried = 100000;
-#endif
+    constexpr int pairs_tried = unless_sanitized(100000, 10000);
     Random random(91);
     int missed_within_few = 0;
     for (int i = 0; i < pairs_tried; ++i) {
@@ -211,11 +208,7 @@ void expect_distances_within_bound(float too_few) {
 // the surface, are one.
 template <class V>
 void expect_shared_points_found() {
-#ifdef SCB_SANITIZED
-    constexpr int pairs_tried = 20000;
-#else
-    constexpr int pairs_tried = 200000;
-#endif
+    constexpr int pairs_tried = unless_sanitized(200000, 20000);
     Random random(92);
     for (int i = 0; i < pairs_tried; ++i) {
         const V a = some_volume<V>(random, std::ldexp(1.0, -static_cast<int>(random.below(12))));

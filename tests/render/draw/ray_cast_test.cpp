@@ -4,6 +4,7 @@
 
 #include "tests/render/draw/cpu_caster.h"
 #include "tests/render/gl/gl_fixture.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb::render {
 namespace {
@@ -92,11 +93,7 @@ TEST_P(RayCast, AgreesForScenesOfAnyScale) {
 
 // Their surfaces are meshes: beside the lines where a facet or a volume ends a pixel may differ.
 // A ray of the reference that meets a convex volume takes a search.
-#ifdef SCB_SANITIZED
-constexpr int pixels_to_next = 5;
-#else
-constexpr int pixels_to_next = 1;
-#endif
+constexpr int pixels_to_next = unless_sanitized(1, 5);
 
 TEST_P(RayCast, AgreesOnConvexVolumesButForTheirFacets) {
     const auto at = [](auto volume, const Vec3& where) {

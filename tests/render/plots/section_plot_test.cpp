@@ -15,6 +15,7 @@
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 #include "tests/render/overlay/rects.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb::render {
 namespace {
@@ -22,11 +23,7 @@ namespace {
 // Directions that are parallel to a millionth count as parallel.
 constexpr double invisible = 1e-5;
 
-#ifdef SCB_SANITIZED
-constexpr int many = 200;
-#else
-constexpr int many = 5000;
-#endif
+constexpr int many = unless_sanitized(5000, 200);
 
 double area_of(const ScreenPolygon& polygon) {
     double area = 0;

@@ -19,6 +19,7 @@
 #include <functional>
 
 #include "tests/temporary_folder.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb::scenes {
 namespace {
@@ -80,11 +81,7 @@ rlim_t soft_limit(__rlimit_resource_t resource) {
 }
 
 TEST(Confinement, HasTimeAndMemoryByTheBytesThatItReads) {
-#ifdef SCB_SANITIZED
-    constexpr rlim_t slowness = 20;
-#else
-    constexpr rlim_t slowness = 1;
-#endif
+    constexpr rlim_t slowness = unless_sanitized<rlim_t>(1, 20);
     const auto holds = [&] {
         constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
         const auto has = [&](rlim_t seconds, rlim_t bytes) {
