@@ -22,7 +22,7 @@ const std::map<std::string, Floors> rooms = {
       {"explain"},
       {"collide"},
       {"packed", "analysis"}}},
-    {"scenes", {{"text"}, {"shapes"}, {"meshes"}, {"scene"}, {"traces"}}},
+    {"scenes", {{"text"}, {"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},
     {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app", {{"cli"}, {"query"}, {"pictures"}, {"timing", "explain", "golden"}, {"inspect"}}},

@@ -1,0 +1,175 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scb::scenes {
+
+// The records of a recording, one after the other, as scb_record.h writes them and README.md of
+// this folder describes them. What they say is not checked here: a recording of a broken engine is
+// one too.
+
+/// No mesh, no parent.
+inline constexpr std::uint32_t record_none = UINT32_MAX;
+
+/// What begins a record. Tags below `items_apart` are tests of two volumes, by the stage at which
+/// they ended.
+enum class RecordTag : std::uint8_t {
+    volumes_overlap = 0,
+    items_apart = 128,
+    items_meet = 129,
+    pair = 130,
+    setting = 192,
+    stage,
+    mesh,
+    tree,
+    node,
+    refit,
+    body,
+    frame,
+    pose,
+    query,
+    query_end,
+    end,
+};
+/// From this tag on a record says how long it is; those below are of 9 bytes.
+inline constexpr std::uint8_t first_long_tag = 192;
+
+/// A test of two volumes or of two items (triangles, objects), or a pair that a query reported.
+struct RecordedEvent {
+    std::uint8_t tag = 0;
+    std::uint32_t a = 0, b = 0;
+
+    bool operator==(const RecordedEvent&) const = default;
+};
+
+struct RecordedSetting {
+    std::string key, value;
+
+    bool operator==(const RecordedSetting&) const = default;
+};
+
+/// The name of a stage, 1 to 127, at which tests of two volumes reject.
+struct RecordedStage {
+    std::uint8_t stage = 0;
+    std::string name;
+
+    bool operator==(const RecordedStage&) const = default;
+};
+
+struct RecordedMesh {
+    std::uint32_t mesh = 0;
+    std::string name;
+    std::uint8_t coordinate_bytes = 8;   ///< 4 or 8, as the engine had them
+    std::vector<double> coordinates;     ///< three per vertex
+    std::vector<std::uint32_t> indices;  ///< three per triangle
+
+    bool operator==(const RecordedMesh&) const = default;
+};
+
+/// The volumes of nodes, and what their numbers are.
+enum class RecordedKind : std::uint8_t {
+    none,
+    aabb,     ///< lower corner, upper corner
+    obb,      ///< center, three axes, half sides
+    ball,     ///< center, radius
+    capsule,  ///< two ends, radius
+    rss,      ///< a corner of the rectangle, its two sides, radius
+    kdop,     ///< per direction of the tree the least and the greatest x.d
+    scb,      ///< center, radius, normal, e, f
+    scb2,     ///< the same, second normal, its e, its f
+    hull,     ///< points
+};
+inline constexpr std::size_t recorded_kind_count = 10;
+
+struct RecordedVolume {
+    RecordedKind kind = RecordedKind::none;
+    std::vector<double> values;
+
+    bool operator==(const RecordedVolume&) const = default;
+};
+
+/// A tree, or the same tree built anew: the nodes follow.
+struct RecordedTree {
+    std::uint32_t tree = 0, mesh = record_none;
+    std::string name;
+    std::vector<double> directions;  ///< of its k-DOPs, three numbers each
+
+    bool operator==(const RecordedTree&) const = default;
+};
+
+struct RecordedNode {
+    std::uint32_t tree = 0, node = 0, parent = record_none;
+    std::uint64_t id = 0;  ///< what the engine calls it
+    std::string name;
+    std::vector<std::uint32_t> children, items;
+    RecordedVolume volume;
+
+    bool operator==(const RecordedNode&) const = default;
+};
+
+/// The volume of a node from here on.
+struct RecordedRefit {
+    std::uint32_t tree = 0, node = 0;
+    RecordedVolume volume;
+
+    bool operator==(const RecordedRefit&) const = default;
+};
+
+struct RecordedBody {
+    std::uint32_t body = 0, tree = 0;
+    std::string name;
+
+    bool operator==(const RecordedBody&) const = default;
+};
+
+struct RecordedFrame {
+    std::uint32_t frame = 0;
+
+    bool operator==(const RecordedFrame&) const = default;
+};
+
+/// Where a body is from here on: the rows of [R|t].
+struct RecordedPose {
+    std::uint32_t body = 0;
+    std::array<double, 12> rows{};
+
+    bool operator==(const RecordedPose&) const = default;
+};
+
+/// A query of two bodies begins; events follow.
+struct RecordedQuery {
+    std::uint32_t body_a = 0, body_b = 0;
+
+    bool operator==(const RecordedQuery&) const = default;
+};
+
+struct RecordedQueryEnd {
+    bool complete = true;
+    std::uint64_t nanoseconds = 0;  ///< 0: not measured
+
+    bool operator==(const RecordedQueryEnd&) const = default;
+};
+
+/// The recorder was closed.
+struct RecordedEnd {
+    bool operator==(const RecordedEnd&) const = default;
+};
+
+/// A record of a newer version: kept as it is.
+struct RecordedUnknown {
+    std::uint8_t tag = 0;
+    std::vector<std::uint8_t> bytes;
+
+    bool operator==(const RecordedUnknown&) const = default;
+};
+
+using Record =
+    std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
+                 RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
+                 RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedUnknown>;
+
+}  // namespace scb::scenes

@@ -1,0 +1,388 @@
+#include "scenes/recordings/recording_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "scb/error.h"
+#include "scenes/traces/trace_block.h"
+
+namespace scb::scenes {
+namespace {
+
+constexpr std::string_view magic = "\x89scbrc\r\n";
+constexpr std::string_view plain_block = "data", packed_block = "pack";
+/// Of a block; what is longer is one record.
+constexpr std::size_t block_size = 1 << 20;
+
+std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
+}
+
+std::span<const std::uint8_t> as_bytes(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+std::string read_text(ByteReader& in) {
+    const auto taken = in.take(in.fixed32());
+    return {taken.begin(), taken.end()};
+}
+
+/// So many elements of so many bytes; none where there are not as many.
+std::size_t counted(ByteReader& in, std::uint64_t count, std::size_t bytes_of_each) {
+    if (count <= in.bytes.size() / bytes_of_each) return static_cast<std::size_t>(count);
+    in.take(UINT64_MAX);
+    return 0;
+}
+
+std::vector<std::uint32_t> read_numbers(ByteReader& in, std::uint64_t count) {
+    std::vector<std::uint32_t> numbers(counted(in, count, 4));
+    for (std::uint32_t& number : numbers) number = in.fixed32();
+    return numbers;
+}
+
+std::vector<double> read_reals(ByteReader& in, std::uint64_t count) {
+    std::vector<double> reals(counted(in, count, 8));
+    for (double& real : reals) real = in.real();
+    return reals;
+}
+
+RecordedVolume read_volume(ByteReader& in) {
+    RecordedVolume volume;
+    const std::uint8_t kind = in.byte();
+    if (kind >= recorded_kind_count) in.take(UINT64_MAX);
+    volume.kind = static_cast<RecordedKind>(kind);
+    volume.values = read_reals(in, in.fixed32());
+    return volume;
+}
+
+RecordedMesh read_mesh(ByteReader& in) {
+    RecordedMesh mesh;
+    mesh.mesh = in.fixed32();
+    mesh.name = read_text(in);
+    mesh.coordinate_bytes = in.byte();
+    const std::uint64_t vertices = in.fixed32(), triangles = in.fixed32();
+    if (mesh.coordinate_bytes == 4) {
+        mesh.coordinates.resize(counted(in, 3 * vertices, 4));
+        for (double& c : mesh.coordinates)
+            c = static_cast<double>(std::bit_cast<float>(in.fixed32()));
+    } else if (mesh.coordinate_bytes == 8) {
+        mesh.coordinates = read_reals(in, 3 * vertices);
+    } else {
+        in.take(UINT64_MAX);
+    }
+    mesh.indices = read_numbers(in, 3 * triangles);
+    return mesh;
+}
+
+// Members are initialized in the order of the braces, which is that of the file.
+Record read_record(RecordTag tag, ByteReader& in) {
+    switch (tag) {
+        case RecordTag::setting: {
+            RecordedSetting r;
+            r.key = read_text(in);
+            r.value = read_text(in);
+            return r;
+        }
+        case RecordTag::stage: {
+            RecordedStage r;
+            r.stage = in.byte();
+            r.name = read_text(in);
+            return r;
+        }
+        case RecordTag::mesh:
+            return read_mesh(in);
+        case RecordTag::tree: {
+            RecordedTree r;
+            r.tree = in.fixed32();
+            r.mesh = in.fixed32();
+            r.name = read_text(in);
+            r.directions = read_reals(in, 3 * std::uint64_t{in.fixed32()});
+            return r;
+        }
+        case RecordTag::node: {
+            RecordedNode r;
+            r.tree = in.fixed32();
+            r.node = in.fixed32();
+            r.parent = in.fixed32();
+            r.id = in.fixed64();
+            r.name = read_text(in);
+            r.children = read_numbers(in, in.fixed32());
+            r.items = read_numbers(in, in.fixed32());
+            r.volume = read_volume(in);
+            return r;
+        }
+        case RecordTag::refit: {
+            RecordedRefit r;
+            r.tree = in.fixed32();
+            r.node = in.fixed32();
+            r.volume = read_volume(in);
+            return r;
+        }
+        case RecordTag::body: {
+            RecordedBody r;
+            r.body = in.fixed32();
+            r.tree = in.fixed32();
+            r.name = read_text(in);
+            return r;
+        }
+        case RecordTag::frame:
+            return RecordedFrame{in.fixed32()};
+        case RecordTag::pose: {
+            RecordedPose r;
+            r.body = in.fixed32();
+            for (double& value : r.rows) value = in.real();
+            return r;
+        }
+        case RecordTag::query: {
+            RecordedQuery r;
+            r.body_a = in.fixed32();
+            r.body_b = in.fixed32();
+            return r;
+        }
+        case RecordTag::query_end: {
+            RecordedQueryEnd r;
+            r.complete = in.byte() != 0;
+            r.nanoseconds = in.fixed64();
+            return r;
+        }
+        case RecordTag::end:
+            return RecordedEnd{};
+        default:
+            break;
+    }
+    const auto all = in.take(in.bytes.size());
+    return RecordedUnknown{static_cast<std::uint8_t>(tag), {all.begin(), all.end()}};
+}
+
+void write_text(ByteWriter& out, const std::string& text) {
+    out.fixed32(static_cast<std::uint32_t>(text.size()));
+    out.append(as_bytes(text));
+}
+
+void write_numbers(ByteWriter& out, const std::vector<std::uint32_t>& numbers) {
+    out.fixed32(static_cast<std::uint32_t>(numbers.size()));
+    for (const std::uint32_t number : numbers) out.fixed32(number);
+}
+
+void write_volume(ByteWriter& out, const RecordedVolume& volume) {
+    out.byte(static_cast<std::uint8_t>(volume.kind));
+    out.fixed32(static_cast<std::uint32_t>(volume.values.size()));
+    for (const double value : volume.values) out.real(value);
+}
+
+/// Writes what a record holds behind its length, and returns its tag.
+struct WriteRecord {
+    ByteWriter& out;
+
+    RecordTag operator()(const RecordedEvent& r) { return static_cast<RecordTag>(r.tag); }
+    RecordTag operator()(const RecordedSetting& r) {
+        write_text(out, r.key);
+        write_text(out, r.value);
+        return RecordTag::setting;
+    }
+    RecordTag operator()(const RecordedStage& r) {
+        out.byte(r.stage);
+        write_text(out, r.name);
+        return RecordTag::stage;
+    }
+    RecordTag operator()(const RecordedMesh& r) {
+        out.fixed32(r.mesh);
+        write_text(out, r.name);
+        out.byte(r.coordinate_bytes);
+        out.fixed32(static_cast<std::uint32_t>(r.coordinates.size() / 3));
+        out.fixed32(static_cast<std::uint32_t>(r.indices.size() / 3));
+        for (const double c : r.coordinates)
+            if (r.coordinate_bytes == 4)
+                out.fixed32(std::bit_cast<std::uint32_t>(static_cast<float>(c)));
+            else
+                out.real(c);
+        for (const std::uint32_t index : r.indices) out.fixed32(index);
+        return RecordTag::mesh;
+    }
+    RecordTag operator()(const RecordedTree& r) {
+        out.fixed32(r.tree);
+        out.fixed32(r.mesh);
+        write_text(out, r.name);
+        out.fixed32(static_cast<std::uint32_t>(r.directions.size() / 3));
+        for (const double value : r.directions) out.real(value);
+        return RecordTag::tree;
+    }
+    RecordTag operator()(const RecordedNode& r) {
+        out.fixed32(r.tree);
+        out.fixed32(r.node);
+        out.fixed32(r.parent);
+        out.fixed64(r.id);
+        write_text(out, r.name);
+        write_numbers(out, r.children);
+        write_numbers(out, r.items);
+        write_volume(out, r.volume);
+        return RecordTag::node;
+    }
+    RecordTag operator()(const RecordedRefit& r) {
+        out.fixed32(r.tree);
+        out.fixed32(r.node);
+        write_volume(out, r.volume);
+        return RecordTag::refit;
+    }
+    RecordTag operator()(const RecordedBody& r) {
+        out.fixed32(r.body);
+        out.fixed32(r.tree);
+        write_text(out, r.name);
+        return RecordTag::body;
+    }
+    RecordTag operator()(const RecordedFrame& r) {
+        out.fixed32(r.frame);
+        return RecordTag::frame;
+    }
+    RecordTag operator()(const RecordedPose& r) {
+        out.fixed32(r.body);
+        for (const double value : r.rows) out.real(value);
+        return RecordTag::pose;
+    }
+    RecordTag operator()(const RecordedQuery& r) {
+        out.fixed32(r.body_a);
+        out.fixed32(r.body_b);
+        return RecordTag::query;
+    }
+    RecordTag operator()(const RecordedQueryEnd& r) {
+        out.byte(r.complete ? 1 : 0);
+        out.fixed64(r.nanoseconds);
+        return RecordTag::query_end;
+    }
+    RecordTag operator()(const RecordedEnd&) { return RecordTag::end; }
+    RecordTag operator()(const RecordedUnknown& r) {
+        out.append(r.bytes);
+        return static_cast<RecordTag>(r.tag);
+    }
+};
+
+}  // namespace
+
+bool starts_as_recording(std::string_view bytes) { return bytes.starts_with(magic); }
+
+RecordingReader::RecordingReader(std::string_view bytes, std::string_view name)
+    : name_(name), bytes_(as_bytes(bytes)) {
+    if (!starts_as_recording(bytes))
+        throw InputError(name_ +
+                         " is no recording, which scb_record.h writes; name one (.scbrec).");
+    ByteReader in{bytes_.subspan(magic.size())};
+    const std::uint32_t version = in.fixed32();
+    if (!in.ok) throw InputError(name_ + " is truncated before its version; record it again.");
+    if (version > recording_version || version == 0)
+        throw InputError(name_ + " is a recording of version " + std::to_string(version) +
+                         "; this scb reads versions up to " + std::to_string(recording_version) +
+                         ": update it.");
+    left_ = in.bytes;
+}
+
+void RecordingReader::contradict(const std::string& what) const {
+    throw InputError(name_ + ": " + what + " in the block at byte " + std::to_string(block_at_) +
+                     "; its recorder did not write what scb_record.h does.");
+}
+
+bool RecordingReader::next_block() {
+    while (!left_.empty() && !damaged_at_) {
+        block_at_ = bytes_.size() - left_.size();
+        ByteReader in{left_};
+        const std::uint64_t length = in.fixed32();
+        const std::span<const std::uint8_t> checked = in.take(4 + length);
+        const std::uint32_t sum = in.fixed32();
+        if (!in.ok || sum != checksum(checked)) {
+            damaged_at_ = block_at_;
+            return false;
+        }
+        left_ = in.bytes;
+        const std::string_view kind(reinterpret_cast<const char*>(checked.data()), 4);
+        if (kind == packed_block) {
+            ByteReader packed{checked.subspan(4)};
+            const std::uint32_t size = packed.fixed32();
+            auto plain = unpack(packed.bytes, size);
+            if (!packed.ok || !plain) contradict("there is nothing that can be unpacked");
+            unpacked_ = std::move(*plain);
+            block_ = {unpacked_};
+        } else if (kind == plain_block) {
+            block_ = {checked.subspan(4)};
+        } else {
+            continue;  // of a newer version, which says that it can be left out
+        }
+        if (!block_.bytes.empty()) return true;
+    }
+    return false;
+}
+
+const Record* RecordingReader::next() {
+    if (block_.bytes.empty() && !next_block()) return nullptr;
+    const std::uint8_t tag = block_.byte();
+    if (tag < first_long_tag) {
+        RecordedEvent event{tag, 0, 0};
+        event.a = block_.fixed32();
+        event.b = block_.fixed32();
+        record_ = event;
+        if (!block_.ok) contradict("a test is cut off");
+        return &record_;
+    }
+    ByteReader payload{block_.take(block_.fixed32())};
+    if (!block_.ok) contradict("a record is cut off");
+    record_ = read_record(static_cast<RecordTag>(tag), payload);
+    // What a newer version adds to a record stands behind what this one knows.
+    if (!payload.ok) contradict("a record of kind " + std::to_string(tag) + " makes no sense");
+    ended_ = std::holds_alternative<RecordedEnd>(record_);
+    return &record_;
+}
+
+std::string RecordingReader::damage() const {
+    if (damaged_at_)
+        return name_ + " is damaged or cut off at byte " + std::to_string(*damaged_at_) + " of " +
+               std::to_string(bytes_.size()) + "; what stands before was read.";
+    if (left_.empty() && block_.bytes.empty() && !ended_)
+        return name_ + " ends without the end that scb_record_close writes; what it has was read.";
+    return {};
+}
+
+RecordingWriter::RecordingWriter() {
+    ByteWriter out;
+    out.append(as_bytes(magic));
+    out.fixed32(recording_version);
+    bytes_.assign(out.bytes.begin(), out.bytes.end());
+}
+
+void RecordingWriter::add(const Record& record) {
+    ByteWriter payload;
+    const auto tag = static_cast<std::uint8_t>(std::visit(WriteRecord{payload}, record));
+    if (payload.bytes.size() > UINT32_MAX - 64)
+        throw InputError("a record of " + std::to_string(payload.bytes.size()) +
+                         " bytes is more than a recording holds; record a smaller mesh.");
+    if (!block_.bytes.empty() && block_.bytes.size() + payload.bytes.size() > block_size)
+        end_block();
+    block_.byte(tag);
+    if (const auto* event = std::get_if<RecordedEvent>(&record)) {
+        block_.fixed32(event->a);
+        block_.fixed32(event->b);
+        return;
+    }
+    block_.fixed32(static_cast<std::uint32_t>(payload.bytes.size()));
+    block_.append(payload.bytes);
+}
+
+void RecordingWriter::end_block() {
+    ByteWriter checked;
+    const std::vector<std::uint8_t> packed = pack(block_.bytes);
+    checked.append(as_bytes(packed_block));
+    checked.fixed32(static_cast<std::uint32_t>(block_.bytes.size()));
+    checked.append(packed);
+    ByteWriter out;
+    out.fixed32(static_cast<std::uint32_t>(checked.bytes.size() - 4));
+    out.append(checked.bytes);
+    out.fixed32(checksum(checked.bytes));
+    bytes_.append(out.bytes.begin(), out.bytes.end());
+    block_.bytes.clear();
+}
+
+std::string RecordingWriter::finish() {
+    if (!block_.bytes.empty()) end_block();
+    return std::move(bytes_);
+}
+
+}  // namespace scb::scenes

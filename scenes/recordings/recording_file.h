@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/recordings/record.h"
+#include "scenes/traces/byte_stream.h"
+
+namespace scb::scenes {
+
+/// The highest version that is read, and the one that is written.
+inline constexpr std::uint32_t recording_version = 1;
+
+/// Whether the bytes start as a recording does.
+bool starts_as_recording(std::string_view bytes);
+
+/// Reads the records of a file (`.scbrec`), one after the other.
+///
+/// Of a file that stops in the middle, or is damaged, what stands before is read, up to the last
+/// whole block: then `damage` says so. Throws InputError, one sentence that starts with `name`,
+/// where the bytes are no recording or of a newer version, and where a whole block contradicts
+/// itself. A file of n bytes takes O(n) time and memory, packed blocks not counted, which unpack to
+/// at most 1,032 times their size.
+class RecordingReader {
+  public:
+    /// `bytes` must outlive the reader.
+    RecordingReader(std::string_view bytes, std::string_view name);
+
+    /// The next record, which the next call overwrites; nullptr at the end.
+    const Record* next();
+
+    /// What a user must know of a file that is not whole, as a sentence; empty where it is.
+    std::string damage() const;
+
+  private:
+    bool next_block();
+    [[noreturn]] void contradict(const std::string& what) const;
+
+    std::string name_;
+    std::span<const std::uint8_t> bytes_, left_;
+    std::vector<std::uint8_t> unpacked_;
+    ByteReader block_;
+    std::size_t block_at_ = 0;
+    std::optional<std::size_t> damaged_at_;
+    bool ended_ = false;
+    Record record_;
+};
+
+/// The bytes of a file, record after record. Blocks are packed (zlib), so that the same records
+/// always give the same bytes with the same zlib.
+class RecordingWriter {
+  public:
+    RecordingWriter();
+
+    void add(const Record& record);
+    /// The whole file. Nothing may be added after it.
+    std::string finish();
+
+  private:
+    void end_block();
+
+    ByteWriter block_;
+    std::string bytes_;
+};
+
+}  // namespace scb::scenes

@@ -1,0 +1,371 @@
+#include "scenes/recordings/recording_json.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text_format.h"
+#include "scb/error.h"
+#include "scenes/recordings/recording_file.h"
+#include "scenes/text/json_reader.h"
+#include "scenes/text/utf8.h"
+
+namespace scb::scenes {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kind_names[recorded_kind_count] = {"none", "aabb", "obb", "ball", "capsule",
+                                                         "rss",  "kdop", "scb", "scb2", "hull"};
+
+std::string hex_of(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes)
+        text += format("%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    return text;
+}
+
+Json text_json(const std::string& text) {
+    if (as_utf8(text) == text) return text;
+    return {{"hex", hex_of(text)}};
+}
+
+Json real_json(double value) {
+    if (std::isfinite(value)) return value;
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    if (bits == std::bit_cast<std::uint64_t>(std::numeric_limits<double>::quiet_NaN()))
+        return "nan";
+    return format("nan:%016llx", static_cast<unsigned long long>(bits));
+}
+
+template <class Reals>
+Json reals_json(const Reals& reals) {
+    Json list = Json::array();
+    for (const double value : reals) list.push_back(real_json(value));
+    return list;
+}
+
+/// A number that stands for itself, but for the one that means none.
+Json number_json(std::uint32_t number) { return number == record_none ? Json() : Json(number); }
+
+Json volume_json(const RecordedVolume& volume) {
+    Json list = Json::array({kind_names[static_cast<std::size_t>(volume.kind)]});
+    for (const double value : volume.values) list.push_back(real_json(value));
+    return list;
+}
+
+Json event_json(const RecordedEvent& event) {
+    switch (static_cast<RecordTag>(event.tag)) {
+        case RecordTag::items_apart:
+            return {"apart", event.a, event.b};
+        case RecordTag::items_meet:
+            return {"meet", event.a, event.b};
+        case RecordTag::pair:
+            return {"pair", event.a, event.b};
+        default:
+            return {event.tag, event.a, event.b};
+    }
+}
+
+struct LineOf {
+    Json operator()(const RecordedEvent& r) { return event_json(r); }
+    Json operator()(const RecordedSetting& r) {
+        return {{"setting", text_json(r.key)}, {"value", text_json(r.value)}};
+    }
+    Json operator()(const RecordedStage& r) {
+        return {{"stage", r.stage}, {"name", text_json(r.name)}};
+    }
+    Json operator()(const RecordedMesh& r) {
+        return {{"mesh", r.mesh},
+                {"name", text_json(r.name)},
+                {"coordinate_bytes", r.coordinate_bytes},
+                {"coordinates", reals_json(r.coordinates)},
+                {"indices", r.indices}};
+    }
+    Json operator()(const RecordedTree& r) {
+        return {{"tree", r.tree},
+                {"name", text_json(r.name)},
+                {"of_mesh", number_json(r.mesh)},
+                {"directions", reals_json(r.directions)}};
+    }
+    Json operator()(const RecordedNode& r) {
+        return {{"node", r.node},
+                {"in_tree", r.tree},
+                {"parent", number_json(r.parent)},
+                {"id", r.id},
+                {"name", text_json(r.name)},
+                {"children", r.children},
+                {"items", r.items},
+                {"volume", volume_json(r.volume)}};
+    }
+    Json operator()(const RecordedRefit& r) {
+        return {{"refit", r.node}, {"in_tree", r.tree}, {"volume", volume_json(r.volume)}};
+    }
+    Json operator()(const RecordedBody& r) {
+        return {{"body", r.body}, {"name", text_json(r.name)}, {"of_tree", r.tree}};
+    }
+    Json operator()(const RecordedFrame& r) { return {{"frame", r.frame}}; }
+    Json operator()(const RecordedPose& r) {
+        return {{"pose", r.body}, {"rows", reals_json(r.rows)}};
+    }
+    Json operator()(const RecordedQuery& r) {
+        return {{"query", Json::array({r.body_a, r.body_b})}};
+    }
+    Json operator()(const RecordedQueryEnd& r) {
+        return {{"complete", r.complete}, {"nanoseconds", r.nanoseconds}};
+    }
+    Json operator()(const RecordedEnd&) { return {{"end", true}}; }
+    Json operator()(const RecordedUnknown& r) {
+        return {{"unknown", r.tag},
+                {"hex", hex_of({reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()})}};
+    }
+};
+
+// Reading. A place that is missing reads as 0 or empty.
+
+JsonPlace optional_field(const JsonPlace& object, const char* name) {
+    static const nlohmann::json nothing;
+    return has(object, name) ? field(object, name)
+                             : JsonPlace{&nothing, object.file, object.path + name};
+}
+
+std::string bytes_of_hex(const JsonPlace& place) {
+    const std::string text = read_text(place);
+    std::string bytes;
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    };
+    if (text.size() % 2 != 0) refuse_value(place, "hexadecimal digits, two for each byte");
+    for (std::size_t i = 0; i < text.size(); i += 2) {
+        const int high = digit(text[i]), low = digit(text[i + 1]);
+        if (high < 0 || low < 0) refuse_value(place, "hexadecimal digits, two for each byte");
+        bytes += static_cast<char>(high * 16 + low);
+    }
+    return bytes;
+}
+
+std::string text_of(const JsonPlace& object, const char* name) {
+    const JsonPlace place = optional_field(object, name);
+    if (place.value->is_null()) return {};
+    if (!place.value->is_object()) return read_text(place);
+    check_fields(place, {"hex"});
+    return bytes_of_hex(field(place, "hex"));
+}
+
+std::uint32_t number_of(const JsonPlace& place, std::int64_t most = UINT32_MAX) {
+    return static_cast<std::uint32_t>(read_integer(place, 0, most));
+}
+
+std::uint32_t number_or_none(const JsonPlace& object, const char* name) {
+    const JsonPlace place = optional_field(object, name);
+    return place.value->is_null() ? record_none : number_of(place);
+}
+
+std::uint64_t long_number_of(const JsonPlace& object, const char* name) {
+    const JsonPlace place = optional_field(object, name);
+    if (place.value->is_null()) return 0;
+    if (!place.value->is_number_unsigned()) refuse_value(place, "a whole number of 64 bits");
+    return place.value->get<std::uint64_t>();
+}
+
+double real_of(const JsonPlace& place) {
+    if (place.value->is_number()) return place.value->get<double>();
+    const std::string text = place.value->is_string() ? place.value->get<std::string>() : "";
+    if (text == "inf") return std::numeric_limits<double>::infinity();
+    if (text == "-inf") return -std::numeric_limits<double>::infinity();
+    if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+    unsigned long long bits = 0;
+    char rest = 0;
+    if (text.size() == 20 && std::sscanf(text.c_str(), "nan:%16llx%c", &bits, &rest) == 1)
+        if (const auto value = std::bit_cast<double>(static_cast<std::uint64_t>(bits));
+            std::isnan(value))
+            return value;
+    refuse_value(place, "a number, \"inf\", \"-inf\" or \"nan\"");
+}
+
+std::vector<double> reals_of(const JsonPlace& object, const char* name) {
+    const JsonPlace place = optional_field(object, name);
+    std::vector<double> reals;
+    if (place.value->is_null()) return reals;
+    const std::size_t size = array_size(place, "a list of numbers");
+    for (std::size_t i = 0; i < size; ++i) reals.push_back(real_of(element(place, i)));
+    return reals;
+}
+
+std::vector<std::uint32_t> numbers_of(const JsonPlace& object, const char* name) {
+    const JsonPlace place = optional_field(object, name);
+    std::vector<std::uint32_t> numbers;
+    if (place.value->is_null()) return numbers;
+    const std::size_t size = array_size(place, "a list of whole numbers");
+    for (std::size_t i = 0; i < size; ++i) numbers.push_back(number_of(element(place, i)));
+    return numbers;
+}
+
+RecordedVolume volume_of(const JsonPlace& object) {
+    const JsonPlace place = optional_field(object, "volume");
+    RecordedVolume volume;
+    if (place.value->is_null()) return volume;
+    const char* expected = "a kind of volume and its numbers: [\"ball\", 0, 0, 0, 1]";
+    const std::size_t size = array_size(place, expected);
+    if (size == 0) refuse_value(place, expected);
+    const std::string kind = read_text(element(place, 0));
+    const auto* const end = std::end(kind_names);
+    const auto* const found = std::find(std::begin(kind_names), end, kind);
+    if (found == end) refuse_value(element(place, 0), "a kind of volume: " + name_list(kind_names));
+    volume.kind = static_cast<RecordedKind>(found - std::begin(kind_names));
+    for (std::size_t i = 1; i < size; ++i) volume.values.push_back(real_of(element(place, i)));
+    return volume;
+}
+
+void add_events(RecordingWriter& out, const JsonPlace& list) {
+    const char* expected = "a test: [stage or \"apart\", \"meet\", \"pair\", a, b]";
+    const std::size_t size = array_size(list, "a list of tests");
+    for (std::size_t i = 0; i < size; ++i) {
+        const JsonPlace place = element(list, i);
+        if (array_size(place, expected) != 3) refuse_value(place, expected);
+        const JsonPlace what = element(place, 0);
+        RecordedEvent event;
+        if (what.value->is_string()) {
+            const std::string word = read_text(what);
+            if (word != "apart" && word != "meet" && word != "pair") refuse_value(place, expected);
+            event.tag = static_cast<std::uint8_t>(word == "apart"  ? RecordTag::items_apart
+                                                  : word == "meet" ? RecordTag::items_meet
+                                                                   : RecordTag::pair);
+        } else {
+            event.tag = static_cast<std::uint8_t>(number_of(what, first_long_tag - 1));
+        }
+        event.a = number_of(element(place, 1));
+        event.b = number_of(element(place, 2));
+        out.add(event);
+    }
+}
+
+/// The record of a line; the field that only its kind has says which.
+void add_line(RecordingWriter& out, const JsonPlace& line) {
+    const auto name = [&] { return text_of(line, "name"); };
+    const auto number = [&](const char* key) { return number_of(field(line, key)); };
+    if (has(line, "tests")) {
+        check_fields(line, {"tests"});
+        add_events(out, field(line, "tests"));
+    } else if (has(line, "setting")) {
+        check_fields(line, {"setting", "value"});
+        out.add(RecordedSetting{text_of(line, "setting"), text_of(line, "value")});
+    } else if (has(line, "stage")) {
+        check_fields(line, {"stage", "name"});
+        out.add(
+            RecordedStage{static_cast<std::uint8_t>(number_of(field(line, "stage"), 255)), name()});
+    } else if (has(line, "mesh")) {
+        check_fields(line, {"mesh", "name", "coordinate_bytes", "coordinates", "indices"});
+        RecordedMesh r{number("mesh"), name(), 8, reals_of(line, "coordinates"),
+                       numbers_of(line, "indices")};
+        if (has(line, "coordinate_bytes"))
+            r.coordinate_bytes =
+                static_cast<std::uint8_t>(number_of(field(line, "coordinate_bytes"), 8));
+        if (r.coordinate_bytes != 4 && r.coordinate_bytes != 8)
+            refuse_value(field(line, "coordinate_bytes"), "4 or 8");
+        if (r.coordinates.size() % 3 != 0)
+            refuse(line, "coordinates: there are not three of each vertex.");
+        if (r.indices.size() % 3 != 0)
+            refuse(line, "indices: there are not three of each triangle.");
+        out.add(r);
+    } else if (has(line, "tree")) {
+        check_fields(line, {"tree", "name", "of_mesh", "directions"});
+        RecordedTree r{number("tree"), number_or_none(line, "of_mesh"), name(),
+                       reals_of(line, "directions")};
+        if (r.directions.size() % 3 != 0)
+            refuse(line, "directions: there are not three numbers of each.");
+        out.add(r);
+    } else if (has(line, "node")) {
+        check_fields(line,
+                     {"node", "in_tree", "parent", "id", "name", "children", "items", "volume"});
+        out.add(RecordedNode{number("in_tree"), number("node"), number_or_none(line, "parent"),
+                             long_number_of(line, "id"), name(), numbers_of(line, "children"),
+                             numbers_of(line, "items"), volume_of(line)});
+    } else if (has(line, "refit")) {
+        check_fields(line, {"refit", "in_tree", "volume"});
+        out.add(RecordedRefit{number("in_tree"), number("refit"), volume_of(line)});
+    } else if (has(line, "body")) {
+        check_fields(line, {"body", "name", "of_tree"});
+        out.add(RecordedBody{number("body"), number("of_tree"), name()});
+    } else if (has(line, "frame")) {
+        check_fields(line, {"frame"});
+        out.add(RecordedFrame{number("frame")});
+    } else if (has(line, "pose")) {
+        check_fields(line, {"pose", "rows"});
+        const std::vector<double> rows = reals_of(line, "rows");
+        RecordedPose r;
+        r.body = number("pose");
+        if (rows.size() != r.rows.size())
+            refuse(line, "rows: a pose has twelve numbers, the rows of [R|t].");
+        std::copy(rows.begin(), rows.end(), r.rows.begin());
+        out.add(r);
+    } else if (has(line, "query")) {
+        check_fields(line, {"query"});
+        const JsonPlace bodies = field(line, "query");
+        if (array_size(bodies, "two bodies") != 2) refuse_value(bodies, "two bodies");
+        out.add(RecordedQuery{number_of(element(bodies, 0)), number_of(element(bodies, 1))});
+    } else if (has(line, "complete")) {
+        check_fields(line, {"complete", "nanoseconds"});
+        out.add(RecordedQueryEnd{read_bool(field(line, "complete")),
+                                 long_number_of(line, "nanoseconds")});
+    } else if (has(line, "end")) {
+        check_fields(line, {"end"});
+        out.add(RecordedEnd{});
+    } else if (has(line, "unknown")) {
+        check_fields(line, {"unknown", "hex"});
+        const std::uint32_t tag = number_of(field(line, "unknown"), 255);
+        if (tag <= static_cast<std::uint32_t>(RecordTag::end))
+            refuse_value(field(line, "unknown"),
+                         "a kind of record that this version does not know");
+        const std::string bytes = bytes_of_hex(field(line, "hex"));
+        out.add(RecordedUnknown{static_cast<std::uint8_t>(tag), {bytes.begin(), bytes.end()}});
+    } else {
+        refuse(line, "this is no record of a recording; scenes/recordings/README.md lists them.");
+    }
+}
+
+}  // namespace
+
+std::string recording_as_json(std::string_view bytes, std::string_view name) {
+    constexpr std::size_t most_tests = 100;
+    RecordingReader reader(bytes, name);
+    std::string text;
+    Json tests = Json::array();
+    const auto end_tests = [&] {
+        if (!tests.empty()) text += Json{{"tests", std::move(tests)}}.dump() + '\n';
+        tests = Json::array();
+    };
+    while (const Record* record = reader.next()) {
+        if (const auto* event = std::get_if<RecordedEvent>(record)) {
+            tests.push_back(event_json(*event));
+            if (tests.size() == most_tests) end_tests();
+            continue;
+        }
+        end_tests();
+        text += std::visit(LineOf{}, *record).dump() + '\n';
+    }
+    end_tests();
+    return text;
+}
+
+std::string recording_of_json(std::string_view text, const std::string& name) {
+    RecordingWriter out;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t length = text.find('\n');
+        const std::string_view line = text.substr(0, length);
+        text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
+        if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+        const std::string place = name + ": line " + std::to_string(number);
+        const nlohmann::json document = parse_json(line, place);
+        const JsonPlace whole{&document, place, ""};
+        if (!document.is_object()) refuse_value(whole, "a record as a JSON object");
+        add_line(out, whole);
+    }
+    return out.finish();
+}
+
+}  // namespace scb::scenes

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "scb/error.h"
+#include "scenes/text/file_bytes.h"
+#include "tests/scenes/recordings/record_everything.h"
+#include "tests/scenes/recordings/sample_records.h"
+#include "tests/temporary_folder.h"
+#include "tests/unless_sanitized.h"
+
+namespace scb::scenes {
+namespace {
+
+std::string refusal_of_bytes(const std::string& bytes) {
+    try {
+        records_of(bytes);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// What is read of a damaged file is a part of what was there, from the start; or it is refused.
+void expect_part(const std::string& bytes, const std::string& whole) {
+    try {
+        RecordingReader reader(bytes, "x.scbrec"), other(whole, "x.scbrec");
+        while (const Record* record = reader.next()) {
+            const Record* expected = other.next();
+            ASSERT_NE(expected, nullptr);
+            // NaN is not what it is, but its bytes are.
+            if (*record != *expected) {
+                ASSERT_EQ(recording_of({*record}), recording_of({*expected}));
+            }
+        }
+        EXPECT_EQ(reader.damage().starts_with("x.scbrec "), bytes != whole);
+    } catch (const InputError& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("x.scbrec")) << error.what();
+        EXPECT_TRUE(std::string(error.what()).ends_with(".")) << error.what();
+    }
+}
+
+TEST(RecordingFile, IsReadAsItWasWritten) {
+    const std::string bytes = recording_of(sample_records());
+    EXPECT_TRUE(starts_as_recording(bytes));
+    std::string damage;
+    EXPECT_EQ(recording_of(records_of(bytes, &damage)), bytes);
+    EXPECT_EQ(damage, "");
+    EXPECT_EQ(records_of(bytes).size(), sample_records().size());
+}
+
+TEST(RecordingFile, OfTheRecorderIsPackedWithoutLoss) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(record_everything((folder / "x.scbrec").c_str()), 0);
+    const std::string plain = file_bytes(folder / "x.scbrec"),
+                      packed = recording_of(records_of(plain));
+    EXPECT_LT(4 * packed.size(), plain.size());
+    EXPECT_EQ(records_of(packed), records_of(plain));
+}
+
+TEST(RecordingFile, ThatIsCutOffAnywhereIsReadUpToThere) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(record_everything((folder / "x.scbrec").c_str()), 0);
+    const std::string whole = file_bytes(folder / "x.scbrec");
+    for (std::size_t size = 0; size < whole.size();
+         size += size < 3000 ? 1 : unless_sanitized(997, 9973))
+        expect_part(whole.substr(0, size), whole);
+}
+
+TEST(RecordingFile, ThatIsDamagedAnywhereIsReadUpToThere) {
+    std::string bytes = recording_of(sample_records());
+    const std::string whole = bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        bytes[i] = static_cast<char>(bytes[i] ^ 0x10);
+        expect_part(bytes, whole);
+        bytes[i] = whole[i];
+    }
+}
+
+TEST(RecordingFile, RefusesWhatIsNone) {
+    EXPECT_EQ(refusal_of_bytes(""),
+              "x.scbrec is no recording, which scb_record.h writes; name one (.scbrec).");
+    std::string newer = recording_of(sample_records());
+    newer[8] = 2;
+    EXPECT_EQ(refusal_of_bytes(newer),
+              "x.scbrec is a recording of version 2; this scb reads versions up to 1: update it.");
+}
+
+/// A file of one block with these bytes, whose checksum fits.
+std::string file_with(const std::string& payload, const std::string& kind = "data") {
+    std::string bytes = recording_of({});
+    const std::string checked = kind + payload;
+    ByteWriter out;
+    out.fixed32(static_cast<std::uint32_t>(payload.size()));
+    bytes.append(out.bytes.begin(), out.bytes.end());
+    bytes += checked;
+    std::vector<std::array<std::uint32_t, 256>> table(16);
+    auto* const crc_tables = reinterpret_cast<std::uint32_t(*)[256]>(table.data());
+    scb_rec_make_tables(crc_tables);
+    ByteWriter sum;
+    sum.fixed32(scb_rec_crc(crc_tables, 0, reinterpret_cast<const unsigned char*>(checked.data()),
+                            checked.size()));
+    bytes.append(sum.bytes.begin(), sum.bytes.end());
+    return bytes;
+}
+
+TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
+    using std::string_literals::operator""s;
+    for (const std::string& payload :
+         {"\x01"s,                                                 // a test without nodes
+          "\xc0\x08\x00\x00\x00\x04"s,                             // longer than its block
+          "\xc0\x04\x00\x00\x00\xff\xff\xff\xff"s,                 // a text as long
+          "\xc5\x0d\x00\x00\x00\0\0\0\0\0\0\0\0\x0a\0\0\0\0"s}) {  // kind 10
+        const std::string sentence = refusal_of_bytes(file_with(payload));
+        EXPECT_TRUE(sentence.starts_with("x.scbrec: ")) << sentence;
+        EXPECT_NE(sentence.find("in the block at byte 12"), std::string::npos) << sentence;
+    }
+    EXPECT_NE(refusal_of_bytes(file_with("\xff\xff\xff\xff\x01", "pack")), "")
+        << "4 GiB of nothing";
+    EXPECT_EQ(refusal_of_bytes(file_with("anything", "none")), "")
+        << "blocks of other kinds can be left out";
+    EXPECT_EQ(records_of(file_with("\xcb\x02\x00\x00\x00\x01\x02"s)),
+              std::vector<Record>{RecordedEnd{}})
+        << "what a newer version adds to a record";
+}
+
+}  // namespace
+}  // namespace scb::scenes
