@@ -13,8 +13,8 @@ namespace scb {
 namespace {
 
 TEST(CollideMaxPairs, EndsTheQueryWithSoManyOfAllPairs) {
-    const BuiltMesh a(random_soup(61, unless_sanitized(60, 45), 0.4)),
-        b(random_soup(62, unless_sanitized(60, 45), 0.4));
+    const BuiltMesh a(random_soup(61, unless_sanitized(60, 45), unless_sanitized(0.4, 0.55))),
+        b(random_soup(62, unless_sanitized(60, 45), unless_sanitized(0.4, 0.55)));
     const std::vector<IndexPair> all = brute_force(a.mesh, b.mesh, Pose{});
     ASSERT_GT(all.size(), 20u);
     for (QueryVariant variant : all_query_variants()) {
@@ -88,8 +88,8 @@ std::vector<std::uint32_t> cover_node_of(const Topology& topology, int level) {
 // the pairs found are some of those of the two covers that overlap, and all whose triangles
 // intersect are among them.
 TEST(CollideStopLevel, FindsPairsOfTheCoversThatOverlapAndAllThatHoldIntersections) {
-    const BuiltMesh a(random_soup(63, unless_sanitized(80, 55), 0.4)),
-        b(random_soup(64, unless_sanitized(60, 50), 0.4));
+    const BuiltMesh a(random_soup(63, unless_sanitized(80, 55), unless_sanitized(0.4, 0.55))),
+        b(random_soup(64, unless_sanitized(60, 50), unless_sanitized(0.4, 0.55)));
     Random random(65);
     const Pose pose = random_pose(random, 0.2);
     const std::vector<IndexPair> triangles = brute_force(a.mesh, b.mesh, pose);
