@@ -252,6 +252,22 @@ static inline void scb_rec_put_volume(scb_recorder* r, const scb_record_volume* 
 
 /* ---- The file ------------------------------------------------------------------------------- */
 
+/* Writes what is left, and that the recording is whole. Returns 0, or the errno of the first error
+ * since it was opened. */
+static inline int scb_record_close(scb_recorder* r) {
+    int error;
+    if (r->file) {
+        scb_rec_begin(r, 203, 0);
+        scb_rec_end(r);
+        scb_record_flush(r);
+        if (fclose(r->file) != 0 && r->error == 0) r->error = errno != 0 ? errno : EIO;
+    }
+    free(r->crc_tables);
+    error = r->error;
+    memset(r, 0, sizeof *r);
+    return error;
+}
+
 /* Creates the file, or empties it. `engine`: whose recording it is, "Bullet 3.24". Returns 0, or an
  * errno; the recorder can be used in either case. */
 static inline int scb_record_open(scb_recorder* r, const char* path, const char* engine) {
@@ -276,23 +292,7 @@ static inline int scb_record_open(scb_recorder* r, const char* path, const char*
     scb_rec_text(r, "engine");
     scb_rec_text(r, engine);
     scb_rec_end(r);
-    return r->error;
-}
-
-/* Writes what is left, and that the recording is whole. Returns 0, or the errno of the first error
- * since it was opened. */
-static inline int scb_record_close(scb_recorder* r) {
-    int error;
-    if (r->file) {
-        scb_rec_begin(r, 203, 0);
-        scb_rec_end(r);
-        scb_record_flush(r);
-        if (fclose(r->file) != 0 && r->error == 0) r->error = errno != 0 ? errno : EIO;
-    }
-    free(r->crc_tables);
-    error = r->error;
-    memset(r, 0, sizeof *r);
-    return error;
+    return r->error == 0 ? 0 : (r->error = scb_record_close(r));
 }
 
 /* ---- What there is -------------------------------------------------------------------------- */
