@@ -429,7 +429,7 @@ static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* n
 
 /* A frame begins: a step of the simulation. Numbers ascend. */
 static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
-    if (r->capacity != 0) scb_record_flush(r);
+    scb_record_flush(r);
     scb_rec_begin(r, 199, 4);
     scb_rec_put32(r, frame);
     scb_rec_end(r);

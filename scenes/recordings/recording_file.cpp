@@ -2,7 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <bit>
 
 #include "scb/error.h"
@@ -76,77 +75,42 @@ RecordedMesh read_mesh(ByteReader& in) {
     return mesh;
 }
 
-// Members are initialized in the order of the braces, which is that of the file.
+// Braces are evaluated in their order, which is that of the members and of the file.
 Record read_record(RecordTag tag, ByteReader& in) {
     switch (tag) {
-        case RecordTag::setting: {
-            RecordedSetting r;
-            r.key = read_text(in);
-            r.value = read_text(in);
-            return r;
-        }
-        case RecordTag::stage: {
-            RecordedStage r;
-            r.stage = in.byte();
-            r.name = read_text(in);
-            return r;
-        }
+        case RecordTag::setting:
+            return RecordedSetting{read_text(in), read_text(in)};
+        case RecordTag::stage:
+            return RecordedStage{in.byte(), read_text(in)};
         case RecordTag::mesh:
             return read_mesh(in);
-        case RecordTag::tree: {
-            RecordedTree r;
-            r.tree = in.fixed32();
-            r.mesh = in.fixed32();
-            r.name = read_text(in);
-            r.directions = read_reals(in, 3 * std::uint64_t{in.fixed32()});
-            return r;
-        }
-        case RecordTag::node: {
-            RecordedNode r;
-            r.tree = in.fixed32();
-            r.node = in.fixed32();
-            r.parent = in.fixed32();
-            r.id = in.fixed64();
-            r.name = read_text(in);
-            r.children = read_numbers(in, in.fixed32());
-            r.items = read_numbers(in, in.fixed32());
-            r.volume = read_volume(in);
-            return r;
-        }
-        case RecordTag::refit: {
-            RecordedRefit r;
-            r.tree = in.fixed32();
-            r.node = in.fixed32();
-            r.volume = read_volume(in);
-            return r;
-        }
-        case RecordTag::body: {
-            RecordedBody r;
-            r.body = in.fixed32();
-            r.tree = in.fixed32();
-            r.name = read_text(in);
-            return r;
-        }
+        case RecordTag::tree:
+            return RecordedTree{in.fixed32(), in.fixed32(), read_text(in),
+                                read_reals(in, 3 * std::uint64_t{in.fixed32()})};
+        case RecordTag::node:
+            return RecordedNode{in.fixed32(),
+                                in.fixed32(),
+                                in.fixed32(),
+                                in.fixed64(),
+                                read_text(in),
+                                read_numbers(in, in.fixed32()),
+                                read_numbers(in, in.fixed32()),
+                                read_volume(in)};
+        case RecordTag::refit:
+            return RecordedRefit{in.fixed32(), in.fixed32(), read_volume(in)};
+        case RecordTag::body:
+            return RecordedBody{in.fixed32(), in.fixed32(), read_text(in)};
         case RecordTag::frame:
             return RecordedFrame{in.fixed32()};
         case RecordTag::pose: {
-            RecordedPose r;
-            r.body = in.fixed32();
+            RecordedPose r{in.fixed32(), {}};
             for (double& value : r.rows) value = in.real();
             return r;
         }
-        case RecordTag::query: {
-            RecordedQuery r;
-            r.body_a = in.fixed32();
-            r.body_b = in.fixed32();
-            return r;
-        }
-        case RecordTag::query_end: {
-            RecordedQueryEnd r;
-            r.complete = in.byte() != 0;
-            r.nanoseconds = in.fixed64();
-            return r;
-        }
+        case RecordTag::query:
+            return RecordedQuery{in.fixed32(), in.fixed32()};
+        case RecordTag::query_end:
+            return RecordedQueryEnd{in.byte() != 0, in.fixed64()};
         case RecordTag::end:
             return RecordedEnd{};
         default:

@@ -1,12 +1,13 @@
 #include "scenes/recordings/recording_json.h"
 
-#include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/enum_names.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_file.h"
@@ -18,8 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kind_names[recorded_kind_count] = {"none", "aabb", "obb", "ball", "capsule",
-                                                         "rss",  "kdop", "scb", "scb2", "hull"};
+constexpr EnumNames<RecordedKind, recorded_kind_count> kind_names{
+    "none", "aabb", "obb", "ball", "capsule", "rss", "kdop", "scb", "scb2", "hull"};
 
 std::string hex_of(std::string_view bytes) {
     std::string text;
@@ -53,8 +54,8 @@ Json reals_json(const Reals& reals) {
 Json number_json(std::uint32_t number) { return number == record_none ? Json() : Json(number); }
 
 Json volume_json(const RecordedVolume& volume) {
-    Json list = Json::array({kind_names[static_cast<std::size_t>(volume.kind)]});
-    for (const double value : volume.values) list.push_back(real_json(value));
+    Json list = reals_json(volume.values);
+    list.insert(list.begin(), kind_names[volume.kind]);
     return list;
 }
 
@@ -136,14 +137,12 @@ JsonPlace optional_field(const JsonPlace& object, const char* name) {
 std::string bytes_of_hex(const JsonPlace& place) {
     const std::string text = read_text(place);
     std::string bytes;
-    const auto digit = [](char c) {
-        return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-    };
-    if (text.size() % 2 != 0) refuse_value(place, "hexadecimal digits, two for each byte");
     for (std::size_t i = 0; i < text.size(); i += 2) {
-        const int high = digit(text[i]), low = digit(text[i + 1]);
-        if (high < 0 || low < 0) refuse_value(place, "hexadecimal digits, two for each byte");
-        bytes += static_cast<char>(high * 16 + low);
+        unsigned char byte = 0;
+        const char *const first = text.data() + i, *const last = first + 2;
+        if (text.size() - i < 2 || std::from_chars(first, last, byte, 16).ptr != last)
+            refuse_value(place, "hexadecimal digits, two for each byte");
+        bytes += static_cast<char>(byte);
     }
     return bytes;
 }
@@ -212,11 +211,9 @@ RecordedVolume volume_of(const JsonPlace& object) {
     const char* expected = "a kind of volume and its numbers: [\"ball\", 0, 0, 0, 1]";
     const std::size_t size = array_size(place, expected);
     if (size == 0) refuse_value(place, expected);
-    const std::string kind = read_text(element(place, 0));
-    const auto* const end = std::end(kind_names);
-    const auto* const found = std::find(std::begin(kind_names), end, kind);
-    if (found == end) refuse_value(element(place, 0), "a kind of volume: " + name_list(kind_names));
-    volume.kind = static_cast<RecordedKind>(found - std::begin(kind_names));
+    const auto kind = kind_names.find(read_text(element(place, 0)));
+    if (!kind) refuse_value(element(place, 0), "a kind of volume: " + name_list(kind_names.names));
+    volume.kind = *kind;
     for (std::size_t i = 1; i < size; ++i) volume.values.push_back(real_of(element(place, i)));
     return volume;
 }

@@ -53,15 +53,16 @@ struct Refusal {
 
 TEST(CommandLine, FilesMayBeginLikeOptions) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run_scb("export spheres-l1 --level 3 -o " + (folder / "-m.ply")).status, 0);
+    folder.write("-m.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     const std::string there = "cd " + folder.path.string() + " &&";
-    EXPECT_EQ(run_scb("stats -- -m.ply", there).status, 0);
-    const ProgramRun tuned = run_scb("tune --no-time -- -m.ply -m.ply", there);
-    EXPECT_NE(tuned.out.find("To use it: scb collide ./-m.ply ./-m.ply"), std::string::npos)
+    EXPECT_EQ(run_scb("stats -- -m.obj", there).status, 0);
+    const ProgramRun tuned = run_scb("tune --no-time -- -m.obj -m.obj", there);
+    EXPECT_NE(tuned.out.find("To use it: scb collide ./-m.obj ./-m.obj"), std::string::npos)
         << tuned.out << tuned.err;
-    const ProgramRun refused = run_scb("stats -m.ply", there);
+    const ProgramRun refused = run_scb("stats -m.obj", there);
     EXPECT_EQ(refused.status, 2);
-    EXPECT_NE(refused.err.find("'-m.ply' begins like an option; put -- before"), std::string::npos)
+    EXPECT_NE(refused.err.find("'-m.obj' begins like an option; put -- before"), std::string::npos)
         << refused.err;
 }
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/base/random.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
 #include "tests/scenes/recordings/record_everything.h"
+#include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/sample_records.h"
 #include "tests/temporary_folder.h"
 #include "tests/unless_sanitized.h"
@@ -85,24 +85,6 @@ TEST(RecordingFile, RefusesWhatIsNone) {
               "x.scbrec is a recording of version 2; this scb reads versions up to 1: update it.");
 }
 
-/// A file of one block with these bytes, whose checksum fits.
-std::string file_with(const std::string& payload, const std::string& kind = "data") {
-    std::string bytes = recording_of({});
-    const std::string checked = kind + payload;
-    ByteWriter out;
-    out.fixed32(static_cast<std::uint32_t>(payload.size()));
-    bytes.append(out.bytes.begin(), out.bytes.end());
-    bytes += checked;
-    std::vector<std::array<std::uint32_t, 256>> table(16);
-    auto* const crc_tables = reinterpret_cast<std::uint32_t(*)[256]>(table.data());
-    scb_rec_make_tables(crc_tables);
-    ByteWriter sum;
-    sum.fixed32(scb_rec_crc(crc_tables, 0, reinterpret_cast<const unsigned char*>(checked.data()),
-                            checked.size()));
-    bytes.append(sum.bytes.begin(), sum.bytes.end());
-    return bytes;
-}
-
 TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
     using std::string_literals::operator""s;
     for (const std::string& payload :
@@ -110,15 +92,15 @@ TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
           "\xc0\x08\x00\x00\x00\x04"s,                             // longer than its block
           "\xc0\x04\x00\x00\x00\xff\xff\xff\xff"s,                 // a text as long
           "\xc5\x0d\x00\x00\x00\0\0\0\0\0\0\0\0\x0a\0\0\0\0"s}) {  // kind 10
-        const std::string sentence = refusal_of_bytes(file_with(payload));
+        const std::string sentence = refusal_of_bytes(recording_with_block(payload));
         EXPECT_TRUE(sentence.starts_with("x.scbrec: ")) << sentence;
         EXPECT_NE(sentence.find("in the block at byte 12"), std::string::npos) << sentence;
     }
-    EXPECT_NE(refusal_of_bytes(file_with("\xff\xff\xff\xff\x01", "pack")), "")
+    EXPECT_NE(refusal_of_bytes(recording_with_block("\xff\xff\xff\xff\x01", "pack")), "")
         << "4 GiB of nothing";
-    EXPECT_EQ(refusal_of_bytes(file_with("anything", "none")), "")
+    EXPECT_EQ(refusal_of_bytes(recording_with_block("anything", "none")), "")
         << "blocks of other kinds can be left out";
-    EXPECT_EQ(records_of(file_with("\xcb\x02\x00\x00\x00\x01\x02"s)),
+    EXPECT_EQ(records_of(recording_with_block("\xcb\x02\x00\x00\x00\x01\x02"s)),
               std::vector<Record>{RecordedEnd{}})
         << "what a newer version adds to a record";
 }
