@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
+#include "app/inspect/recording_report.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
 #include "app/timing/tune_layout_report.h"
@@ -20,7 +22,9 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
+#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -245,7 +249,40 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
+int run_recording(InspectOptions& options, const Console& console) {
+    const std::string& path = options.scene.names[0];
+    refuse_for_trace(options.recording, path);
+    options.check();
+    if (options.draws())
+        throw InputError("-o: what is said of a recording is text, or JSON; leave out -o.");
+    const std::string bytes = scenes::recording_bytes(path);
+    const std::vector<int> all = scenes::summary_of(bytes, path).frames;
+    const std::vector<int> frames = scenes::frames_among(
+        all, options.query.frames, path, "a recording may have");
+    const InterruptWatch watch;
+    Progress progress(console, frames.size());
+    const scenes::RecordingJudgement judged = scenes::judge_recording(
+        bytes, path,
+        [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
+        [&] {
+            progress.step("frames");
+            return watch.signal() == 0;
+        });
+    print_result(options.picture.json
+                     ? json_text(recording_json(judged, path), 2) + "\n"
+                     : recording_text(judged, path, static_cast<std::size_t>(options.top)));
+    if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
+                     std::to_string(frames.size()) + " frames were inspected.");
+        return exit_interrupted(watch.signal());
+    }
+    return judged.wrong() ? exit_different : exit_done;
+}
+
 int run(InspectOptions& options, const Console& console) {
+    if (options.scene.names.size() == 1 && scenes::names_recording(options.scene.names[0]))
+        return run_recording(options, console);
     options.check();
     QuerySources sources;
     sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits);

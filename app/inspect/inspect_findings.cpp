@@ -12,10 +12,6 @@
 namespace scb::app {
 namespace {
 
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return render::count_text(count) + " " + (count == 1 ? one : many);
-}
-
 std::string triangles(const PassCounts& counts) {
     const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted.triangle_tests;
     if (wasted == 0) return "";

@@ -141,7 +141,7 @@ std::vector<std::string> given_recording_options(const Command& command) {
 void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace) {
     if (given.empty()) return;
     throw InputError(given[0] + ": " + trace +
-                     " is a trace and has what it was recorded with; give a scene, or leave out " +
+                     " is recorded, and has what it was recorded with; give a scene, or leave out " +
                      given[0] + ".");
 }
 

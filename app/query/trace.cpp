@@ -15,6 +15,7 @@
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/recordings/trace_recording.h"
 #include "scenes/text/number_list.h"
 #include "scenes/traces/trace_input.h"
 
@@ -45,7 +46,14 @@ int record(const TraceOptions& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
 
     const InterruptWatch watch;
-    scenes::TraceWriter writer(trace_header(options.scene, query));
+    const TraceHeader header = trace_header(options.scene, query);
+    std::optional<scenes::TraceWriter> trace;
+    std::optional<scenes::TraceRecording> recording;
+    if (options.output.ends_with(".scbrec"))
+        recording.emplace(header, std::array{&query.mesh(query.a), &query.mesh(query.b)},
+                          std::array{&query.hierarchy(query.a), &query.hierarchy(query.b)});
+    else
+        trace.emplace(header);
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
@@ -56,13 +64,22 @@ int record(const TraceOptions& options, const Console& console) {
         TraceFrame frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
         frame.found = query.collide(frame.frame, recorder);
         std::swap(frame.events, recorder.events);
-        writer.add(frame);
+        if (recording)
+            recording->add(frame);
+        else
+            trace->add(frame);
         tests += frame.found.n_v;
         std::swap(frame.events, recorder.events);
         progress.step("frames");
     }
     if (done > 0) {
-        const std::vector<std::uint8_t> bytes = writer.finish();
+        std::vector<std::uint8_t> bytes;
+        if (recording) {
+            const std::string text = recording->finish();
+            bytes.assign(text.begin(), text.end());
+        } else {
+            bytes = trace->finish();
+        }
         render::write_file_whole(options.output, bytes);
         console.note("scb: " + options.output + ": " + std::to_string(done) +
                      (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +

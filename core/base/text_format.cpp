@@ -22,11 +22,19 @@ std::string format(const char* pattern, ...) {
     return text;
 }
 
+std::size_t character_count(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+std::string left_aligned(const std::string& text, std::size_t width) {
+    const std::size_t characters = character_count(text);
+    return characters < width ? text + std::string(width - characters, ' ') : text;
+}
+
 std::string right_aligned(const std::string& text, std::size_t width) {
-    const auto characters =
-        static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-            return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-        }));
+    const std::size_t characters = character_count(text);
     return characters < width ? std::string(width - characters, ' ') + text : text;
 }
 

@@ -14,6 +14,12 @@ namespace scb {
 /// For "%llu" of format: on some systems std::uint64_t is an `unsigned long`.
 constexpr unsigned long long wide(std::uint64_t value) { return value; }
 
+/// A character of UTF-8 counts once.
+std::size_t character_count(std::string_view text);
+
+/// The text before as many blanks as it takes to that width, in characters.
+std::string left_aligned(const std::string& text, std::size_t width);
+
 /// The text behind as many blanks as it takes to that width; a character of UTF-8 counts once.
 std::string right_aligned(const std::string& text, std::size_t width);
 

@@ -66,4 +66,25 @@ std::vector<int> parse_frames(const std::string& text, int frame_count,
     return frames;
 }
 
+std::vector<int> frames_among(const std::vector<int>& all, const std::string& list,
+                              const std::string& path, const std::string& whose) {
+    std::vector<int> wanted;
+    for (const std::string& part : split_list(list)) {
+        const std::vector<int> numbers =
+            part == "all" ? all
+                          : parse_numbers(part, {"--frames " + list, "frame", whose,
+                                                 999'999, "frames such as 0,250 or all"});
+        wanted.insert(wanted.end(), numbers.begin(), numbers.end());
+    }
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    for (const int frame : wanted)
+        if (!std::binary_search(all.begin(), all.end(), frame))
+            throw InputError("--frames " + list + ": " + path + " has no frame " +
+                             std::to_string(frame) + "; it has " + std::to_string(all.size()) +
+                             " from " + std::to_string(all.front()) + " to " +
+                             std::to_string(all.back()) + ".");
+    return wanted;
+}
+
 }  // namespace scb::scenes

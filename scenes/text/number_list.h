@@ -32,4 +32,9 @@ inline constexpr const char* auto_frames = "auto";
 std::vector<int> parse_frames(const std::string& text, int frame_count,
                               const std::string& scene_name);
 
+/// The same of a file that has these frames, ascending. `path` names it, `whose` says what its
+/// numbers are: "a trace may have".
+std::vector<int> frames_among(const std::vector<int>& all, const std::string& list,
+                              const std::string& path, const std::string& whose);
+
 }  // namespace scb::scenes

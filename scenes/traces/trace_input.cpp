@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "scb/error.h"
-#include "scenes/scene/scene.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/number_list.h"
 
@@ -36,23 +35,7 @@ std::vector<int> frames_in_trace(const std::string& path, const std::string& lis
     std::vector<int> all;
     while (const TraceFrame* frame = input.reader.next()) all.push_back(frame->frame);
     if (all.empty()) throw InputError(path + " has no frames; record it again.");
-    std::vector<int> wanted;
-    for (const std::string& part : split_list(list)) {
-        const std::vector<int> numbers =
-            part == "all" ? all
-                          : parse_numbers(part, {"--frames " + list, "frame", "a trace may have",
-                                                 most_frames - 1, "frames such as 0,250 or all"});
-        wanted.insert(wanted.end(), numbers.begin(), numbers.end());
-    }
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-    for (const int frame : wanted)
-        if (!std::binary_search(all.begin(), all.end(), frame))
-            throw InputError("--frames " + list + ": " + path + " has no frame " +
-                             std::to_string(frame) + "; it has " + std::to_string(all.size()) +
-                             " from " + std::to_string(all.front()) + " to " +
-                             std::to_string(all.back()) + ".");
-    return wanted;
+    return frames_among(all, list, path, "a trace may have");
 }
 
 bool names_trace(const std::string& path) {

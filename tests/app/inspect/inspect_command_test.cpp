@@ -224,7 +224,7 @@ TEST(InspectCommand, RefusesWhatMakesNoSense) {
           {"spheres-l1 --frame -1", "0 to 499"},
           {"spheres-l1 --frame 1 --frames 2", "--frame"},
           {"spheres-l1 --volume scb,ball", "one"},
-          {trace + " --test extents", "is a trace"},
+          {trace + " --test extents", "is recorded"},
           {trace + " --frame 61", "60"}}) {
         const ProgramRun run = run_scb("inspect " + arguments);
         EXPECT_EQ(run.status, 2) << arguments;

@@ -1,0 +1,247 @@
+#include "app/inspect/recording_report.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/inspect/inspect_report.h"
+#include "core/base/text_format.h"
+#include "render/overlay/figure_layout.h"
+
+namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using render::count_text;
+using scenes::FrameJudgement;
+using scenes::ProblemGroup;
+using scenes::RecordingJudgement;
+using scenes::TreeJudgement;
+
+std::string query_words(const scenes::QueryName& query) {
+    return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
+}
+
+std::string when(const WatchedProblem& problem) {
+    std::string words = "since frame " + std::to_string(problem.since);
+    if (problem.stale)
+        words += ": stale, last told at frame " + std::to_string(problem.told_at);
+    return words;
+}
+
+std::string tree_name(const TreeJudgement& tree) {
+    const std::string number = "tree " + std::to_string(tree.number);
+    return tree.name.empty() ? number : number + " \"" + tree.name + "\"";
+}
+
+std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
+    std::string text = "Trees\n";
+    for (const TreeJudgement& tree : judged.trees) {
+        text += "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
+                std::to_string(tree.depth) + ": " +
+                (tree.problems.empty() ? "sound"
+                                       : counted(tree.problems.size(), "problem", "problems")) +
+                "\n";
+        for (std::size_t i = 0; i < std::min(top, tree.problems.size()); ++i)
+            text += "    " + tree.problems[i].words + " (" + when(tree.problems[i]) + ")\n";
+        if (tree.problems.size() > top)
+            text += "    ... " + counted(tree.problems.size() - top, "more", "more") +
+                    ", which --json lists\n";
+    }
+    return text + "\n";
+}
+
+std::string tests_text(const RecordingJudgement& judged) {
+    if (judged.stages.empty()) return "Tests: none were recorded.\n\n";
+    std::size_t width = 5;
+    for (const auto& stage : judged.stages)
+        width = std::max(width, character_count(stage.name));
+    std::string text = "Tests" + std::string(width - 3, ' ') +
+                       "      tests    false    wrong   deep in each other\n";
+    for (const auto& stage : judged.stages) {
+        text += "  " + left_aligned(stage.name, width) +
+                right_aligned(count_text(stage.tests), 11) +
+                right_aligned(stage.false_positives > 0 ? count_text(stage.false_positives) : "", 9) +
+                right_aligned(stage.wrong > 0 ? count_text(stage.wrong) : "", 9);
+        if (stage.wrong > 0)
+            text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
+        text += "\n";
+    }
+    if (judged.unjudged > 0)
+        text += "  " + count_text(judged.unjudged) +
+                " are of nodes without a volume that could be judged\n";
+    return text + "\n";
+}
+
+std::string groups_text(const char* title, const std::vector<ProblemGroup>& groups) {
+    std::string text;
+    for (const ProblemGroup& group : groups) {
+        if (text.empty()) text = std::string(title) + "\n";
+        text += "  " + count_text(group.count) + ": " + group.what + "\n      first: " +
+                query_words(group.query) + ": " + group.first + "\n";
+    }
+    return text.empty() ? text : text + "\n";
+}
+
+std::uint64_t sum(const RecordingJudgement& judged, std::uint64_t FrameJudgement::*field) {
+    std::uint64_t result = 0;
+    for (const FrameJudgement& frame : judged.frames) result += frame.*field;
+    return result;
+}
+
+std::string results_text(const RecordingJudgement& judged) {
+    if (judged.summary.pairs + judged.summary.item_tests == 0)
+        return "Results: none were recorded.\n\n";
+    std::string text = "Results: " +
+                       counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
+                       " reported, " + count_text(judged.exact_pairs) + " intersect; " +
+                       count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
+                       count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
+    if (judged.grazing > 0)
+        text += "; " + count_text(judged.grazing) +
+                " touch within the engine's rounding, and are not judged";
+    text += ".\n";
+    if (judged.self_queries > 0)
+        text += "Of " +
+                counted(judged.self_queries, "query of a body against itself",
+                        "queries of a body against itself") +
+                " the tests are judged, the pairs are not.\n";
+    return text + "\n";
+}
+
+std::string waste_text(const RecordingJudgement& judged) {
+    const std::uint64_t tests =
+        sum(judged, &FrameJudgement::volume_tests) + sum(judged, &FrameJudgement::item_tests);
+    if (tests == 0) return {};
+    const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
+    return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) + " tests: " +
+           count_text(judged.wasted_loose) + " below volumes that meet though no triangles do, " +
+           count_text(judged.wasted_weak) + " below volumes that do not even meet.\n";
+}
+
+std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
+    if (judged.frames.size() < 2) return {};
+    std::vector<FrameJudgement> frames = judged.frames;
+    std::stable_sort(frames.begin(), frames.end(),
+                     [](const FrameJudgement& a, const FrameJudgement& b) {
+                         const auto errors = [](const FrameJudgement& f) {
+                             return f.wrong + f.missed + f.false_pairs;
+                         };
+                         return std::pair(errors(a), a.wasted) > std::pair(errors(b), b.wasted);
+                     });
+    std::string text = "   frame  queries      tests     wasted    wrong   missed    false    pairs\n";
+    for (std::size_t i = 0; i < std::min(top, frames.size()); ++i) {
+        const FrameJudgement& f = frames[i];
+        const auto cell = [](std::uint64_t count, std::size_t width) {
+            return right_aligned(count_text(count), width);
+        };
+        text += right_aligned(std::to_string(f.frame), 8) + cell(f.queries, 9) +
+                cell(f.volume_tests + f.item_tests, 11) + cell(f.wasted, 11) + cell(f.wrong, 9) +
+                cell(f.missed, 9) + cell(f.false_pairs, 9) + cell(f.pairs, 9) + "\n";
+    }
+    if (frames.size() > top)
+        text += "   ... " + counted(frames.size() - top, "more frame", "more frames") +
+                ", which --json lists\n";
+    return "\nThe frames with the most errors, then with the most waste\n" + text;
+}
+
+Json group_json(const ProblemGroup& group) {
+    Json json = {{"what", group.what},
+                 {"count", group.count},
+                 {"frame", group.query.frame},
+                 {"bodies", {group.query.a, group.query.b}},
+                 {"first", group.first}};
+    if (group.nodes.a != no_index) json["nodes"] = {group.nodes.a, group.nodes.b};
+    if (group.items.a != no_index) json["triangles"] = {group.items.a, group.items.b};
+    if (group.event != no_index) json["event"] = group.event;
+    return json;
+}
+
+Json groups_json(const std::vector<ProblemGroup>& groups) {
+    Json json = Json::array();
+    for (const ProblemGroup& group : groups) json.push_back(group_json(group));
+    return json;
+}
+
+}  // namespace
+
+std::string recording_text(const RecordingJudgement& judged, const std::string& file,
+                           std::size_t top) {
+    std::string text = file + (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
+                       counted(judged.frames.size(), "frame", "frames") + ", " +
+                       counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
+                       counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
+                       " of volumes, " +
+                       count_text(sum(judged, &FrameJudgement::item_tests)) + " of triangles\n\n";
+    for (const auto& pose : judged.poses)
+        text += "Pose: the tests at " + query_words(pose.query) + " fit " + pose.pose + ": " +
+                count_text(pose.told.wrong) + " are wrong with the one that was told, none with " +
+                "this.\n";
+    if (!judged.poses.empty()) text += "\n";
+    text += trees_text(judged, top) + tests_text(judged) +
+            groups_text("Tests that went wrong", judged.test_problems) + results_text(judged) +
+            groups_text("Missed pairs, by cause", judged.missed) +
+            groups_text("False pairs, by cause", judged.false_pairs) + waste_text(judged) +
+            frames_text(judged, top);
+    for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
+    if (judged.more_odd > 0) text += "Odd: " + count_text(judged.more_odd) + " more of the kind.\n";
+    return text;
+}
+
+Json recording_json(const RecordingJudgement& judged, const std::string& file) {
+    Json json = {{"recording", file}, {"engine", judged.engine}, {"wrong", judged.wrong()}};
+    if (!judged.damage.empty()) json["damage"] = judged.damage;
+    json["trees"] = Json::array();
+    for (const TreeJudgement& tree : judged.trees) {
+        Json problems = Json::array();
+        for (const WatchedProblem& watched : tree.problems) {
+            Json problem = {{"what", watched.words}, {"since", watched.since}};
+            if (watched.problem.node != no_index) problem["node"] = watched.problem.node;
+            if (watched.problem.item != no_index) problem["triangle"] = watched.problem.item;
+            if (watched.problem.fault == TreeFault::outside)
+                problem.update({{"amount", watched.problem.amount},
+                                {"told_at", watched.told_at},
+                                {"stale", watched.stale},
+                                {"frames", watched.frames}});
+            problems.push_back(std::move(problem));
+        }
+        json["trees"].push_back({{"tree", tree.number},
+                                 {"name", tree.name},
+                                 {"nodes", tree.nodes},
+                                 {"depth", tree.depth},
+                                 {"problems", std::move(problems)}});
+    }
+    json["stages"] = Json::array();
+    for (const auto& stage : judged.stages)
+        json["stages"].push_back({{"name", stage.name},
+                                  {"tests", stage.tests},
+                                  {"false_positives", stage.false_positives},
+                                  {"wrong", stage.wrong}});
+    json["poses"] = Json::array();
+    for (const auto& pose : judged.poses)
+        json["poses"].push_back({{"frame", pose.query.frame},
+                                 {"bodies", {pose.query.a, pose.query.b}},
+                                 {"fits", pose.pose},
+                                 {"wrong_as_told", pose.told.wrong}});
+    json["test_problems"] = groups_json(judged.test_problems);
+    json["missed"] = groups_json(judged.missed);
+    json["false"] = groups_json(judged.false_pairs);
+    json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
+    json["unjudged"] = judged.unjudged;
+    json["grazing"] = judged.grazing;
+    json["frames"] = Json::array();
+    for (const FrameJudgement& f : judged.frames)
+        json["frames"].push_back({{"frame", f.frame},
+                                  {"queries", f.queries},
+                                  {"volume_tests", f.volume_tests},
+                                  {"triangle_tests", f.item_tests},
+                                  {"wasted", f.wasted},
+                                  {"wrong", f.wrong},
+                                  {"missed", f.missed},
+                                  {"false_pairs", f.false_pairs},
+                                  {"pairs", f.pairs}});
+    json["odd"] = judged.odd;
+    return json;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,93 @@
+#include "core/judge/node_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scb {
+
+void NodeTree::add(TreeNode node, std::string node_name, std::span<const std::uint32_t> children,
+                   std::span<const std::uint32_t> items) {
+    const auto index = static_cast<std::uint32_t>(nodes_.size());
+    if (!by_number_.emplace(node.number, index).second) {
+        told_twice_.push_back(node.number);
+        return;
+    }
+    node.first_child = static_cast<std::uint32_t>(children_.size());
+    node.child_count = static_cast<std::uint32_t>(children.size());
+    node.first_item = static_cast<std::uint32_t>(items_.size());
+    node.item_count = static_cast<std::uint32_t>(items.size());
+    children_.insert(children_.end(), children.begin(), children.end());
+    items_.insert(items_.end(), items.begin(), items.end());
+    if (!node_name.empty()) names_.emplace(index, std::move(node_name));
+    nodes_.push_back(std::move(node));
+}
+
+std::uint32_t NodeTree::index_of(std::uint32_t number) const {
+    const auto found = by_number_.find(number);
+    return found == by_number_.end() ? no_index : found->second;
+}
+
+std::span<const std::uint32_t> NodeTree::children(std::size_t index) const {
+    return std::span(children_).subspan(nodes_[index].first_child, nodes_[index].child_count);
+}
+
+std::span<const std::uint32_t> NodeTree::items(std::size_t index) const {
+    return std::span(items_).subspan(nodes_[index].first_item, nodes_[index].item_count);
+}
+
+std::string NodeTree::words(std::size_t index) const {
+    const std::string number = "node " + std::to_string(nodes_[index].number);
+    const auto found = names_.find(static_cast<std::uint32_t>(index));
+    return found == names_.end() ? number : number + " \"" + found->second + "\"";
+}
+
+void NodeTree::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault) {
+    nodes_[index].volume = std::move(volume);
+    nodes_[index].told_at = frame;
+    if (fault.empty())
+        volume_faults_.erase(index);
+    else
+        volume_faults_[index] = std::move(fault);
+}
+
+std::string NodeTree::volume_fault(std::uint32_t index) const {
+    const auto found = volume_faults_.find(index);
+    return found == volume_faults_.end() ? std::string() : found->second;
+}
+
+TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
+    const auto size = static_cast<std::uint32_t>(tree.size());
+    TreeShape shape;
+    shape.parents.assign(size, no_index);
+    shape.depths.assign(size, no_index);
+    shape.holder.assign(items, no_index);
+    std::vector<bool> listed(size, false);
+    for (std::uint32_t i = 0; i < size; ++i)
+        for (const std::uint32_t child : tree.children(i))
+            if (const std::uint32_t c = tree.index_of(child); c != no_index) listed[c] = true;
+    for (std::uint32_t i = 0; i < size; ++i)
+        if (!listed[i] && tree[i].parent == no_index) shape.roots.push_back(i);
+    // A tree that only is a cycle is entered somewhere.
+    if (shape.roots.empty() && size > 0) shape.roots.push_back(0);
+
+    std::vector<std::uint32_t> left(shape.roots.rbegin(), shape.roots.rend());
+    for (const std::uint32_t root : left) shape.depths[root] = 0;
+    while (!left.empty()) {
+        const std::uint32_t i = left.back();
+        left.pop_back();
+        shape.order.push_back(i);
+        for (const std::uint32_t item : tree.items(i))
+            if (item < items && shape.holder[item] == no_index) shape.holder[item] = i;
+        const auto children = tree.children(i);
+        for (auto child = children.rbegin(); child != children.rend(); ++child) {
+            const std::uint32_t c = tree.index_of(*child);
+            if (c == no_index || shape.depths[c] != no_index) continue;
+            shape.depths[c] = shape.depths[i] + 1;
+            shape.parents[c] = i;
+            left.push_back(c);
+        }
+    }
+    return shape;
+}
+
+}  // namespace scb

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/judge/node_volume.h"
+
+namespace scb {
+
+/// No node, no triangle.
+inline constexpr std::uint32_t no_index = UINT32_MAX;
+
+/// A node as its engine tells of it: nothing of it need be true.
+struct TreeNode {
+    std::uint32_t number = 0;         ///< by which the engine's tests name it
+    std::uint32_t parent = no_index;  ///< the parent's number
+    std::uint64_t id = 0;             ///< what the engine calls it
+    std::uint32_t first_child = 0, child_count = 0, first_item = 0, item_count = 0;
+    NodeVolume volume;
+    int told_at = 0;  ///< the frame at which the volume was told last
+};
+
+/// A tree of nodes with any number of children, of whatever engine; what it was told of may be no
+/// tree at all. Indices go by the order in which nodes were told. Items are triangles of a mesh, or
+/// objects that nothing is known of.
+class NodeTree {
+  public:
+    std::string name;
+
+    /// `node.first_child` to `node.item_count` are set here. The second node of a number is not
+    /// taken.
+    void add(TreeNode node, std::string node_name, std::span<const std::uint32_t> children,
+             std::span<const std::uint32_t> items);
+
+    std::size_t size() const { return nodes_.size(); }
+    const TreeNode& operator[](std::size_t index) const { return nodes_[index]; }
+    TreeNode& operator[](std::size_t index) { return nodes_[index]; }
+    /// no_index where there is none of this number.
+    std::uint32_t index_of(std::uint32_t number) const;
+    /// The numbers of its children as it tells them.
+    std::span<const std::uint32_t> children(std::size_t index) const;
+    std::span<const std::uint32_t> items(std::size_t index) const;
+    /// "node 12", with the engine's own name in quotes where it has one.
+    std::string words(std::size_t index) const;
+    /// The numbers of nodes that were told again, in that order.
+    const std::vector<std::uint32_t>& told_twice() const { return told_twice_; }
+
+    /// The volume from this frame on. `fault`: why what was told is none, as a clause; else empty.
+    void set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault);
+    /// Why the node has none; empty where it has one, or was told to have none.
+    std::string volume_fault(std::uint32_t index) const;
+
+  private:
+    std::vector<TreeNode> nodes_;
+    std::vector<std::uint32_t> children_, items_, told_twice_;
+    std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
+    std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
+};
+
+/// What of the nodes hangs together.
+struct TreeShape {
+    /// Per node: the index of the node that lists it as a child; of roots, and of nodes that no
+    /// root leads to, no_index.
+    std::vector<std::uint32_t> parents;
+    std::vector<std::uint32_t> depths;  ///< per node: no_index where no root leads to it
+    std::vector<std::uint32_t> order;   ///< indices: from the roots down, parents before children
+    std::vector<std::uint32_t> roots;   ///< indices
+    std::vector<std::uint32_t> holder;  ///< per item: index of the first node in `order` that has
+                                        ///< it; no_index: none
+};
+
+/// `items` is how many there are: those of higher numbers are left out.
+TreeShape tree_shape(const NodeTree& tree, std::size_t items);
+
+}  // namespace scb

@@ -1,0 +1,235 @@
+#include "core/judge/node_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "core/explain/exact_overlap.h"
+#include "core/explain/exact_verdict.h"
+#include "core/volumes/polytope.h"
+#include "core/volumes/shape.h"
+#include "scb/error.h"
+#include "scb/placement.h"
+
+namespace scb {
+namespace {
+
+using SharedPolytope = std::shared_ptr<const Polytope>;
+
+ConvexShape shape(const std::monostate&) {
+    return {Vec3::Zero(), 0, Mat3::Identity(), [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+}
+
+ConvexShape shape(const Obb& box) {
+    ConvexShape result{box.center, 0, box.axes,
+                       [box](const Vec3& d) {
+                           Vec3 p = Vec3::Zero();
+                           for (int i = 0; i < 3; ++i) {
+                               const Vec3 side = box.half[i] * box.axes.col(i);
+                               p += dot(side, d) < 0 ? Vec3(-side) : side;
+                           }
+                           return p;
+                       },
+                       {}};
+    for (int i = 0; i < 3; ++i)
+        for (const double sign : {1.0, -1.0})
+            result.faces.push_back({sign * box.axes.col(i), box.half[i]});
+    return result;
+}
+
+ConvexShape shape(const Ball& ball) {
+    return {ball.center, ball.radius, Mat3::Identity(),
+            [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+}
+
+/// In the direction d: the ball's farthest point, or the farthest of the rim of the plane that cuts
+/// it off.
+ConvexShape shape(const Scb& scb) {
+    return {scb.c, 0, Mat3::Identity(),
+            [scb](const Vec3& d) {
+                const double length = std::sqrt(squared_norm(d));
+                if (!(length > 0)) return Vec3(scb.n * (scb.e + scb.f) / 2);
+                const double along = dot(scb.n, d) / length * scb.r;
+                const double height = std::clamp(along, scb.f, scb.e);
+                if (height == along) return Vec3(d * (scb.r / length));
+                const Vec3 across = d - scb.n * dot(scb.n, d);
+                const double width = std::sqrt(squared_norm(across));
+                const double rim = std::sqrt(std::max(0.0, (scb.r - height) * (scb.r + height)));
+                return Vec3(scb.n * height + (width > 0 ? Vec3(across * (rim / width))
+                                                        : Vec3(Vec3::Zero())));
+            },
+            {}};
+}
+
+ConvexShape shape(const Scb2& scb) { return shape(Ball{scb.c, scb.r}); }
+
+ConvexShape shape(const SharedPolytope& polytope) {
+    return {polytope->center, 0, Mat3::Identity(),
+            [polytope](const Vec3& d) {
+                const auto less = [&](const Vec3& a, const Vec3& b) {
+                    return dot(a, d) < dot(b, d);
+                };
+                return *std::max_element(polytope->corners.begin(), polytope->corners.end(), less);
+            },
+            polytope->faces};
+}
+
+template <ConvexVolume V>
+ConvexShape shape(const V& volume) {
+    return shape_of(volume);
+}
+
+double beyond(const Slab& slab, const Vec3& p) {
+    const double along = dot(slab.n, p);
+    return std::max(along - slab.e, slab.f - along);
+}
+
+/// Distances; see excess.
+struct Excess {
+    const Vec3& p;
+
+    double operator()(const std::monostate&) const { return 0; }
+    double operator()(const Obb& box) const {
+        Vec3 outside;
+        for (int i = 0; i < 3; ++i)
+            outside[i] = std::abs(dot(Vec3(box.axes.col(i)), Vec3(p - box.center))) - box.half[i];
+        const double most = outside.maxCoeff();
+        return most <= 0 ? most : std::sqrt(squared_norm(outside.cwiseMax(0)));
+    }
+    double operator()(const Ball& ball) const {
+        return std::sqrt(squared_norm(p - ball.center)) - ball.radius;
+    }
+    double operator()(const Scb& scb) const {
+        const double ball = (*this)(Ball{scb.c, scb.r});
+        return std::max(ball, beyond({scb.n, scb.e, scb.f}, p - scb.c));
+    }
+    double operator()(const Scb2& scb) const {
+        double most = (*this)(Ball{scb.c, scb.r});
+        for (const Slab& slab : scb.slabs) most = std::max(most, beyond(slab, p - scb.c));
+        return most;
+    }
+    double operator()(const SharedPolytope& polytope) const {
+        const Vec3 from_center = p - polytope->center;
+        double most = -HUGE_VAL;
+        for (const FacePlane& face : polytope->faces)
+            most = std::max(most, dot(face.normal, from_center) - face.offset);
+        if (!polytope->faces.empty()) return most;
+        const ConvexShape point{p, 0, Mat3::Identity(),
+                                [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+        const ContactCertificate found = exact_overlap(shape(polytope), point);
+        return found.contact == Contact::disjoint ? found.margin : 0;
+    }
+    template <class V>  // capsules and rectangle swept spheres
+    double operator()(const V& v) const {
+        return std::sqrt(squared_distance(v, p)) - v.radius;
+    }
+};
+
+double reach(const ConvexShape& shape) {
+    return std::sqrt(squared_norm(shape.center)) + diameter(shape);
+}
+
+template <class V>
+ContactCertificate verdict(const V& a, const V& b, const Pose& b_to_a, double tolerance) {
+    Placement placed = placement(b_to_a, reach(a), reach(b));
+    placed.margin = std::max(placed.margin, tolerance);
+    return exact_verdict(a, b, placed);
+}
+
+}  // namespace
+
+Polytope slabs_polytope(std::span<const double> directions, std::span<const double> bounds) {
+    const std::size_t count = directions.size() / 3;
+    std::vector<Vec3> normals(count);
+    std::vector<std::array<double, 2>> ends(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 d(directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]);
+        const double length = std::sqrt(squared_norm(d));
+        if (!(length > 0) || !std::isfinite(length))
+            throw InputError("its direction " + std::to_string(i) + " is none");
+        normals[i] = d / length;
+        ends[i] = {bounds[2 * i] / length, bounds[2 * i + 1] / length};
+        if (!(ends[i][0] <= ends[i][1]))
+            throw InputError("its least value is above the greatest in direction " +
+                             std::to_string(i));
+    }
+    // Three directions far from a plane bound it, and give a point in its midst.
+    std::array<std::size_t, 3> chosen{};
+    double widest = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (const double wide = squared_norm(cross(normals[0], normals[i])); wide > widest) {
+            widest = wide;
+            chosen[1] = i;
+        }
+    widest = 0;
+    const Vec3 across = cross(normals[0], normals[chosen[1]]);
+    for (std::size_t i = 0; i < count; ++i)
+        if (const double wide = std::abs(dot(across, normals[i])); wide > widest) {
+            widest = wide;
+            chosen[2] = i;
+        }
+    if (!(widest > 1e-9)) throw InputError("its directions lie in a plane");
+    std::array<Vec3, 3> basis;
+    Vec3 middle, half;
+    for (std::size_t r = 0; r < 3; ++r) {
+        const auto& [lower, upper] = ends[chosen[r]];
+        basis[r] = normals[chosen[r]];
+        middle[static_cast<int>(r)] = lower + (upper - lower) / 2;
+        half[static_cast<int>(r)] = (upper - lower) / 2;
+    }
+    // By Cramer's rule.
+    Mat3 inverse;
+    for (std::size_t r = 0; r < 3; ++r)
+        inverse.col(static_cast<int>(r)) = cross(basis[(r + 1) % 3], basis[(r + 2) % 3]);
+    inverse /= dot(cross(basis[0], basis[1]), basis[2]);
+    Polytope result;
+    result.center = rotate(inverse, middle);
+    const double size = 2 * std::sqrt(squared_norm(rotate(inverse.cwiseAbs(), half)));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double at = dot(normals[i], result.center);
+        result.faces.push_back({normals[i], ends[i][1] - at});
+        result.faces.push_back({-normals[i], at - ends[i][0]});
+    }
+    if (!(size > 0)) {
+        result.corners.push_back(Vec3::Zero());
+        return result;
+    }
+    // A second time of one without thickness, whose faces have no area.
+    for (const double grown : {0.0, 1e-9 * size}) {
+        std::vector<FacePlane> planes = result.faces;
+        for (FacePlane& plane : planes) plane.offset += grown;
+        for (const std::vector<Vec3>& polygon : face_polygons(planes, size + grown))
+            result.corners.insert(result.corners.end(), polygon.begin(), polygon.end());
+        if (!result.corners.empty()) return result;
+    }
+    throw InputError("its planes leave nothing");
+}
+
+double excess(const NodeVolume& volume, const Vec3& point) {
+    return std::visit(Excess{point}, volume);
+}
+
+ConvexShape convex_shape(const NodeVolume& volume) {
+    return std::visit([](const auto& v) { return shape(v); }, volume);
+}
+
+double half_diameter(const NodeVolume& volume) { return diameter(convex_shape(volume)) / 2; }
+
+ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
+                                 double tolerance) {
+    if (!has_volume(a) || !has_volume(b)) return {};
+    return std::visit(
+        [&]<class V>(const V& va) -> ContactCertificate {
+            if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||
+                          std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
+                if (const V* vb = std::get_if<V>(&b))
+                    return verdict(va, *vb, b_to_a, tolerance);
+            }
+            if (std::holds_alternative<Scb2>(a) || std::holds_alternative<Scb2>(b)) return {};
+            return verdict(convex_shape(a), convex_shape(b), b_to_a, tolerance);
+        },
+        a);
+}
+
+}  // namespace scb

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/explain/contact_certificate.h"
+#include "core/volumes/convex_shape.h"
+#include "scb/capsule.h"
+#include "scb/rss.h"
+
+namespace scb {
+
+/// A convex polytope: that of a k-DOP of whatever directions, or the hull of points.
+struct Polytope {
+    Vec3 center = Vec3::Zero();
+    std::vector<Vec3> corners;     ///< from the center; all of them, perhaps with others inside
+    std::vector<FacePlane> faces;  ///< from the center, with unit normals; empty: not known
+};
+
+/// The volume of a node, of whatever engine, in the body's frame. `monostate`: none that one could
+/// judge. Axes and normals are as the engine has them: of one that computes in 32 bits, unit
+/// vectors to some 1e-7.
+using NodeVolume = std::variant<std::monostate, Obb, Ball, Capsule, Rss, Scb, Scb2,
+                                std::shared_ptr<const Polytope>>;
+
+inline bool has_volume(const NodeVolume& volume) { return volume.index() != 0; }
+
+/// What is between two planes in each of the directions: lower <= d.x <= upper. Directions are
+/// three numbers each and need not be unit vectors, at least one; `bounds` are two per direction.
+/// Throws InputError, a clause that begins with "its", where they leave nothing or do not bound it.
+Polytope slabs_polytope(std::span<const double> directions, std::span<const double> bounds);
+
+/// How far a point is outside of the volume: the distance or, of polytopes and slabs, at least that
+/// of the farthest plane. Not positive: it is inside.
+double excess(const NodeVolume& volume, const Vec3& point);
+
+/// The same volume by its farthest points.
+ConvexShape convex_shape(const NodeVolume& volume);
+
+/// Half of its diameter.
+double half_diameter(const NodeVolume& volume);
+
+/// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
+/// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,
+/// where one has no volume, and of a ball cut by two slabs with a volume of another type.
+ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
+                                 double tolerance);
+
+}  // namespace scb

@@ -1,0 +1,339 @@
+#include "core/judge/query_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "scb/triangle_overlap.h"
+
+namespace scb {
+namespace {
+
+using Kind = EngineEvent::Kind;
+
+std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint64_t>(a) << 32 | b;
+}
+
+NodeVolume triangle_volume(const TriangleCorners& corners) {
+    Polytope triangle;
+    triangle.center = (corners[0] + corners[1] + corners[2]) / 3;
+    for (const Vec3& corner : corners) triangle.corners.push_back(corner - triangle.center);
+    return std::make_shared<const Polytope>(std::move(triangle));
+}
+
+bool has_items(const EngineQuery& query, IndexPair items) {
+    const auto has = [](const EngineSide& side, std::uint32_t item) {
+        return !side.mesh || item < side.mesh->triangles.size();
+    };
+    return has(query.sides[0], items.a) && has(query.sides[1], items.b);
+}
+
+/// Two triangles of the query: whether they intersect, and whether that is within the tolerance.
+struct ItemContact {
+    bool meet = false, grazing = false;
+};
+
+ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
+    const TriangleCorners a = corners(*query.sides[0].mesh, items.a),
+                          b = corners(*query.sides[1].mesh, items.b);
+    ItemContact result{triangles_overlap(a, transform_corners(b_to_a, b)), false};
+    result.grazing = exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance)
+                         .contact != (result.meet ? Contact::overlapping : Contact::disjoint);
+    return result;
+}
+
+bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query.sides[1].mesh; }
+
+/// Whether a test of two items erred, and not just within the tolerance.
+bool errs(const EngineQuery& query, const Pose& b_to_a, const EngineEvent& event) {
+    if (!have_meshes(query) || !has_items(query, {event.a, event.b})) return false;
+    const TriangleCorners a = corners(*query.sides[0].mesh, event.a),
+                          b = corners(*query.sides[1].mesh, event.b);
+    if (triangles_overlap(a, transform_corners(b_to_a, b)) == (event.kind == Kind::items_meet))
+        return false;
+    return !contact_of(query, b_to_a, {event.a, event.b}).grazing;
+}
+
+TestVerdict verdict_of(const ContactCertificate& certificate, std::uint8_t stage) {
+    if (certificate.contact == Contact::disjoint)
+        return stage == 0 ? TestVerdict::false_positive : TestVerdict::right;
+    if (certificate.contact == Contact::overlapping)
+        return stage == 0 ? TestVerdict::right : TestVerdict::wrong;
+    return TestVerdict::right;
+}
+
+IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
+    return {query.sides[0].tree->index_of(event.a), query.sides[1].tree->index_of(event.b)};
+}
+
+bool can_judge(const EngineQuery& query, IndexPair nodes) {
+    return nodes.a != no_index && nodes.b != no_index &&
+           has_volume((*query.sides[0].tree)[nodes.a].volume) &&
+           has_volume((*query.sides[1].tree)[nodes.b].volume);
+}
+
+ContactCertificate certificate_of(const EngineQuery& query, const Pose& b_to_a, IndexPair nodes) {
+    return exact_verdict((*query.sides[0].tree)[nodes.a].volume,
+                         (*query.sides[1].tree)[nodes.b].volume, b_to_a, query.tolerance);
+}
+
+class Judge {
+  public:
+    Judge(const EngineQuery& query, std::span<const IndexPair> contacts)
+        : query_(query), contacts_(contacts) {}
+
+    QueryJudgement judged() && {
+        for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
+        count_waste();
+        // Without results, or of items that nothing is known of, there is nothing to compare.
+        if (have_meshes(query_) && !query_.self && (query_.tells_pairs || query_.tells_items)) {
+            if (query_.complete) find_missed();
+            find_false();
+        }
+        return std::move(result_);
+    }
+
+  private:
+    void take(std::uint32_t i) {
+        const EngineEvent& event = query_.events[i];
+        switch (event.kind) {
+            case Kind::volumes: return take_test(i, event);
+            case Kind::items_apart:
+            case Kind::items_meet:
+                ++result_.item_tests;
+                item_tests_.try_emplace(key(event.a, event.b), i);
+                if (errs(query_, query_.b_to_a, event)) result_.wrong_item_tests.push_back(i);
+                item_parent_.push_back(leading_test_of_items({event.a, event.b}));
+                if (event.kind == Kind::items_meet)
+                    for (std::uint32_t t = item_parent_.back(); t != no_index && !result_.tests[t].meets;
+                         t = result_.tests[t].parent)
+                        result_.tests[t].meets = true;
+                if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
+                return;
+            case Kind::pair: return report(i, event);
+        }
+    }
+
+    void take_test(std::uint32_t i, const EngineEvent& event) {
+        JudgedTest test{i, nodes_of(query_, event)};
+        const auto index = static_cast<std::uint32_t>(result_.tests.size());
+        if (can_judge(query_, test.nodes)) {
+            const ContactCertificate found = certificate_of(query_, query_.b_to_a, test.nodes);
+            test.verdict = verdict_of(found, event.stage);
+            test.margin = found.margin;
+        }
+        if (test.nodes.a != no_index && test.nodes.b != no_index) {
+            test.parent = leading_test(test.nodes);
+            const auto [known, added] = tests_.try_emplace(key(test.nodes.a, test.nodes.b), index);
+            test.repeated = !added;
+            known->second = index;
+        }
+        result_.tests.push_back(test);
+        if (event.stage == 0) last_overlap_ = index;
+    }
+
+    /// The test of the parents, or of one node and the parent of the other: the latest.
+    std::uint32_t leading_test(IndexPair nodes) const {
+        const std::uint32_t above_a = query_.sides[0].shape->parents[nodes.a],
+                            above_b = query_.sides[1].shape->parents[nodes.b];
+        std::uint32_t latest = no_index;
+        for (const IndexPair led : {IndexPair{above_a, nodes.b}, IndexPair{nodes.a, above_b},
+                                    IndexPair{above_a, above_b}}) {
+            if (led.a == no_index || led.b == no_index) continue;
+            const auto found = tests_.find(key(led.a, led.b));
+            if (found != tests_.end() && (latest == no_index || found->second > latest))
+                latest = found->second;
+        }
+        return latest;
+    }
+
+    /// That of the nodes that have the items; where there was none, the latest that passed.
+    std::uint32_t leading_test_of_items(IndexPair items) const {
+        const auto holder = [](const EngineSide& side, std::uint32_t item) {
+            return item < side.shape->holder.size() ? side.shape->holder[item] : no_index;
+        };
+        const auto found = tests_.find(
+            key(holder(query_.sides[0], items.a), holder(query_.sides[1], items.b)));
+        return found != tests_.end() ? found->second : last_overlap_;
+    }
+
+    void report(std::uint32_t i, const EngineEvent& event) {
+        if (reported_.try_emplace(key(event.a, event.b), i).second)
+            order_.push_back(i);
+        else
+            twice_.push_back(i);
+    }
+
+    void count_waste() {
+        // 1: below a pair that passed because of a weak test; 2: below one of loose volumes.
+        std::vector<std::uint8_t> within(result_.tests.size(), 0);
+        const auto of = [&](std::uint32_t led) -> std::uint8_t {
+            if (led == no_index) return 0;
+            const JudgedTest& test = result_.tests[led];
+            if (within[led] != 0) return within[led];
+            if (test.verdict == TestVerdict::false_positive) return 1;
+            return test.meets ? 0 : 2;
+        };
+        const auto add = [&](std::uint8_t kind) {
+            result_.wasted_weak += kind == 1;
+            result_.wasted_loose += kind == 2;
+        };
+        for (std::size_t i = 0; i < result_.tests.size(); ++i)
+            add(within[i] = of(result_.tests[i].parent));
+        for (const std::uint32_t led : item_parent_) add(of(led));
+    }
+
+    void find_missed() {
+        for (const IndexPair contact : contacts_) {
+            if (reported_.count(key(contact.a, contact.b)) > 0) continue;
+            if (contact_of(query_, query_.b_to_a, contact).grazing)
+                ++result_.grazing;
+            else
+                result_.pairs.push_back(cause_of(contact));
+        }
+        result_.exact = contacts_.size();
+    }
+
+    PairProblem cause_of(IndexPair items) const {
+        PairProblem problem{items};
+        const std::uint32_t leaves[2] = {query_.sides[0].shape->holder[items.a],
+                                         query_.sides[1].shape->holder[items.b]};
+        for (std::uint32_t side = 0; side < 2; ++side)
+            if (leaves[side] == no_index) {
+                problem.cause = PairCause::in_no_leaf;
+                problem.side = side;
+                return problem;
+            }
+        const NodeTree &tree_a = *query_.sides[0].tree, &tree_b = *query_.sides[1].tree;
+        if (const auto tested = item_tests_.find(key(items.a, items.b));
+            tested != item_tests_.end()) {
+            const bool meet = query_.events[tested->second].kind == Kind::items_meet;
+            problem.cause = meet ? PairCause::not_reported : PairCause::items_apart;
+            problem.event = tested->second;
+            problem.nodes = {tree_a[leaves[0]].number, tree_b[leaves[1]].number};
+            return problem;
+        }
+        // The first rejection on the way to the pair, else how far the query came.
+        std::uint32_t rejected = no_index, deepest = no_index, most = 0;
+        for (std::uint32_t a = leaves[0]; a != no_index; a = query_.sides[0].shape->parents[a])
+            for (std::uint32_t b = leaves[1]; b != no_index;
+                 b = query_.sides[1].shape->parents[b]) {
+                const auto found = tests_.find(key(a, b));
+                if (found == tests_.end()) continue;
+                const JudgedTest& test = result_.tests[found->second];
+                const std::uint32_t depth =
+                    query_.sides[0].shape->depths[a] + query_.sides[1].shape->depths[b];
+                if (query_.events[test.event].stage != 0)
+                    rejected = std::min(rejected, found->second);
+                else if (deepest == no_index || depth > most) {
+                    deepest = found->second;
+                    most = depth;
+                }
+            }
+        const std::uint32_t at = rejected != no_index ? rejected : deepest;
+        if (at == no_index) {
+            problem.cause = PairCause::never_tested;
+            return problem;
+        }
+        const JudgedTest& test = result_.tests[at];
+        problem.event = test.event;
+        problem.nodes = {tree_a[test.nodes.a].number, tree_b[test.nodes.b].number};
+        if (rejected == no_index) {
+            const bool leaf_pair = test.nodes.a == leaves[0] && test.nodes.b == leaves[1];
+            problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
+            return problem;
+        }
+        problem.cause = PairCause::rejected;
+        for (std::uint32_t side = 0; side < 2; ++side) {
+            const std::uint32_t item = side == 0 ? items.a : items.b,
+                                node = side == 0 ? test.nodes.a : test.nodes.b;
+            const EngineSide& of = query_.sides[side];
+            for (const Vec3& corner : corners(*of.mesh, item)) {
+                const double amount = excess((*of.tree)[node].volume, corner);
+                if (!(amount > query_.tolerance) || !(amount > problem.amount)) continue;
+                problem.cause = PairCause::not_contained;
+                problem.side = side;
+                problem.amount = amount;
+            }
+        }
+        return problem;
+    }
+
+    void find_false() {
+        for (const std::uint32_t i : order_) {
+            ++result_.reported;
+            const EngineEvent& event = query_.events[i];
+            const IndexPair items{event.a, event.b};
+            PairProblem problem{items, PairCause::unknown_item, {no_index, no_index}, i};
+            if (has_items(query_, items)) {
+                const ItemContact contact = contact_of(query_, query_.b_to_a, items);
+                if (contact.meet) continue;
+                if (contact.grazing) {
+                    ++result_.grazing;
+                    continue;
+                }
+                const auto tested = item_tests_.find(key(items.a, items.b));
+                problem.cause = PairCause::reported_untested;
+                if (tested != item_tests_.end()) {
+                    problem.event = tested->second;
+                    problem.cause = query_.events[tested->second].kind == Kind::items_meet
+                                        ? PairCause::items_meet
+                                        : PairCause::reported_in_spite;
+                }
+            }
+            result_.pairs.push_back(problem);
+        }
+        for (const std::uint32_t i : twice_)
+            result_.pairs.push_back({{query_.events[i].a, query_.events[i].b},
+                                     PairCause::reported_twice,
+                                     {no_index, no_index},
+                                     i});
+    }
+
+    const EngineQuery& query_;
+    std::span<const IndexPair> contacts_;
+    QueryJudgement result_;
+    // By nodes' indices, or items: lookups only.
+    std::unordered_map<std::uint64_t, std::uint32_t> tests_, item_tests_, reported_;
+    std::vector<std::uint32_t> order_, twice_;  ///< reports
+    std::vector<std::uint32_t> item_parent_;    ///< per test of items: the test of volumes before it
+    std::uint32_t last_overlap_ = no_index;
+};
+
+}  // namespace
+
+std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
+    return static_cast<std::uint64_t>(
+        std::count_if(tests.begin(), tests.end(),
+                      [&](const JudgedTest& test) { return test.verdict == verdict; }));
+}
+
+std::uint64_t QueryJudgement::repeated() const {
+    return static_cast<std::uint64_t>(std::count_if(
+        tests.begin(), tests.end(), [](const JudgedTest& test) { return test.repeated; }));
+}
+
+QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts) {
+    return Judge(query, contacts).judged();
+}
+
+PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
+    PoseFit fit;
+    for (const EngineEvent& event : query.events) {
+        if (event.kind == Kind::pair) continue;
+        if (event.kind != Kind::volumes) {
+            fit.wrong += errs(query, b_to_a, event);
+            continue;
+        }
+        const IndexPair nodes = nodes_of(query, event);
+        if (!can_judge(query, nodes)) continue;
+        const TestVerdict verdict = verdict_of(certificate_of(query, b_to_a, nodes), event.stage);
+        fit.wrong += verdict == TestVerdict::wrong;
+        fit.false_positive += verdict == TestVerdict::false_positive;
+    }
+    return fit;
+}
+
+}  // namespace scb

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "core/explain/contact_certificate.h"
+#include "core/judge/engine_query.h"
+
+namespace scb {
+
+/// What a test of two volumes is worth, by the exact verdict on the engine's own volumes.
+enum class TestVerdict : std::uint8_t {
+    right,
+    false_positive,  ///< it passed volumes that are disjoint
+    wrong,           ///< it rejected volumes that overlap
+    unjudged,        ///< one of the nodes is unknown or has no volume
+};
+
+struct JudgedTest {
+    std::uint32_t event = 0;         ///< index into EngineQuery::events
+    IndexPair nodes;                 ///< indices; no_index: a node that the tree does not have
+    std::uint32_t parent = no_index;  ///< the judged test that led to it, as far as one can tell
+    TestVerdict verdict = TestVerdict::unjudged;
+    bool repeated = false;  ///< the query made it before
+    bool meets = false;     ///< triangles below it intersect, as far as the query came
+    /// Gap or depth of the volumes, at least; 0 where they touch.
+    double margin = 0;
+};
+
+/// Why a pair that intersects is not among those that were reported, or one that does not is. From
+/// `reported_in_spite` on it is the latter.
+enum class PairCause : std::uint8_t {
+    in_no_leaf,        ///< no node that a root leads to has the triangle
+    not_contained,     ///< rejected at a node that does not contain the triangle
+    rejected,          ///< rejected although the volumes overlap
+    never_visited,     ///< nodes overlapped, and what is below them was not tested
+    never_tested,      ///< no test of two nodes that have them below was told
+    items_not_tested,  ///< the leaves overlapped, and the triangles were not tested
+    items_apart,       ///< the test of the two triangles said that they are apart
+    not_reported,      ///< it said that they meet, but the pair was not reported
+    reported_in_spite,  ///< reported although the test of the two triangles said that they are apart
+    items_meet,         ///< the test of the two triangles said that they meet
+    reported_untested,  ///< reported without a test
+    unknown_item,       ///< one of the two does not exist
+    reported_twice,
+};
+inline constexpr std::size_t pair_cause_count = 13;
+inline bool is_missed(PairCause cause) { return cause < PairCause::reported_in_spite; }
+
+/// A pair of items that is missed or false, and why.
+struct PairProblem {
+    IndexPair items;
+    PairCause cause{};
+    /// The numbers of the nodes at which it went wrong; no_index where that says nothing.
+    IndexPair nodes{no_index, no_index};
+    std::uint32_t event = no_index;  ///< at which it went wrong
+    std::uint32_t side = 0;          ///< of in_no_leaf and not_contained: whose triangle and node
+    double amount = 0;               ///< of not_contained: how far the triangle is outside
+
+    friend bool operator==(const PairProblem&, const PairProblem&) = default;
+};
+
+/// A query, judged.
+struct QueryJudgement {
+    std::vector<JudgedTest> tests;  ///< of volumes, in order
+    std::uint64_t item_tests = 0;
+    std::vector<std::uint32_t> wrong_item_tests;  ///< indices of events, of pairs that do not graze
+    std::uint64_t reported = 0;                   ///< pairs, each once
+    std::uint64_t exact = 0;                      ///< pairs that intersect
+    std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
+    std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
+    /// Tests of volumes and of items that a pair led to which passed although its volumes are
+    /// disjoint (weak), or although no triangles below it intersect (loose).
+    std::uint64_t wasted_weak = 0, wasted_loose = 0;
+
+    std::uint64_t count(TestVerdict verdict) const;
+    std::uint64_t repeated() const;
+};
+
+/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; empty where a side
+/// has no mesh. O(tests) exact verdicts.
+QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
+
+/// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,
+/// passed ones that are disjoint, or erred about two triangles.
+struct PoseFit {
+    std::uint64_t wrong = 0, false_positive = 0;
+};
+PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a);
+
+}  // namespace scb

@@ -1,0 +1,231 @@
+#include "core/judge/tree_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/text_format.h"
+
+namespace scb {
+namespace {
+
+Box box_of(const Mesh& mesh, std::uint32_t triangle) {
+    Box box;
+    for (const std::uint32_t vertex : mesh.triangles[triangle]) box.add(mesh.vertices[vertex]);
+    return box;
+}
+
+/// How far the farthest corner of the box is outside.
+double excess(const NodeVolume& volume, const Box& box) {
+    double most = -HUGE_VAL;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 p;
+        for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) ? box.upper[i] : box.lower[i];
+        most = std::max(most, scb::excess(volume, p));
+    }
+    return most;
+}
+
+double excess(const NodeVolume& volume, const Mesh& mesh, std::uint32_t triangle) {
+    double most = -HUGE_VAL;
+    for (const std::uint32_t vertex : mesh.triangles[triangle])
+        most = std::max(most, scb::excess(volume, mesh.vertices[vertex]));
+    return most;
+}
+
+/// How far the child reaches beyond the parent, at least.
+double reach_beyond(const ConvexShape& parent, const ConvexShape& child) {
+    double most = -HUGE_VAL;
+    const Vec3 moved = child.center - parent.center;
+    const auto try_direction = [&](const Vec3& d) {
+        most = std::max(most, dot(moved, d) + support(child, d) - support(parent, d));
+    };
+    for (const FacePlane& face : parent.faces)
+        most = std::max(most, dot(moved, face.normal) + support(child, face.normal) - face.offset);
+    if (!parent.faces.empty()) return most;
+    for (const Vec3& d : touching_directions()) {
+        try_direction(d);
+        // Of a ball, the point of the child that is farthest from its center.
+        const Vec3 farthest = moved + child.support_point(d);
+        if (const double length = std::sqrt(squared_norm(farthest)); length > 0)
+            try_direction(farthest / length);
+    }
+    return most;
+}
+
+using Worst = std::vector<TreeProblem>;  // per node
+
+void note(TreeProblem& worst, std::uint32_t item, std::uint32_t other, double amount) {
+    if (worst.node != no_index && !(amount > worst.amount)) return;
+    worst.fault = TreeFault::outside;
+    worst.item = item;
+    worst.other = other;
+    worst.amount = amount;
+}
+
+void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
+                     double tolerance, Worst& worst, std::vector<bool>& found) {
+    // From the leaves up: the box of all below, which settles most nodes.
+    std::vector<Box> boxes(tree.size());
+    std::vector<bool> open(tree.size(), false);
+    for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
+        Box& box = boxes[*i];
+        for (const std::uint32_t item : tree.items(*i))
+            if (item < mesh.triangles.size()) box.add(box_of(mesh, item));
+        if (const std::uint32_t parent = shape.parents[*i]; parent != no_index)
+            boxes[parent].add(box);
+        open[*i] = has_volume(tree[*i].volume) && box.lower[0] <= box.upper[0] &&
+                   !(excess(tree[*i].volume, box) <= tolerance);
+    }
+    for (const std::uint32_t i : shape.order)
+        for (const std::uint32_t item : tree.items(i)) {
+            if (item >= mesh.triangles.size()) continue;
+            for (std::uint32_t above = i; above != no_index; above = shape.parents[above]) {
+                if (!open[above]) continue;
+                const double amount = excess(tree[above].volume, mesh, item);
+                if (amount <= tolerance) continue;
+                note(worst[above], item, no_index, amount);
+                worst[above].node = tree[above].number;
+                found[above] = true;
+            }
+        }
+}
+
+void check_children(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst,
+                    std::vector<bool>& found) {
+    for (const std::uint32_t i : shape.order) {
+        const std::uint32_t parent = shape.parents[i];
+        if (parent == no_index || !has_volume(tree[i].volume) || !has_volume(tree[parent].volume))
+            continue;
+        const double amount =
+            reach_beyond(convex_shape(tree[parent].volume), convex_shape(tree[i].volume));
+        if (!(amount > tolerance)) continue;
+        note(worst[parent], no_index, tree[i].number, amount);
+        worst[parent].node = tree[parent].number;
+        found[parent] = true;
+    }
+}
+
+std::string number_words(const NodeTree& tree, std::uint32_t number) {
+    const std::uint32_t index = tree.index_of(number);
+    return index == no_index ? "node " + std::to_string(number) : tree.words(index);
+}
+
+}  // namespace
+
+std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shape,
+                                     const Mesh* mesh) {
+    std::vector<TreeProblem> problems;
+    const auto add = [&](TreeFault fault, std::uint32_t node, std::uint32_t other = no_index,
+                         std::uint32_t item = no_index) {
+        problems.push_back({fault, node, other, item, 0});
+    };
+    for (const std::uint32_t number : tree.told_twice()) add(TreeFault::told_twice, number);
+    std::vector<std::uint32_t> lister(tree.size(), no_index);
+    for (std::uint32_t i = 0; i < tree.size(); ++i)
+        for (const std::uint32_t child : tree.children(i)) {
+            const std::uint32_t c = tree.index_of(child);
+            if (c == no_index)
+                add(TreeFault::missing_child, tree[i].number, child);
+            else if (lister[c] != no_index)
+                add(TreeFault::listed_twice, child, tree[i].number);
+            else
+                lister[c] = i;
+        }
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+        const TreeNode& node = tree[i];
+        if (node.parent != no_index && lister[i] == no_index)
+            add(TreeFault::dropped, node.number, node.parent);
+        else if (node.parent != no_index && tree[lister[i]].number != node.parent)
+            add(TreeFault::wrong_parent, node.number, node.parent);
+        if (shape.depths[i] == no_index && lister[i] != no_index)
+            add(TreeFault::unreachable, node.number);
+    }
+    for (std::size_t k = 1; k < shape.roots.size(); ++k)
+        add(TreeFault::second_root, tree[shape.roots[k]].number, tree[shape.roots[0]].number);
+    if (!mesh) return problems;
+
+    const std::size_t count = mesh->triangles.size();
+    std::vector<std::uint32_t> holder(count, no_index);
+    for (const std::uint32_t i : shape.order)
+        for (const std::uint32_t item : tree.items(i)) {
+            if (item >= count)
+                add(TreeFault::triangle_unknown, tree[i].number, no_index, item);
+            else if (holder[item] != no_index)
+                add(TreeFault::triangle_twice, tree[holder[item]].number, tree[i].number, item);
+            else
+                holder[item] = i;
+        }
+    for (std::uint32_t item = 0; item < count; ++item)
+        if (holder[item] == no_index)
+            add(TreeFault::triangle_nowhere, no_index, no_index, item);
+    return problems;
+}
+
+std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
+                                       const Mesh* mesh, double tolerance) {
+    std::vector<TreeProblem> problems;
+    bool any = false;
+    for (const std::uint32_t i : shape.order) any |= has_volume(tree[i].volume);
+    Worst worst(tree.size());
+    std::vector<bool> found(tree.size(), false);
+    if (mesh)
+        check_triangles(tree, shape, *mesh, tolerance, worst, found);
+    else
+        check_children(tree, shape, tolerance, worst, found);
+    for (const std::uint32_t i : shape.order) {
+        if (!tree.volume_fault(i).empty())
+            worst[i].fault = TreeFault::bad_volume;
+        else if (any && !has_volume(tree[i].volume))
+            worst[i].fault = TreeFault::no_volume;
+        else if (!found[i])
+            continue;
+        worst[i].node = tree[i].number;
+        found[i] = true;
+        problems.push_back(worst[i]);
+    }
+    std::stable_sort(problems.begin(), problems.end(),
+                     [&](const TreeProblem& a, const TreeProblem& b) {
+                         const auto depth = [&](const TreeProblem& p) {
+                             return shape.depths[tree.index_of(p.node)];
+                         };
+                         return depth(a) > depth(b);
+                     });
+    return problems;
+}
+
+std::string words_of(const TreeProblem& problem, const NodeTree& tree) {
+    const std::string node = problem.node == no_index ? "" : number_words(tree, problem.node),
+                      other = problem.other == no_index ? "" : number_words(tree, problem.other),
+                      triangle = "triangle " + std::to_string(problem.item);
+    switch (problem.fault) {
+        case TreeFault::told_twice: return node + " is described twice";
+        case TreeFault::missing_child: return node + " lists " + other + ", which is not described";
+        case TreeFault::listed_twice:
+            return node + " is a child of two nodes, the second is " + other;
+        case TreeFault::wrong_parent:
+            return node + " says that its parent is " + other + ", which does not list it, and "
+                                                                "another node does";
+        case TreeFault::dropped:
+            return node + " says that its parent is " + other +
+                   ", which does not list it: no query comes there";
+        case TreeFault::second_root: return node + " has no parent, as " + other;
+        case TreeFault::unreachable: return node + " is in a cycle, or below one";
+        case TreeFault::triangle_nowhere: return triangle + " is in no leaf";
+        case TreeFault::triangle_twice:
+            return triangle + " is in two leaves, " + node + " and " + other;
+        case TreeFault::triangle_unknown:
+            return node + " has " + triangle + ", which the mesh does not have";
+        case TreeFault::bad_volume:
+            return node + " has a volume that is none: " +
+                   tree.volume_fault(tree.index_of(problem.node));
+        case TreeFault::no_volume: return node + " has no volume";
+        case TreeFault::outside:
+            return node + " does not contain " +
+                   (problem.item != no_index ? triangle : "the volume of " + other) + ", by " +
+                   format("%.6g", problem.amount);
+    }
+    return {};
+}
+
+}  // namespace scb

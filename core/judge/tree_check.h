@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/judge/node_tree.h"
+#include "scb/mesh.h"
+
+namespace scb {
+
+/// What can be wrong with a tree. Up to `no_volume` it is its shape and does not change from frame
+/// to frame.
+enum class TreeFault {
+    told_twice,      ///< `node` was described before
+    missing_child,   ///< `node` lists `other`, which is not described
+    listed_twice,    ///< `node` is a child of two nodes, or of its own descendant: `other` is the
+                     ///< second that lists it
+    wrong_parent,    ///< `node` says that its parent is `other`, and another lists it
+    dropped,         ///< `node` says that its parent is `other`, which does not list it
+    second_root,     ///< `node` has no parent, as the first root
+    unreachable,     ///< no root leads to `node`, which is in or below a cycle
+    triangle_nowhere,  ///< no node that a root leads to has `item`
+    triangle_twice,    ///< `node` and `other` both have `item`
+    triangle_unknown,  ///< `node` has `item`, which the mesh does not
+    bad_volume,        ///< of `node`: see NodeTree::volume_fault
+    no_volume,         ///< `node` has none, where others do
+    outside,           ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
+};
+inline constexpr std::size_t tree_fault_count = 13;
+
+struct TreeProblem {
+    TreeFault fault{};
+    /// Numbers, as the tree has them; no_index where there is none.
+    std::uint32_t node = no_index, other = no_index, item = no_index;
+    double amount = 0;  ///< a length
+
+    friend bool operator==(const TreeProblem&, const TreeProblem&) = default;
+};
+
+/// Checks what does not depend on volumes. `mesh`: nullptr where items are no triangles.
+std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shape,
+                                     const Mesh* mesh);
+
+/// Checks all volumes: that there are some, and that each contains, but for `tolerance`, the
+/// triangles of all nodes below it; of a tree without mesh, the volumes of its children, where a
+/// few directions tell. One problem per node, that of the greatest amount; the nodes farthest from
+/// the root first. O(n) where the box of what is below shows that it is contained, else O(n depth).
+std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
+                                       const Mesh* mesh, double tolerance);
+
+/// The problem as a sentence that begins with the node: "node 7 does not contain triangle 12 by
+/// 0.03."
+std::string words_of(const TreeProblem& problem, const NodeTree& tree);
+
+}  // namespace scb

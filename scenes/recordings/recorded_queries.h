@@ -1,0 +1,142 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/judge/engine_query.h"
+#include "scenes/recordings/recording_file.h"
+
+namespace scb::scenes {
+
+/// A mesh of a recording, as it is from some frame on.
+struct MeshState {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;
+    int coordinate_bytes = 8;
+    double reach = 0;   ///< the largest |coordinate|
+    int told_at = 0;    ///< the frame at which it was told last
+    int version = 0;    ///< counts how often it was told
+};
+
+/// A tree of a recording, as it is from some frame on.
+struct TreeState {
+    std::string name;
+    std::uint32_t mesh = record_none;  ///< number
+    NodeTree tree;
+    TreeShape shape;
+    std::vector<double> directions;
+    int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
+    int volume_version = 0;  ///< counts what was told of it, or of its mesh
+    bool whole = false;      ///< `shape` is that of `tree`
+    bool single = true;      ///< all numbers of its volumes are such of 32 bits
+    double reach = 0;        ///< the largest of these
+};
+
+struct BodyState {
+    std::string name;
+    std::uint32_t tree = 0;
+    Pose pose;              ///< from the body to the world; rigid
+    double defect = 0;      ///< how far from rigid it was told, see rigidity_defect
+    std::optional<Pose> last;  ///< that of the frame before, where there is one
+};
+
+/// What of tests and results a recording has anywhere.
+struct RecordingSummary {
+    std::vector<int> frames;  ///< those that were told, ascending; 0 where none was
+    std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
+};
+
+/// Reads all of it once. Throws InputError as RecordingReader does.
+RecordingSummary summary_of(std::string_view bytes, std::string_view name);
+
+/// Reads a recording step by step, and knows what there is after each.
+///
+/// Nothing of trees is taken for true, and what contradicts itself is for the judgement. What one
+/// cannot go on without throws InputError, one sentence that begins with `name`: a mesh that is
+/// none, a tree or body that there is not, frames that do not ascend.
+class RecordedQueries {
+  public:
+    enum class Step {
+        query,  ///< `query` is set
+        frame,  ///< all of `frame` was told
+        end,
+    };
+
+    /// `bytes` must outlive this; `summary` is that of summary_of.
+    RecordedQueries(std::string_view bytes, std::string_view name,
+                    const RecordingSummary& summary);
+
+    Step next();
+
+    int frame() const { return frame_; }
+    /// A tree, by its number, as it is now.
+    EngineSide side_of(std::uint32_t tree);
+    /// The query that ended last, valid until the next step.
+    const EngineQuery& query() const { return query_; }
+    /// Its bodies' numbers.
+    std::array<std::uint32_t, 2> query_bodies() const { return bodies_of_query_; }
+
+    // By number.
+    const std::map<std::uint32_t, MeshState>& meshes() const { return meshes_; }
+    const std::map<std::uint32_t, TreeState>& trees() const { return trees_; }
+    const std::map<std::uint32_t, BodyState>& bodies() const { return bodies_; }
+    const std::map<std::uint8_t, std::string>& stages() const { return stages_; }
+    /// Those told so far, in order.
+    const std::vector<RecordedSetting>& settings() const { return settings_; }
+    /// See EngineQuery::tolerance: of this tree alone. By how exact its numbers are, or what the
+    /// setting `tolerance` says.
+    double tolerance_of(const TreeState& tree) const;
+    std::string damage() const { return reader_.damage(); }
+    /// What was told of nodes that there are not, as sentences: the first, and how many more.
+    const std::vector<std::string>& oddities() const { return oddities_; }
+    std::size_t more_oddities() const { return more_oddities_; }
+
+  private:
+    void take(const Record& record);
+    void take(const RecordedEvent& event);
+    void take(const RecordedSetting& setting);
+    void take(const RecordedStage& stage);
+    void take(const RecordedMesh& mesh);
+    void take(const RecordedTree& tree);
+    void take(const RecordedNode& node);
+    void take(const RecordedRefit& refit);
+    void take(const RecordedBody& body);
+    void take(const RecordedFrame& frame);
+    void take(const RecordedPose& pose);
+    void take(const RecordedQuery& query);
+    void take(const RecordedQueryEnd& end);
+    void take(const RecordedEnd&) {}
+    void take(const RecordedUnknown&) {}
+
+    static void changed(TreeState& tree);
+    void set_volume(TreeState& tree, std::uint32_t index, const RecordedVolume& volume);
+    void note_odd(const std::string& what);
+    double share_of(const TreeState& tree) const;
+    double reach_of(const TreeState& tree) const;
+    /// Throws where there is none of this number.
+    template <class State>
+    State& known(std::map<std::uint32_t, State>& states, std::uint32_t number, const char* what);
+    [[noreturn]] void fail(const std::string& what) const;
+
+    std::string name_;
+    RecordingReader reader_;
+    std::map<std::uint32_t, MeshState> meshes_;
+    std::map<std::uint32_t, TreeState> trees_;
+    std::map<std::uint32_t, BodyState> bodies_;
+    std::map<std::uint8_t, std::string> stages_;
+    std::vector<RecordedSetting> settings_;
+    double told_tolerance_ = 0;
+    EngineQuery query_;
+    std::array<std::uint32_t, 2> bodies_of_query_{};
+    std::vector<std::string> oddities_;
+    std::size_t more_oddities_ = 0;
+    std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet
+    int frame_ = 0;
+    bool frame_told_ = false, in_query_ = false, query_done_ = false, ended_ = false;
+};
+
+}  // namespace scb::scenes

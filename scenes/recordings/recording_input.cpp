@@ -1,0 +1,36 @@
+#include "scenes/recordings/recording_input.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "scenes/recordings/recording_file.h"
+#include "scenes/recordings/recording_json.h"
+#include "scenes/text/file_bytes.h"
+
+namespace scb::scenes {
+namespace {
+
+constexpr std::size_t start_bytes = 8;
+
+}  // namespace
+
+bool names_recording(const std::string& path) {
+    if (path.ends_with(".scbrec") || path.ends_with(".scbrec.jsonl")) return true;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return false;
+    std::ifstream file(path, std::ios::binary);
+    std::string start(start_bytes, '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return file && starts_as_recording(start);
+}
+
+std::string recording_bytes(const std::string& path) {
+    // What is no recording is refused by its first bytes, however long it is.
+    std::string start = file_bytes(path, start_bytes);
+    if (starts_as_recording(start)) return file_bytes(path);
+    if (path.ends_with(".jsonl")) return recording_of_json(file_bytes(path), path);
+    RecordingReader(start, path);  // throws, and says why
+    return start;
+}
+
+}  // namespace scb::scenes

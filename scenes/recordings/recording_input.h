@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace scb::scenes {
+
+/// Whether a command that takes a scene was given a recording: by its ending (`.scbrec`), by its
+/// first bytes, or as its twin in JSON Lines by the ending `.scbrec.jsonl`.
+bool names_recording(const std::string& path);
+
+/// The bytes of a recording; its twin in JSON Lines becomes such. Throws InputError where the file
+/// cannot be read or is neither.
+std::string recording_bytes(const std::string& path);
+
+}  // namespace scb::scenes

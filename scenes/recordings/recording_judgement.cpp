@@ -1,0 +1,326 @@
+#include "scenes/recordings/recording_judgement.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/base/enum_names.h"
+#include "core/base/text_format.h"
+#include "scb/collide.h"
+#include "scb/hierarchy.h"
+
+namespace scb::scenes {
+namespace {
+
+constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
+    "a triangle is in no leaf",
+    "rejected at a node that does not contain the triangle",
+    "rejected although the volumes overlap",
+    "what is below two overlapping nodes was never tested",
+    "no test of nodes above the triangles was made",
+    "the triangles of two overlapping leaves were never tested",
+    "the test of the two triangles said that they are apart",
+    "found, but not reported",
+    "reported although their test said that they are apart",
+    "the test of the two triangles said that they meet",
+    "reported without a test of the two triangles",
+    "one of the two does not exist",
+    "reported twice",
+};
+
+std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
+    return std::string(what) + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
+}
+
+/// The hierarchies of this project, of the meshes of a recording.
+class OwnQuery {
+  public:
+    std::vector<IndexPair> contacts(const EngineQuery& query) {
+        const auto& [a, b] = query.sides;
+        if (!a.mesh || !b.mesh || !query.rigid || query.self) return {};
+        // Both first: the second may move the first.
+        hierarchy_of(*a.mesh);
+        hierarchy_of(*b.mesh);
+        return collide(Collider<Obb>{hierarchy_of(*a.mesh), *a.mesh},
+                       Collider<Obb>{hierarchy_of(*b.mesh), *b.mesh}, query.b_to_a)
+            .pairs;
+    }
+    /// Forgets meshes that there are no more.
+    void keep(const std::map<std::uint32_t, MeshState>& meshes) {
+        std::erase_if(built_, [&](const auto& built) {
+            return std::none_of(meshes.begin(), meshes.end(), [&](const auto& mesh) {
+                return mesh.second.mesh.get() == built.first;
+            });
+        });
+    }
+
+  private:
+    const Hierarchy<Obb>& hierarchy_of(const Mesh& mesh) {
+        for (const auto& [of, hierarchy] : built_)
+            if (of == &mesh) return *hierarchy;
+        built_.emplace_back(&mesh, std::make_unique<Hierarchy<Obb>>(build_hierarchy<Obb>(mesh)));
+        return *built_.back().second;
+    }
+
+    std::vector<std::pair<const Mesh*, std::unique_ptr<Hierarchy<Obb>>>> built_;
+};
+
+std::string name_of_body(const RecordedQueries& recording, std::uint32_t number) {
+    const std::string& name = recording.bodies().at(number).name;
+    return name.empty() ? "body " + std::to_string(number) : name;
+}
+
+/// Adds query after query.
+class RecordingJudge {
+  public:
+    RecordingJudge(std::string_view bytes, std::string_view name) {
+        result_.summary = summary_of(bytes, name);
+        recording_.emplace(bytes, name, result_.summary);
+    }
+
+    RecordingJudgement judged(const std::function<bool(int)>& wanted,
+                              const std::function<bool()>& done) && {
+        for (;;) {
+            const RecordedQueries::Step step = recording_->next();
+            if (step == RecordedQueries::Step::end) break;
+            const bool want = wanted(recording_->frame());
+            if (step == RecordedQueries::Step::query) {
+                if (want) take_query(recording_->query());
+                continue;
+            }
+            if (!want) continue;
+            for (const auto& [number, tree] : recording_->trees()) look(number);
+            frame();
+            own_.keep(recording_->meshes());
+            if (!done()) break;
+        }
+        finish();
+        return std::move(result_);
+    }
+
+  private:
+    FrameJudgement& frame() {
+        if (result_.frames.empty() || result_.frames.back().frame != recording_->frame())
+            result_.frames.push_back({recording_->frame()});
+        return result_.frames.back();
+    }
+
+    void look(std::uint32_t number) {
+        const EngineSide side = recording_->side_of(number);
+        const TreeState& tree = recording_->trees().at(number);
+        watches_[number].look(recording_->frame(), *side.tree, *side.shape, side.mesh,
+                              recording_->tolerance_of(tree), tree.version, tree.volume_version);
+    }
+
+    void take_query(const EngineQuery& query) {
+        const auto bodies = recording_->query_bodies();
+        for (const std::uint32_t body : bodies) look(recording_->bodies().at(body).tree);
+        const QueryName name{query.frame, name_of_body(*recording_, bodies[0]),
+                             name_of_body(*recording_, bodies[1])};
+        FrameJudgement& row = frame();
+        ++row.queries;
+        result_.nanoseconds += query.nanoseconds;
+        result_.self_queries += query.self;
+        if (!query.rigid) {
+            add(tests_, "a query's pose is not rigid", name, "it is not judged", 1);
+            return;
+        }
+        std::vector<IndexPair> contacts = own_.contacts(query);
+        const QueryJudgement judged = judge_query(query, contacts);
+        take_tests(query, judged, name, row);
+        take_pairs(query, judged, name, row);
+        if (judged.count(TestVerdict::wrong) > 0 || !judged.wrong_item_tests.empty())
+            find_pose(query, name);
+    }
+
+    void take_tests(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
+                    FrameJudgement& row) {
+        for (const JudgedTest& test : judged.tests) {
+            const EngineEvent& event = query.events[test.event];
+            StageJudgement& stage = stages_[event.stage];
+            ++stage.tests;
+            ++row.volume_tests;
+            stage.false_positives += test.verdict == TestVerdict::false_positive;
+            result_.unjudged += test.verdict == TestVerdict::unjudged;
+            const std::string nodes = pair_words("nodes", event.a, event.b);
+            const auto note = [&](const std::string& what, const std::string& first) {
+                ProblemGroup& group = add(tests_, what, name, first, 1);
+                if (group.count == 1) {
+                    group.nodes = {event.a, event.b};
+                    group.event = test.event;
+                }
+            };
+            if (test.nodes.a == no_index || test.nodes.b == no_index)
+                note("a test of a node that its tree does not have", nodes);
+            if (test.repeated) note("a test that the query had made before", nodes);
+            if (test.verdict != TestVerdict::wrong) continue;
+            ++row.wrong;
+            stage.least_depth =
+                stage.wrong == 0 ? test.margin : std::min(stage.least_depth, test.margin);
+            stage.most_depth = std::max(stage.most_depth, test.margin);
+            ++stage.wrong;
+            note("a test that rejected volumes which overlap, at stage \"" +
+                     stage_name(event.stage) + "\"",
+                 nodes + ", " + format("%.6g", test.margin) + " deep in each other");
+        }
+        row.item_tests += judged.item_tests;
+        for (const std::uint32_t i : judged.wrong_item_tests) {
+            const EngineEvent& event = query.events[i];
+            ++row.wrong;
+            ProblemGroup& group =
+                add(tests_,
+                    event.kind == EngineEvent::Kind::items_meet
+                        ? "a test said that two triangles meet which do not"
+                        : "a test said that two triangles are apart which intersect",
+                    name, pair_words("triangles", event.a, event.b), 1);
+            if (group.count == 1) {
+                group.items = {event.a, event.b};
+                group.event = i;
+            }
+        }
+        row.wasted += judged.wasted_weak + judged.wasted_loose;
+        result_.wasted_weak += judged.wasted_weak;
+        result_.wasted_loose += judged.wasted_loose;
+        result_.grazing += judged.grazing;
+    }
+
+    void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
+                    FrameJudgement& row) {
+        row.pairs += judged.reported;
+        result_.exact_pairs += judged.exact;
+        for (const PairProblem& problem : judged.pairs) {
+            const bool missed = is_missed(problem.cause);
+            (missed ? row.missed : row.false_pairs) += 1;
+            ProblemGroup& group = add(missed ? missed_ : false_,
+                                      std::string(cause_names[problem.cause]), name, {}, 1);
+            if (group.count > 1) continue;
+            group.nodes = problem.nodes;
+            group.items = problem.items;
+            group.event = problem.event;
+            group.side = static_cast<int>(problem.side);
+            group.first = words_of(query, problem);
+        }
+    }
+
+    static std::string words_of(const EngineQuery& query, const PairProblem& problem) {
+        std::string words = pair_words("triangles", problem.items.a, problem.items.b);
+        const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
+                            node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;
+        const std::string side = problem.side == 0 ? "A" : "B";
+        if (problem.cause == PairCause::in_no_leaf)
+            words += "; no leaf of " + side + " has triangle " + std::to_string(item);
+        if (problem.nodes.a != no_index)
+            words += "; at " + pair_words("nodes", problem.nodes.a, problem.nodes.b);
+        if (problem.cause == PairCause::not_contained)
+            words += ", of which node " + std::to_string(node) + " of " + side +
+                     " does not contain triangle " + std::to_string(item) + ", by " +
+                     format("%.6g", problem.amount);
+        if (problem.event != no_index && problem.event < query.events.size())
+            words += ", event " + std::to_string(problem.event) + " of the query";
+        return words;
+    }
+
+    /// Another pose with which no test is wrong.
+    void find_pose(const EngineQuery& query, const QueryName& name) {
+        const PoseFit told = fit_of_pose(query, query.b_to_a);
+        std::vector<std::pair<std::string, Pose>> others;
+        if (query.b_to_a_before)
+            others.emplace_back("the pose of the frame before", *query.b_to_a_before);
+        const Pose& pose = query.b_to_a;
+        const Mat3 turned = pose.rotation.transpose();
+        others.emplace_back("the pose with its rotation transposed",
+                            Pose{turned, pose.translation});
+        others.emplace_back("the inverse of the pose",
+                            Pose{turned, -rotate(turned, pose.translation)});
+        others.emplace_back("the pose without its rotation",
+                            Pose{Mat3::Identity(), pose.translation});
+        others.emplace_back("the pose without its translation",
+                            Pose{pose.rotation, Vec3::Zero()});
+        for (const auto& [what, other] : others) {
+            const PoseFit fits = fit_of_pose(query, other);
+            if (fits.wrong > 0 || fits.false_positive > told.false_positive) continue;
+            result_.poses.push_back({name, what, told, fits});
+            return;
+        }
+    }
+
+    std::string stage_name(std::uint8_t stage) const {
+        if (stage == 0) return "overlap";
+        const auto found = recording_->stages().find(stage);
+        return found == recording_->stages().end() ? "stage " + std::to_string(stage)
+                                                    : found->second;
+    }
+
+    using Groups = std::vector<ProblemGroup>;
+    ProblemGroup& add(Groups& groups, const std::string& what, const QueryName& name,
+                      const std::string& first, std::uint64_t count) {
+        for (ProblemGroup& group : groups)
+            if (group.what == what) {
+                group.count += count;
+                return group;
+            }
+        groups.emplace_back();
+        groups.back().what = what;
+        groups.back().query = name;
+        groups.back().first = first;
+        groups.back().count = count;
+        return groups.back();
+    }
+
+    void finish() {
+        for (const RecordedSetting& setting : recording_->settings())
+            if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
+        for (const auto& [number, watch] : watches_) {
+            const TreeState& tree = recording_->trees().at(number);
+            TreeJudgement judged{number, tree.name, tree.tree.size(), 0, watch.problems()};
+            for (const std::uint32_t i : recording_->side_of(number).shape->order)
+                judged.depth =
+                    std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
+            result_.trees.push_back(std::move(judged));
+        }
+        for (const auto& [stage, name] : recording_->stages()) stages_[stage].name = name;
+        for (auto& [stage, judged] : stages_) {
+            judged.name = stage_name(stage);
+            result_.stages.push_back(judged);
+        }
+        const auto sorted = [](Groups groups) {
+            std::stable_sort(groups.begin(), groups.end(),
+                             [](const ProblemGroup& a, const ProblemGroup& b) {
+                                 return a.count > b.count;
+                             });
+            return groups;
+        };
+        result_.missed = sorted(std::move(missed_));
+        result_.false_pairs = sorted(std::move(false_));
+        result_.test_problems = sorted(std::move(tests_));
+        result_.odd = recording_->oddities();
+        result_.more_odd = recording_->more_oddities();
+        result_.damage = recording_->damage();
+    }
+
+    RecordingJudgement result_;
+    std::optional<RecordedQueries> recording_;
+    OwnQuery own_;
+    std::map<std::uint32_t, TreeWatch> watches_;
+    std::map<std::uint8_t, StageJudgement> stages_;
+    Groups missed_, false_, tests_;
+};
+
+}  // namespace
+
+bool RecordingJudgement::wrong() const {
+    const bool tree = std::any_of(trees.begin(), trees.end(), [](const TreeJudgement& judged) {
+        return !judged.problems.empty();
+    });
+    return tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
+           !poses.empty() || !odd.empty();
+}
+
+RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
+                                   const std::function<bool(int)>& wanted,
+                                   const std::function<bool()>& done) {
+    return RecordingJudge(bytes, name).judged(wanted, done);
+}
+
+}  // namespace scb::scenes

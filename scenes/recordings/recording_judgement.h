@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/judge/query_check.h"
+#include "core/judge/tree_watch.h"
+#include "scenes/recordings/recorded_queries.h"
+
+namespace scb::scenes {
+
+/// A query of a recording.
+struct QueryName {
+    int frame = 0;
+    std::string a, b;  ///< bodies
+};
+
+/// The tests that ended at one stage.
+struct StageJudgement {
+    std::string name;  ///< "overlap" of stage 0
+    std::uint64_t tests = 0;
+    std::uint64_t false_positives = 0;  ///< of stage 0
+    std::uint64_t wrong = 0;            ///< of the others
+    double least_depth = 0, most_depth = 0;  ///< of the wrong ones, at least
+};
+
+/// Something that went wrong several times for one reason.
+struct ProblemGroup {
+    std::string what;  ///< "rejected although the volumes overlap"
+    std::uint64_t count = 0;
+    QueryName query;         ///< the first one's
+    std::string first;       ///< a clause: which pair, at which nodes and test
+    int side = 0;            ///< of first
+    IndexPair nodes{no_index, no_index}, items{no_index, no_index};  ///< of the first; numbers
+    std::uint32_t event = no_index;
+};
+
+/// A query whose tests fit another pose.
+struct PoseProblem {
+    QueryName query;
+    std::string pose;    ///< whose pose they fit: "the pose of the frame before"
+    PoseFit told, fits;  ///< errors with the pose that was told, and with the other
+};
+
+struct FrameJudgement {
+    int frame = 0;
+    std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, wasted = 0, wrong = 0, missed = 0,
+                  false_pairs = 0, pairs = 0;
+};
+
+/// The problems of a tree.
+struct TreeJudgement {
+    std::uint32_t number = 0;
+    std::string name;
+    std::size_t nodes = 0;
+    std::uint32_t depth = 0;
+    std::vector<WatchedProblem> problems;
+};
+
+/// A recording, judged: whether its trees are trees that contain their triangles, whether its tests
+/// are right on its own volumes, and whether its results are those of this project's query.
+struct RecordingJudgement {
+    std::string engine;
+    RecordingSummary summary;
+    std::vector<TreeJudgement> trees;
+    std::vector<FrameJudgement> frames;
+    std::vector<StageJudgement> stages;  ///< those that occur, or were named
+    std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
+    std::vector<ProblemGroup> test_problems;  ///< of tests, by what is wrong
+    std::vector<PoseProblem> poses;
+    std::vector<std::string> odd;  ///< sentences without a full stop
+    std::size_t more_odd = 0;
+    std::string damage;
+    std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, unjudged = 0,
+                  self_queries = 0, exact_pairs = 0;
+
+    /// Whether something is wrong, and not just slow.
+    bool wrong() const;
+};
+
+/// Judges all frames, or those that `wanted` says. `done` is told of each, and ends the work where
+/// it returns false. Throws InputError as RecordedQueries does.
+RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
+                                   const std::function<bool(int frame)>& wanted,
+                                   const std::function<bool()>& done);
+
+}  // namespace scb::scenes
