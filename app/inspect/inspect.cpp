@@ -257,8 +257,8 @@ int run_recording(InspectOptions& options, const Console& console) {
         throw InputError("-o: what is said of a recording is text, or JSON; leave out -o.");
     const std::string bytes = scenes::recording_bytes(path);
     const std::vector<int> all = scenes::summary_of(bytes, path).frames;
-    const std::vector<int> frames = scenes::frames_among(
-        all, options.query.frames, path, "a recording may have");
+    const std::vector<int> frames =
+        scenes::frames_among(all, options.query.frames, path, "a recording may have");
     const InterruptWatch watch;
     Progress progress(console, frames.size());
     const scenes::RecordingJudgement judged = scenes::judge_recording(

@@ -24,8 +24,7 @@ std::string query_words(const scenes::QueryName& query) {
 
 std::string when(const WatchedProblem& problem) {
     std::string words = "since frame " + std::to_string(problem.since);
-    if (problem.stale)
-        words += ": stale, last told at frame " + std::to_string(problem.told_at);
+    if (problem.stale) words += ": stale, last told at frame " + std::to_string(problem.told_at);
     return words;
 }
 
@@ -54,17 +53,15 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
 std::string tests_text(const RecordingJudgement& judged) {
     if (judged.stages.empty()) return "Tests: none were recorded.\n\n";
     std::size_t width = 5;
-    for (const auto& stage : judged.stages)
-        width = std::max(width, character_count(stage.name));
+    for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));
     std::string text = "Tests" + std::string(width - 3, ' ') +
                        "      tests    false    wrong   deep in each other\n";
     for (const auto& stage : judged.stages) {
-        text += "  " + left_aligned(stage.name, width) +
-                right_aligned(count_text(stage.tests), 11) +
-                right_aligned(stage.false_positives > 0 ? count_text(stage.false_positives) : "", 9) +
-                right_aligned(stage.wrong > 0 ? count_text(stage.wrong) : "", 9);
-        if (stage.wrong > 0)
-            text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
+        text +=
+            "  " + left_aligned(stage.name, width) + right_aligned(count_text(stage.tests), 11) +
+            right_aligned(stage.false_positives > 0 ? count_text(stage.false_positives) : "", 9) +
+            right_aligned(stage.wrong > 0 ? count_text(stage.wrong) : "", 9);
+        if (stage.wrong > 0) text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
         text += "\n";
     }
     if (judged.unjudged > 0)
@@ -77,8 +74,8 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
     std::string text;
     for (const ProblemGroup& group : groups) {
         if (text.empty()) text = std::string(title) + "\n";
-        text += "  " + count_text(group.count) + ": " + group.what + "\n      first: " +
-                query_words(group.query) + ": " + group.first + "\n";
+        text += "  " + count_text(group.count) + ": " + group.what +
+                "\n      first: " + query_words(group.query) + ": " + group.first + "\n";
     }
     return text.empty() ? text : text + "\n";
 }
@@ -92,8 +89,7 @@ std::uint64_t sum(const RecordingJudgement& judged, std::uint64_t FrameJudgement
 std::string results_text(const RecordingJudgement& judged) {
     if (judged.summary.pairs + judged.summary.item_tests == 0)
         return "Results: none were recorded.\n\n";
-    std::string text = "Results: " +
-                       counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
+    std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
                        " reported, " + count_text(judged.exact_pairs) + " intersect; " +
                        count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
                        count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
@@ -114,9 +110,10 @@ std::string waste_text(const RecordingJudgement& judged) {
         sum(judged, &FrameJudgement::volume_tests) + sum(judged, &FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
-    return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) + " tests: " +
-           count_text(judged.wasted_loose) + " below volumes that meet though no triangles do, " +
-           count_text(judged.wasted_weak) + " below volumes that do not even meet.\n";
+    return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
+           " tests: " + count_text(judged.wasted_loose) +
+           " below volumes that meet though no triangles do, " + count_text(judged.wasted_weak) +
+           " below volumes that do not even meet.\n";
 }
 
 std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
@@ -129,7 +126,8 @@ std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
                          };
                          return std::pair(errors(a), a.wasted) > std::pair(errors(b), b.wasted);
                      });
-    std::string text = "   frame  queries      tests     wasted    wrong   missed    false    pairs\n";
+    std::string text =
+        "   frame  queries      tests     wasted    wrong   missed    false    pairs\n";
     for (std::size_t i = 0; i < std::min(top, frames.size()); ++i) {
         const FrameJudgement& f = frames[i];
         const auto cell = [](std::uint64_t count, std::size_t width) {
@@ -171,8 +169,8 @@ std::string recording_text(const RecordingJudgement& judged, const std::string& 
                        counted(judged.frames.size(), "frame", "frames") + ", " +
                        counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
                        counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
-                       " of volumes, " +
-                       count_text(sum(judged, &FrameJudgement::item_tests)) + " of triangles\n\n";
+                       " of volumes, " + count_text(sum(judged, &FrameJudgement::item_tests)) +
+                       " of triangles\n\n";
     for (const auto& pose : judged.poses)
         text += "Pose: the tests at " + query_words(pose.query) + " fit " + pose.pose + ": " +
                 count_text(pose.told.wrong) + " are wrong with the one that was told, none with " +

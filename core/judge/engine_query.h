@@ -20,7 +20,7 @@ struct EngineEvent {
         pair,  ///< reported two items
     };
     Kind kind = Kind::volumes;
-    std::uint8_t stage = 0;    ///< of volumes: at which they were rejected; 0: they overlap
+    std::uint8_t stage = 0;      ///< of volumes: at which they were rejected; 0: they overlap
     std::uint32_t a = 0, b = 0;  ///< numbers of nodes, or items
 
     friend bool operator==(const EngineEvent&, const EngineEvent&) = default;

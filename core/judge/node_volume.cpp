@@ -22,7 +22,9 @@ ConvexShape shape(const std::monostate&) {
 }
 
 ConvexShape shape(const Obb& box) {
-    ConvexShape result{box.center, 0, box.axes,
+    ConvexShape result{box.center,
+                       0,
+                       box.axes,
                        [box](const Vec3& d) {
                            Vec3 p = Vec3::Zero();
                            for (int i = 0; i < 3; ++i) {
@@ -39,14 +41,19 @@ ConvexShape shape(const Obb& box) {
 }
 
 ConvexShape shape(const Ball& ball) {
-    return {ball.center, ball.radius, Mat3::Identity(),
-            [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+    return {ball.center,
+            ball.radius,
+            Mat3::Identity(),
+            [](const Vec3&) { return Vec3(Vec3::Zero()); },
+            {}};
 }
 
 /// In the direction d: the ball's farthest point, or the farthest of the rim of the plane that cuts
 /// it off.
 ConvexShape shape(const Scb& scb) {
-    return {scb.c, 0, Mat3::Identity(),
+    return {scb.c,
+            0,
+            Mat3::Identity(),
             [scb](const Vec3& d) {
                 const double length = std::sqrt(squared_norm(d));
                 if (!(length > 0)) return Vec3(scb.n * (scb.e + scb.f) / 2);
@@ -56,8 +63,8 @@ ConvexShape shape(const Scb& scb) {
                 const Vec3 across = d - scb.n * dot(scb.n, d);
                 const double width = std::sqrt(squared_norm(across));
                 const double rim = std::sqrt(std::max(0.0, (scb.r - height) * (scb.r + height)));
-                return Vec3(scb.n * height + (width > 0 ? Vec3(across * (rim / width))
-                                                        : Vec3(Vec3::Zero())));
+                return Vec3(scb.n * height +
+                            (width > 0 ? Vec3(across * (rim / width)) : Vec3(Vec3::Zero())));
             },
             {}};
 }
@@ -115,8 +122,8 @@ struct Excess {
         for (const FacePlane& face : polytope->faces)
             most = std::max(most, dot(face.normal, from_center) - face.offset);
         if (!polytope->faces.empty()) return most;
-        const ConvexShape point{p, 0, Mat3::Identity(),
-                                [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+        const ConvexShape point{
+            p, 0, Mat3::Identity(), [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
         const ContactCertificate found = exact_overlap(shape(polytope), point);
         return found.contact == Contact::disjoint ? found.margin : 0;
     }
@@ -223,8 +230,7 @@ ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const
         [&]<class V>(const V& va) -> ContactCertificate {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||
                           std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
-                if (const V* vb = std::get_if<V>(&b))
-                    return verdict(va, *vb, b_to_a, tolerance);
+                if (const V* vb = std::get_if<V>(&b)) return verdict(va, *vb, b_to_a, tolerance);
             }
             if (std::holds_alternative<Scb2>(a) || std::holds_alternative<Scb2>(b)) return {};
             return verdict(convex_shape(a), convex_shape(b), b_to_a, tolerance);

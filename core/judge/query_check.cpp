@@ -39,8 +39,9 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
     const TriangleCorners a = corners(*query.sides[0].mesh, items.a),
                           b = corners(*query.sides[1].mesh, items.b);
     ItemContact result{triangles_overlap(a, transform_corners(b_to_a, b)), false};
-    result.grazing = exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance)
-                         .contact != (result.meet ? Contact::overlapping : Contact::disjoint);
+    result.grazing =
+        exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance).contact !=
+        (result.meet ? Contact::overlapping : Contact::disjoint);
     return result;
 }
 
@@ -99,7 +100,8 @@ class Judge {
     void take(std::uint32_t i) {
         const EngineEvent& event = query_.events[i];
         switch (event.kind) {
-            case Kind::volumes: return take_test(i, event);
+            case Kind::volumes:
+                return take_test(i, event);
             case Kind::items_apart:
             case Kind::items_meet:
                 ++result_.item_tests;
@@ -107,12 +109,13 @@ class Judge {
                 if (errs(query_, query_.b_to_a, event)) result_.wrong_item_tests.push_back(i);
                 item_parent_.push_back(leading_test_of_items({event.a, event.b}));
                 if (event.kind == Kind::items_meet)
-                    for (std::uint32_t t = item_parent_.back(); t != no_index && !result_.tests[t].meets;
-                         t = result_.tests[t].parent)
+                    for (std::uint32_t t = item_parent_.back();
+                         t != no_index && !result_.tests[t].meets; t = result_.tests[t].parent)
                         result_.tests[t].meets = true;
                 if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
                 return;
-            case Kind::pair: return report(i, event);
+            case Kind::pair:
+                return report(i, event);
         }
     }
 
@@ -154,8 +157,8 @@ class Judge {
         const auto holder = [](const EngineSide& side, std::uint32_t item) {
             return item < side.shape->holder.size() ? side.shape->holder[item] : no_index;
         };
-        const auto found = tests_.find(
-            key(holder(query_.sides[0], items.a), holder(query_.sides[1], items.b)));
+        const auto found =
+            tests_.find(key(holder(query_.sides[0], items.a), holder(query_.sides[1], items.b)));
         return found != tests_.end() ? found->second : last_overlap_;
     }
 
@@ -172,8 +175,8 @@ class Judge {
         const auto of = [&](std::uint32_t led) -> std::uint8_t {
             if (led == no_index) return 0;
             const JudgedTest& test = result_.tests[led];
-            if (within[led] != 0) return within[led];
             if (test.verdict == TestVerdict::false_positive) return 1;
+            if (within[led] != 0) return within[led];
             return test.meets ? 0 : 2;
         };
         const auto add = [&](std::uint8_t kind) {
@@ -298,7 +301,7 @@ class Judge {
     // By nodes' indices, or items: lookups only.
     std::unordered_map<std::uint64_t, std::uint32_t> tests_, item_tests_, reported_;
     std::vector<std::uint32_t> order_, twice_;  ///< reports
-    std::vector<std::uint32_t> item_parent_;    ///< per test of items: the test of volumes before it
+    std::vector<std::uint32_t> item_parent_;  ///< per test of items: the test of volumes before it
     std::uint32_t last_overlap_ = no_index;
 };
 

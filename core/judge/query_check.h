@@ -18,8 +18,8 @@ enum class TestVerdict : std::uint8_t {
 };
 
 struct JudgedTest {
-    std::uint32_t event = 0;         ///< index into EngineQuery::events
-    IndexPair nodes;                 ///< indices; no_index: a node that the tree does not have
+    std::uint32_t event = 0;          ///< index into EngineQuery::events
+    IndexPair nodes;                  ///< indices; no_index: a node that the tree does not have
     std::uint32_t parent = no_index;  ///< the judged test that led to it, as far as one can tell
     TestVerdict verdict = TestVerdict::unjudged;
     bool repeated = false;  ///< the query made it before
@@ -31,15 +31,16 @@ struct JudgedTest {
 /// Why a pair that intersects is not among those that were reported, or one that does not is. From
 /// `reported_in_spite` on it is the latter.
 enum class PairCause : std::uint8_t {
-    in_no_leaf,        ///< no node that a root leads to has the triangle
-    not_contained,     ///< rejected at a node that does not contain the triangle
-    rejected,          ///< rejected although the volumes overlap
-    never_visited,     ///< nodes overlapped, and what is below them was not tested
-    never_tested,      ///< no test of two nodes that have them below was told
-    items_not_tested,  ///< the leaves overlapped, and the triangles were not tested
-    items_apart,       ///< the test of the two triangles said that they are apart
-    not_reported,      ///< it said that they meet, but the pair was not reported
-    reported_in_spite,  ///< reported although the test of the two triangles said that they are apart
+    in_no_leaf,         ///< no node that a root leads to has the triangle
+    not_contained,      ///< rejected at a node that does not contain the triangle
+    rejected,           ///< rejected although the volumes overlap
+    never_visited,      ///< nodes overlapped, and what is below them was not tested
+    never_tested,       ///< no test of two nodes that have them below was told
+    items_not_tested,   ///< the leaves overlapped, and the triangles were not tested
+    items_apart,        ///< the test of the two triangles said that they are apart
+    not_reported,       ///< it said that they meet, but the pair was not reported
+    reported_in_spite,  ///< reported although the test of the two triangles said that they are
+                        ///< apart
     items_meet,         ///< the test of the two triangles said that they meet
     reported_untested,  ///< reported without a test
     unknown_item,       ///< one of the two does not exist

@@ -157,8 +157,7 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
                 holder[item] = i;
         }
     for (std::uint32_t item = 0; item < count; ++item)
-        if (holder[item] == no_index)
-            add(TreeFault::triangle_nowhere, no_index, no_index, item);
+        if (holder[item] == no_index) add(TreeFault::triangle_nowhere, no_index, no_index, item);
     return problems;
 }
 
@@ -199,27 +198,34 @@ std::string words_of(const TreeProblem& problem, const NodeTree& tree) {
                       other = problem.other == no_index ? "" : number_words(tree, problem.other),
                       triangle = "triangle " + std::to_string(problem.item);
     switch (problem.fault) {
-        case TreeFault::told_twice: return node + " is described twice";
-        case TreeFault::missing_child: return node + " lists " + other + ", which is not described";
+        case TreeFault::told_twice:
+            return node + " is described twice";
+        case TreeFault::missing_child:
+            return node + " lists " + other + ", which is not described";
         case TreeFault::listed_twice:
             return node + " is a child of two nodes, the second is " + other;
         case TreeFault::wrong_parent:
-            return node + " says that its parent is " + other + ", which does not list it, and "
-                                                                "another node does";
+            return node + " says that its parent is " + other +
+                   ", which does not list it, and "
+                   "another node does";
         case TreeFault::dropped:
             return node + " says that its parent is " + other +
                    ", which does not list it: no query comes there";
-        case TreeFault::second_root: return node + " has no parent, as " + other;
-        case TreeFault::unreachable: return node + " is in a cycle, or below one";
-        case TreeFault::triangle_nowhere: return triangle + " is in no leaf";
+        case TreeFault::second_root:
+            return node + " has no parent, as " + other;
+        case TreeFault::unreachable:
+            return node + " is in a cycle, or below one";
+        case TreeFault::triangle_nowhere:
+            return triangle + " is in no leaf";
         case TreeFault::triangle_twice:
             return triangle + " is in two leaves, " + node + " and " + other;
         case TreeFault::triangle_unknown:
             return node + " has " + triangle + ", which the mesh does not have";
         case TreeFault::bad_volume:
-            return node + " has a volume that is none: " +
-                   tree.volume_fault(tree.index_of(problem.node));
-        case TreeFault::no_volume: return node + " has no volume";
+            return node +
+                   " has a volume that is none: " + tree.volume_fault(tree.index_of(problem.node));
+        case TreeFault::no_volume:
+            return node + " has no volume";
         case TreeFault::outside:
             return node + " does not contain " +
                    (problem.item != no_index ? triangle : "the volume of " + other) + ", by " +

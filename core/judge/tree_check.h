@@ -8,20 +8,20 @@ namespace scb {
 /// What can be wrong with a tree. Up to `no_volume` it is its shape and does not change from frame
 /// to frame.
 enum class TreeFault {
-    told_twice,      ///< `node` was described before
-    missing_child,   ///< `node` lists `other`, which is not described
-    listed_twice,    ///< `node` is a child of two nodes, or of its own descendant: `other` is the
-                     ///< second that lists it
-    wrong_parent,    ///< `node` says that its parent is `other`, and another lists it
-    dropped,         ///< `node` says that its parent is `other`, which does not list it
-    second_root,     ///< `node` has no parent, as the first root
-    unreachable,     ///< no root leads to `node`, which is in or below a cycle
+    told_twice,        ///< `node` was described before
+    missing_child,     ///< `node` lists `other`, which is not described
+    listed_twice,      ///< `node` is a child of two nodes, or of its own descendant: `other` is the
+                       ///< second that lists it
+    wrong_parent,      ///< `node` says that its parent is `other`, and another lists it
+    dropped,           ///< `node` says that its parent is `other`, which does not list it
+    second_root,       ///< `node` has no parent, as the first root
+    unreachable,       ///< no root leads to `node`, which is in or below a cycle
     triangle_nowhere,  ///< no node that a root leads to has `item`
     triangle_twice,    ///< `node` and `other` both have `item`
     triangle_unknown,  ///< `node` has `item`, which the mesh does not
     bad_volume,        ///< of `node`: see NodeTree::volume_fault
     no_volume,         ///< `node` has none, where others do
-    outside,           ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
+    outside,  ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
 };
 inline constexpr std::size_t tree_fault_count = 13;
 

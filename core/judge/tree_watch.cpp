@@ -9,7 +9,6 @@ void TreeWatch::look(int frame, const NodeTree& tree, const TreeShape& shape, co
     if (frame == looked_ && version == version_ && volume_version == volume_version_) return;
     if (version != version_) {
         version_ = version;
-        built_ = frame;
         std::vector<TreeProblem> found = check_shape(tree, shape, mesh);
         if (found != shape_problems_)
             for (const TreeProblem& problem : found)
@@ -29,8 +28,8 @@ void TreeWatch::look(int frame, const NodeTree& tree, const TreeShape& shape, co
         present_.push_back(known->second);
         const int told_at = tree[tree.index_of(problem.node)].told_at;
         if (added) {
-            of_volumes_.push_back({problem, words_of(problem, tree), frame, told_at,
-                                   looked_ >= told_at && looked_ >= built_});
+            of_volumes_.push_back(
+                {problem, words_of(problem, tree), frame, told_at, looked_ >= told_at});
             continue;
         }
         WatchedProblem& before = of_volumes_[known->second];

@@ -8,11 +8,11 @@ namespace scb {
 
 /// A problem of a tree, and when it was there.
 struct WatchedProblem {
-    TreeProblem problem;  ///< of a volume: where it is worst
-    std::string words;    ///< a clause, see words_of
-    int since = 0;        ///< the first frame
-    int told_at = 0;      ///< the frame at which the volume was told that was wrong first
-    bool stale = false;   ///< the same volume contained all in an earlier frame
+    TreeProblem problem;       ///< of a volume: where it is worst
+    std::string words;         ///< a clause, see words_of
+    int since = 0;             ///< the first frame
+    int told_at = 0;           ///< the frame at which the volume was told that was wrong first
+    bool stale = false;        ///< the same volume contained all in an earlier frame
     std::uint64_t frames = 1;  ///< in how many of the frames that were looked at
 };
 
@@ -30,7 +30,7 @@ class TreeWatch {
 
   private:
     int version_ = -1, volume_version_ = -1;
-    int looked_ = -1, built_ = -1;  ///< frames
+    int looked_ = -1;                          ///< frame
     std::vector<TreeProblem> shape_problems_;  ///< at the last look
     std::vector<WatchedProblem> of_shape_, of_volumes_;
     std::map<std::uint32_t, std::size_t> by_node_;  ///< number to index into of_volumes_

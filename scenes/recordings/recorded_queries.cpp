@@ -210,8 +210,8 @@ void RecordedQueries::take(const RecordedFrame& frame) {
 void RecordedQueries::take(const RecordedPose& pose) {
     BodyState& body = known(bodies_, pose.body, "body");
     const Pose told = pose_of(pose.rows);
-    body.defect = told.translation.cwiseAbs().maxCoeff() <= max_coordinate ? rigidity_defect(told)
-                                                                            : HUGE_VAL;
+    body.defect =
+        told.translation.cwiseAbs().maxCoeff() <= max_coordinate ? rigidity_defect(told) : HUGE_VAL;
     body.pose = body.defect <= most_defect ? made_rigid(told) : told;
 }
 

@@ -17,9 +17,9 @@ struct MeshState {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
     int coordinate_bytes = 8;
-    double reach = 0;   ///< the largest |coordinate|
-    int told_at = 0;    ///< the frame at which it was told last
-    int version = 0;    ///< counts how often it was told
+    double reach = 0;  ///< the largest |coordinate|
+    int told_at = 0;   ///< the frame at which it was told last
+    int version = 0;   ///< counts how often it was told
 };
 
 /// A tree of a recording, as it is from some frame on.
@@ -39,8 +39,8 @@ struct TreeState {
 struct BodyState {
     std::string name;
     std::uint32_t tree = 0;
-    Pose pose;              ///< from the body to the world; rigid
-    double defect = 0;      ///< how far from rigid it was told, see rigidity_defect
+    Pose pose;                 ///< from the body to the world; rigid
+    double defect = 0;         ///< how far from rigid it was told, see rigidity_defect
     std::optional<Pose> last;  ///< that of the frame before, where there is one
 };
 
@@ -67,8 +67,7 @@ class RecordedQueries {
     };
 
     /// `bytes` must outlive this; `summary` is that of summary_of.
-    RecordedQueries(std::string_view bytes, std::string_view name,
-                    const RecordingSummary& summary);
+    RecordedQueries(std::string_view bytes, std::string_view name, const RecordingSummary& summary);
 
     Step next();
 

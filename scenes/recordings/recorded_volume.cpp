@@ -20,16 +20,26 @@ Vec3 vector_at(std::span<const double> values, std::size_t at) {
 /// How many numbers the kind has; none: any whole number of points.
 std::optional<std::size_t> number_count(RecordedKind kind, std::size_t directions) {
     switch (kind) {
-        case RecordedKind::none: return 0;
-        case RecordedKind::aabb: return 6;
-        case RecordedKind::obb: return 15;
-        case RecordedKind::ball: return 4;
-        case RecordedKind::capsule: return 7;
-        case RecordedKind::rss: return 10;
-        case RecordedKind::kdop: return 2 * directions;
-        case RecordedKind::scb: return 9;
-        case RecordedKind::scb2: return 14;
-        case RecordedKind::hull: break;
+        case RecordedKind::none:
+            return 0;
+        case RecordedKind::aabb:
+            return 6;
+        case RecordedKind::obb:
+            return 15;
+        case RecordedKind::ball:
+            return 4;
+        case RecordedKind::capsule:
+            return 7;
+        case RecordedKind::rss:
+            return 10;
+        case RecordedKind::kdop:
+            return 2 * directions;
+        case RecordedKind::scb:
+            return 9;
+        case RecordedKind::scb2:
+            return 14;
+        case RecordedKind::hull:
+            break;
     }
     return std::nullopt;
 }
@@ -63,7 +73,8 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
         return v[at];
     };
     switch (recorded.kind) {
-        case RecordedKind::none: return {};
+        case RecordedKind::none:
+            return {};
         case RecordedKind::aabb: {
             const Vec3 lower = vector_at(v, 0), upper = vector_at(v, 3);
             require((lower.array() <= upper.array()).all(),
@@ -80,7 +91,8 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
             require((box.half.array() >= 0).all(), "half a side is below 0");
             return box;
         }
-        case RecordedKind::ball: return Ball{vector_at(v, 0), radius_at(3)};
+        case RecordedKind::ball:
+            return Ball{vector_at(v, 0), radius_at(3)};
         case RecordedKind::capsule: {
             const Vec3 a = vector_at(v, 0), b = vector_at(v, 3);
             return Capsule{(a + b) / 2, (b - a) / 2, radius_at(6)};

@@ -235,8 +235,7 @@ class RecordingJudge {
                             Pose{turned, -rotate(turned, pose.translation)});
         others.emplace_back("the pose without its rotation",
                             Pose{Mat3::Identity(), pose.translation});
-        others.emplace_back("the pose without its translation",
-                            Pose{pose.rotation, Vec3::Zero()});
+        others.emplace_back("the pose without its translation", Pose{pose.rotation, Vec3::Zero()});
         for (const auto& [what, other] : others) {
             const PoseFit fits = fit_of_pose(query, other);
             if (fits.wrong > 0 || fits.false_positive > told.false_positive) continue;
@@ -249,7 +248,7 @@ class RecordingJudge {
         if (stage == 0) return "overlap";
         const auto found = recording_->stages().find(stage);
         return found == recording_->stages().end() ? "stage " + std::to_string(stage)
-                                                    : found->second;
+                                                   : found->second;
     }
 
     using Groups = std::vector<ProblemGroup>;
@@ -275,8 +274,7 @@ class RecordingJudge {
             const TreeState& tree = recording_->trees().at(number);
             TreeJudgement judged{number, tree.name, tree.tree.size(), 0, watch.problems()};
             for (const std::uint32_t i : recording_->side_of(number).shape->order)
-                judged.depth =
-                    std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
+                judged.depth = std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
             result_.trees.push_back(std::move(judged));
         }
         for (const auto& [stage, name] : recording_->stages()) stages_[stage].name = name;
@@ -285,10 +283,9 @@ class RecordingJudge {
             result_.stages.push_back(judged);
         }
         const auto sorted = [](Groups groups) {
-            std::stable_sort(groups.begin(), groups.end(),
-                             [](const ProblemGroup& a, const ProblemGroup& b) {
-                                 return a.count > b.count;
-                             });
+            std::stable_sort(
+                groups.begin(), groups.end(),
+                [](const ProblemGroup& a, const ProblemGroup& b) { return a.count > b.count; });
             return groups;
         };
         result_.missed = sorted(std::move(missed_));

@@ -23,8 +23,8 @@ struct QueryName {
 struct StageJudgement {
     std::string name;  ///< "overlap" of stage 0
     std::uint64_t tests = 0;
-    std::uint64_t false_positives = 0;  ///< of stage 0
-    std::uint64_t wrong = 0;            ///< of the others
+    std::uint64_t false_positives = 0;       ///< of stage 0
+    std::uint64_t wrong = 0;                 ///< of the others
     double least_depth = 0, most_depth = 0;  ///< of the wrong ones, at least
 };
 
@@ -32,9 +32,9 @@ struct StageJudgement {
 struct ProblemGroup {
     std::string what;  ///< "rejected although the volumes overlap"
     std::uint64_t count = 0;
-    QueryName query;         ///< the first one's
-    std::string first;       ///< a clause: which pair, at which nodes and test
-    int side = 0;            ///< of first
+    QueryName query;    ///< the first one's
+    std::string first;  ///< a clause: which pair, at which nodes and test
+    int side = 0;       ///< of first
     IndexPair nodes{no_index, no_index}, items{no_index, no_index};  ///< of the first; numbers
     std::uint32_t event = no_index;
 };
@@ -68,9 +68,9 @@ struct RecordingJudgement {
     RecordingSummary summary;
     std::vector<TreeJudgement> trees;
     std::vector<FrameJudgement> frames;
-    std::vector<StageJudgement> stages;  ///< those that occur, or were named
+    std::vector<StageJudgement> stages;             ///< those that occur, or were named
     std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
-    std::vector<ProblemGroup> test_problems;  ///< of tests, by what is wrong
+    std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
     std::vector<std::string> odd;  ///< sentences without a full stop
     std::size_t more_odd = 0;

@@ -104,8 +104,7 @@ void add_tree(RecordingWriter& writer, std::uint32_t number, const std::string& 
     std::visit(
         [&](const auto& hierarchy) {
             const Topology& topology = *hierarchy.topology;
-            writer.add(
-                RecordedTree{number, number, name, directions_of(hierarchy.volumes[0])});
+            writer.add(RecordedTree{number, number, name, directions_of(hierarchy.volumes[0])});
             std::vector<std::uint32_t> parents(topology.nodes.size(), record_none);
             for (std::uint32_t i = 0; i < topology.nodes.size(); ++i) {
                 const TopologyNode& node = topology.nodes[i];
@@ -132,7 +131,8 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
     for (const TraceField& field : fields_of(header))
         writer_.add(RecordedSetting{field.name, field.value});
     for (const Stage stage : stages_of(header.volume, header.options.overlap))
-        writer_.add(RecordedStage{static_cast<std::uint8_t>(stage), std::string(stage_name(stage))});
+        writer_.add(
+            RecordedStage{static_cast<std::uint8_t>(stage), std::string(stage_name(stage))});
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::string& name = header.bodies[side].name;
         writer_.add(recorded(*meshes[side], side, name));

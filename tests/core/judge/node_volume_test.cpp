@@ -1,0 +1,173 @@
+#include "core/judge/node_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/random.h"
+#include "scb/error.h"
+#include "scb/kdop.h"
+
+namespace scb {
+namespace {
+
+const Obb box{Vec3(1, 2, 3), Mat3::Identity(), Vec3(0.5, 0.25, 0.125)};
+
+NodeVolume corners_of_box() {
+    Polytope hull;
+    hull.center = box.center;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 p;
+        for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) ? box.half[i] : -box.half[i];
+        hull.corners.push_back(p);
+    }
+    return std::make_shared<const Polytope>(hull);
+}
+
+std::vector<double> dop_directions_of(const KDop26& dop) {
+    std::vector<double> directions;
+    for (const int which : dop.which)
+        for (const double x : dop_directions[static_cast<std::size_t>(which)])
+            directions.push_back(x);
+    return directions;
+}
+
+std::vector<double> bounds_of(const KDop26& dop) {
+    std::vector<double> bounds;
+    for (std::size_t i = 0; i < dop.which.size(); ++i)
+        bounds.insert(bounds.end(), {dop.lower[i], dop.upper[i]});
+    return bounds;
+}
+
+/// About random points.
+KDop26 some_dop(std::uint64_t seed) {
+    Random random(seed);
+    KDop26 dop;
+    dop.lower.fill(1e9);
+    dop.upper.fill(-1e9);
+    for (int n = 0; n < 30; ++n) {
+        const Vec3 p(random.uniform(), 2 * random.uniform(), 5 + 0.3 * random.uniform());
+        for (std::size_t i = 0; i < dop.which.size(); ++i) {
+            const auto& d = dop_directions[static_cast<std::size_t>(dop.which[i])];
+            const double along = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+            dop.lower[i] = std::min(dop.lower[i], along);
+            dop.upper[i] = std::max(dop.upper[i], along);
+        }
+    }
+    return dop;
+}
+
+Vec3 random_direction(Random& random) {
+    Vec3 d;
+    do d = Vec3(random.uniform(), random.uniform(), random.uniform()) * 2 - Vec3(1, 1, 1);
+    while (!(squared_norm(d) > 0.01 && squared_norm(d) < 1));
+    return d / std::sqrt(squared_norm(d));
+}
+
+TEST(NodeVolume, SaysHowFarAPointIsOutside) {
+    EXPECT_NEAR(excess(box, Vec3(1.8, 2, 3)), 0.3, 1e-15);
+    EXPECT_NEAR(excess(box, Vec3(1.8, 2.65, 3)), 0.5, 1e-15);
+    EXPECT_LE(excess(box, Vec3(1.5, 2.25, 3.125)), 0);
+    EXPECT_NEAR(excess(corners_of_box(), Vec3(1.8, 2.65, 3)), 0.5, 1e-9);
+    EXPECT_LE(excess(corners_of_box(), Vec3(1.4, 2.2, 3.1)), 1e-9);
+    EXPECT_NEAR(excess(Ball{Vec3(0, 0, 1), 2}, Vec3(0, 3, 5)), 3, 1e-15);
+    EXPECT_NEAR(excess(Capsule{Vec3::Zero(), Vec3(1, 0, 0), 0.5}, Vec3(2, 0, 0)), 0.5, 1e-15);
+    EXPECT_NEAR(excess(Rss{Vec3::Zero(), {Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.5}, Vec3(1, 1, 2)), 1.5,
+                1e-15);
+    const Scb scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.5};
+    EXPECT_NEAR(excess(scb, Vec3(0, 0, 0.75)), 0.5, 1e-15);
+    EXPECT_NEAR(excess(scb, Vec3(3, 0, 0)), 2, 1e-15);
+    EXPECT_LE(excess(scb, Vec3(0, 0, 0.25)), 0);
+    Scb2 scb2{Vec3::Zero(), 1, {}};
+    scb2.slabs = {Slab{Vec3::UnitZ(), 0.25, -0.5}, Slab{Vec3::UnitX(), 1, -0.125}};
+    EXPECT_NEAR(excess(scb2, Vec3(-0.5, 0, 0)), 0.375, 1e-15);
+}
+
+TEST(NodeVolume, SlabsOfAnyDirectionsAreThePolytopeOfAKDop) {
+    Random random(3);
+    for (std::uint64_t seed = 1; seed < 20; ++seed) {
+        const KDop26 dop = some_dop(seed);
+        const NodeVolume polytope = std::make_shared<const Polytope>(
+            slabs_polytope(dop_directions_of(dop), bounds_of(dop)));
+        const ConvexShape shape = convex_shape(polytope);
+        for (int n = 0; n < 50; ++n) {
+            const Vec3 d = random_direction(random);
+            EXPECT_NEAR(dot(shape.center, d) + support(shape, d),
+                        dot(center(dop), d) + support(dop, d), 1e-12);
+            const Vec3 p = center(dop) + 2 * random.uniform() * d;
+            if (std::abs(excess(polytope, p)) > 1e-12) {
+                EXPECT_EQ(excess(polytope, p) < 0, contains(dop, p));
+            }
+        }
+    }
+}
+
+TEST(NodeVolume, SlabsThatBoundNothingAreRefused) {
+    const auto fault = [](std::vector<double> directions, std::vector<double> bounds) {
+        try {
+            slabs_polytope(directions, bounds);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 0, 1}), "");
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 1, 0, 1, 0, 1}),
+              "its directions lie in a plane");
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 0}, {0, 1, 0, 1, 0, 1}), "its direction 2 is none");
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 2, 1}),
+              "its least value is above the greatest in direction 2");
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, {0, 1, 0, 1, 0, 1, 5, 6}),
+              "its planes leave nothing");
+}
+
+TEST(NodeVolume, OneWithoutThicknessHasCornersToo) {
+    const std::vector<double> axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (const std::vector<double>& bounds :
+         {std::vector<double>{0, 1, 0, 2, 3, 3}, {0, 1, 2, 2, 3, 3}, {1, 1, 2, 2, 3, 3}}) {
+        const NodeVolume flat = std::make_shared<const Polytope>(slabs_polytope(axes, bounds));
+        const ConvexShape shape = convex_shape(flat);
+        for (int i = 0; i < 3; ++i) {
+            const auto at = static_cast<std::size_t>(2 * i);
+            EXPECT_NEAR(shape.center[i] + support(shape, Vec3::Unit(i)), bounds[at + 1], 1e-8);
+            EXPECT_NEAR(shape.center[i] - support(shape, Vec3(-Vec3::Unit(i))), bounds[at], 1e-8);
+        }
+    }
+}
+
+TEST(NodeVolume, AnScbHasItsFarthestPoints) {
+    Random random(5);
+    for (int n = 0; n < 200; ++n) {
+        const double e = random.uniform(), f = -random.uniform();
+        const Scb scb{Vec3(1, 2, 3), 1, random_direction(random), e, f};
+        const ConvexShape shape = convex_shape(scb);
+        const Vec3 d = random_direction(random);
+        EXPECT_NEAR(support(shape, d), support(scb, d), 1e-12);
+        EXPECT_LE(excess(scb, Vec3(shape.center + shape.support_point(d))), 1e-12);
+    }
+}
+
+TEST(NodeVolume, VerdictsDoNotDependOnHowAVolumeIsTold) {
+    Random random(7);
+    for (int n = 0; n < 300; ++n) {
+        Pose pose;
+        pose.translation = 1.2 * random_direction(random);
+        const Contact as_boxes = exact_verdict(box, box, pose, 1e-6).contact;
+        EXPECT_EQ(exact_verdict(corners_of_box(), box, pose, 1e-6).contact, as_boxes);
+        EXPECT_EQ(exact_verdict(corners_of_box(), corners_of_box(), pose, 1e-6).contact, as_boxes);
+    }
+}
+
+TEST(NodeVolume, WithinTheToleranceVolumesTouch) {
+    Pose pose;
+    for (const double gap : {1e-4, -1e-4}) {
+        pose.translation = Vec3(2 * box.half[0] + gap, 0, 0);
+        EXPECT_EQ(exact_verdict(box, box, pose, 1e-3).contact, Contact::touching);
+        EXPECT_EQ(exact_verdict(box, box, pose, 1e-5).contact,
+                  gap > 0 ? Contact::disjoint : Contact::overlapping);
+    }
+    EXPECT_EQ(exact_verdict(NodeVolume{}, box, {}, 0).contact, Contact::touching);
+}
+
+}  // namespace
+}  // namespace scb

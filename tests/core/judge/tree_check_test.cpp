@@ -1,0 +1,139 @@
+#include "core/judge/tree_check.h"
+
+#include <gtest/gtest.h>
+
+#include "core/judge/tree_watch.h"
+#include "tests/core/judge/judged_tree.h"
+
+namespace scb {
+namespace {
+
+std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool with_mesh = true) {
+    const Mesh mesh = row_of_triangles();
+    const NodeTree tree = tree_of(nodes);
+    const TreeShape shape = tree_shape(tree, with_mesh ? mesh.triangles.size() : 0);
+    std::vector<std::string> words;
+    for (const auto& problems : {check_shape(tree, shape, with_mesh ? &mesh : nullptr),
+                                 check_volumes(tree, shape, with_mesh ? &mesh : nullptr, 1e-9)})
+        for (const TreeProblem& problem : problems) words.push_back(words_of(problem, tree));
+    return words;
+}
+
+using Words = std::vector<std::string>;
+
+TEST(TreeCheck, ASoundTreeHasNoProblems) {
+    EXPECT_EQ(problems_of(nodes_of_row()), Words{});
+    EXPECT_EQ(problems_of(nodes_of_row(), false), Words{});
+}
+
+TEST(TreeCheck, NamesWhatIsWrongWithTheShape) {
+    auto nodes = nodes_of_row();
+    nodes.push_back(nodes[3]);
+    EXPECT_EQ(problems_of(nodes), Words{"node 3 is described twice"});
+
+    nodes = nodes_of_row();
+    nodes[2].children.push_back(9);
+    EXPECT_EQ(problems_of(nodes), Words{"node 2 lists node 9, which is not described"});
+
+    nodes = nodes_of_row();
+    nodes[2].children.push_back(3);
+    EXPECT_EQ(problems_of(nodes), Words{"node 3 is a child of two nodes, the second is node 2"});
+
+    nodes = nodes_of_row();
+    nodes[5].parent = 1;
+    EXPECT_EQ(problems_of(nodes), Words{"node 5 says that its parent is node 1, which does not "
+                                        "list it, and another node does"});
+
+    nodes = nodes_of_row();
+    nodes[2].children = {5};
+    EXPECT_EQ(problems_of(nodes),
+              (Words{"node 6 says that its parent is node 2, which does not list it: no query "
+                     "comes there",
+                     "triangle 3 is in no leaf"}));
+
+    nodes = nodes_of_row();
+    nodes[2].children = {5};
+    nodes[6].parent = no_index;
+    EXPECT_EQ(problems_of(nodes), Words{"node 6 has no parent, as node 0"});
+}
+
+TEST(TreeCheck, NamesWhatIsInACycle) {
+    auto nodes = nodes_of_row();
+    nodes[0].children = {1};
+    nodes[2].parent = 6;
+    nodes[6].children = {2};
+    nodes[6].items = {};
+    EXPECT_EQ(problems_of(nodes),
+              (Words{"node 2 is in a cycle, or below one", "node 5 is in a cycle, or below one",
+                     "node 6 is in a cycle, or below one", "triangle 2 is in no leaf",
+                     "triangle 3 is in no leaf"}));
+    // One that only is a cycle ends, too.
+    EXPECT_FALSE(problems_of({{0, 1, {1}, {}, {}}, {1, 0, {0}, {}, {}}}).empty());
+    EXPECT_FALSE(problems_of({{0, 0, {0}, {0}, {}}}).empty());
+    EXPECT_EQ(problems_of({}).size(), 4u);
+}
+
+TEST(TreeCheck, NamesTrianglesThatAreNotInJustOneLeaf) {
+    auto nodes = nodes_of_row();
+    nodes[4].items = {2};
+    EXPECT_EQ(problems_of(nodes),
+              (Words{"triangle 2 is in two leaves, node 4 and node 5", "triangle 1 is in no leaf",
+                     "node 4 does not contain triangle 2, by 1",
+                     "node 1 does not contain triangle 2, by 1"}));
+    nodes = nodes_of_row();
+    nodes[4].items = {1, 4};
+    EXPECT_EQ(problems_of(nodes), Words{"node 4 has triangle 4, which the mesh does not have"});
+}
+
+TEST(TreeCheck, NamesVolumesThatDoNotContainWhatIsBelowThem) {
+    auto nodes = nodes_of_row();
+    nodes[1].volume = box_of_row(0, 0.75);
+    EXPECT_EQ(problems_of(nodes), Words{"node 1 does not contain triangle 1, by 0.25"});
+    EXPECT_EQ(problems_of(nodes, false),
+              Words{"node 1 does not contain the volume of node 4, by 0.25"});
+    nodes[1].volume = NodeVolume{};
+    EXPECT_EQ(problems_of(nodes), Words{"node 1 has no volume"});
+    // That none has any is no problem.
+    for (ToldNode& node : nodes) node.volume = NodeVolume{};
+    EXPECT_EQ(problems_of(nodes), Words{});
+    // The corners of the box of what is below are outside of this ball; the triangles are not.
+    nodes = nodes_of_row();
+    nodes[3].volume = Ball{Vec3(0.25, 0.25, 0), std::sqrt(0.125) + 1e-12};
+    nodes[0].volume = Ball{Vec3(1.75, 0, 0), 1.85};
+    EXPECT_EQ(problems_of(nodes), Words{});
+    nodes[0].volume = Ball{Vec3(1.75, 0, 0), 1.75};
+    EXPECT_EQ(problems_of(nodes).size(), 1u);
+}
+
+TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
+    NodeTree tree = tree_of(nodes_of_row());
+    Mesh mesh = row_of_triangles();
+    const TreeShape shape = tree_shape(tree, mesh.triangles.size());
+    tree.set_volume(1, box_of_row(0, 0.75), 0, "");
+    TreeWatch watch;
+    watch.look(0, tree, shape, &mesh, 1e-9, 1, 1);
+    watch.look(1, tree, shape, &mesh, 1e-9, 1, 1);
+    // Triangle 3 moves; the leaf is refitted, what is above it is not.
+    for (std::uint32_t i = 9; i < 12; ++i) mesh.vertices[i] += Vec3(0, 1, 0);
+    Obb moved = box_of_row(3, 3);
+    moved.center[1] += 1;
+    tree.set_volume(6, moved, 2, "");
+    watch.look(2, tree, shape, &mesh, 1e-9, 1, 2);
+    watch.look(3, tree, shape, &mesh, 1e-9, 1, 3);
+    const auto problems = watch.problems();
+    ASSERT_EQ(problems.size(), 3u);
+    EXPECT_EQ(problems[0].words, "node 1 does not contain triangle 1, by 0.25");
+    EXPECT_FALSE(problems[0].stale);
+    EXPECT_EQ(problems[0].frames, 4u);
+    EXPECT_EQ(problems[1].words, "node 2 does not contain triangle 3, by 1");
+    EXPECT_EQ(problems[2].words, "node 0 does not contain triangle 3, by 1");
+    for (std::size_t i = 1; i < 3; ++i) {
+        EXPECT_TRUE(problems[i].stale);
+        EXPECT_EQ(problems[i].since, 2);
+        EXPECT_EQ(problems[i].told_at, 0);
+        EXPECT_EQ(problems[i].frames, 2u);
+    }
+}
+
+}  // namespace
+}  // namespace scb
