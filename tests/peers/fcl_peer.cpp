@@ -1,37 +1,13 @@
 #include <fcl/config.h>
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBB.h>
 #include <fcl/narrowphase/collision.h>
 
 #include <algorithm>
 
 #include "tests/peers/adapters.h"
+#include "tests/peers/fcl_model.h"
 
 namespace scb {
 namespace {
-
-using Model = fcl::BVHModel<fcl::OBB<double>>;
-
-void build(const PeerMesh& mesh, Model& model) {
-    std::vector<fcl::Vector3d> vertices;
-    for (const auto& v : mesh.vertices) vertices.emplace_back(v[0], v[1], v[2]);
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
-    model.beginModel();
-    model.addSubModel(vertices, triangles);
-    model.endModel();
-}
-
-fcl::Transform3d transform(const PeerPose& pose) {
-    fcl::Transform3d result = fcl::Transform3d::Identity();
-    for (int i = 0; i < 3; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        for (int j = 0; j < 3; ++j)
-            result.matrix()(i, j) = pose.rotation[row][static_cast<std::size_t>(j)];
-        result.matrix()(i, 3) = pose.translation[row];
-    }
-    return result;
-}
 
 class FclPeer : public Peer {
   public:
@@ -62,14 +38,14 @@ class FclPeer : public Peer {
 
     double bytes() const override {
         double bytes = 0;
-        for (const Model* model : {&a_, &b_})
+        for (const FclModel* model : {&a_, &b_})
             bytes += model->getNumBVs() * static_cast<double>(sizeof(fcl::BVNode<fcl::OBBd>)) +
                      model->num_tris * static_cast<double>(sizeof(unsigned int));
         return bytes;
     }
 
   private:
-    Model a_, b_;
+    FclModel a_, b_;
     fcl::CollisionRequest<double> request_;
     fcl::CollisionResult<double> result_;
 };

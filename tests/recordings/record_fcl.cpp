@@ -1,0 +1,82 @@
+// FCL: every node of its trees, and every test, by way of a traversal node of one's own.
+#include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/collision_node.h>
+
+#include "tests/peers/fcl_model.h"
+#include "tests/recordings/recorded_engine.h"
+
+namespace scb {
+namespace {
+
+using Node = fcl::detail::MeshCollisionTraversalNodeOBBd;
+using Index = std::uint32_t;
+
+/// FCL calls these two for each test.
+struct RecordingNode : Node {
+    using Node::BVTesting;
+    using Node::leafTesting;
+    scb_recorder* recorder = nullptr;
+
+    bool BVTesting(int a, int b) const override {
+        const bool apart = Node::BVTesting(a, b);
+        scb_record_test(recorder, static_cast<Index>(a), static_cast<Index>(b), apart);
+        return apart;
+    }
+    void leafTesting(int a, int b) const override {
+        const std::size_t before = result->numContacts();
+        Node::leafTesting(a, b);
+        scb_record_items(recorder, static_cast<Index>(model1->getBV(a).primitiveId()),
+                         static_cast<Index>(model2->getBV(b).primitiveId()),
+                         result->numContacts() > before);
+    }
+};
+
+void record_tree(scb_recorder& recorder, Index tree, const FclModel& model) {
+    for (int i = 0; i < model.getNumBVs(); ++i) {
+        const fcl::BVNode<fcl::OBBd>& node = model.getBV(i);
+        double box[15];
+        for (int k = 0; k < 3; ++k) {
+            box[k] = node.bv.To[k];
+            for (int row = 0; row < 3; ++row) box[3 + 3 * k + row] = node.bv.axis(row, k);
+            box[12 + k] = node.bv.extent[k];
+        }
+        const Index children[] = {static_cast<Index>(node.leftChild()),
+                                  static_cast<Index>(node.rightChild())},
+                    triangle = static_cast<Index>(node.primitiveId());
+        const scb_record_node_data data = {.parent = SCB_RECORD_NONE,  // FCL does not say
+                                           .id = static_cast<Index>(i),
+                                           .name = nullptr,
+                                           .children = children,
+                                           .child_count = node.isLeaf() ? 0u : 2u,
+                                           .items = &triangle,
+                                           .item_count = node.isLeaf(),
+                                           .volume = {SCB_RECORD_OBB, 15, box}};
+        scb_record_node(&recorder, tree, static_cast<Index>(i), &data);
+    }
+}
+
+}  // namespace
+
+RecordedQuery record_fcl(scb_recorder& recorder, const PeerMesh& a, const PeerMesh& b) {
+    const auto models = std::make_shared<std::array<FclModel, 2>>();
+    scb_record_stage(&recorder, 1, "boxes apart");
+    for (const Index i : {0u, 1u}) {
+        build(i == 0 ? a : b, (*models)[i]);
+        record_body(recorder, i, i == 0 ? a : b);
+        record_tree(recorder, i, (*models)[i]);
+    }
+    return [&recorder, models](const PeerPose& at_a, const PeerPose& at_b) {
+        const fcl::CollisionRequestd request(std::numeric_limits<std::size_t>::max());
+        fcl::CollisionResultd result;
+        RecordingNode node;
+        node.recorder = &recorder;
+        fcl::detail::initialize<double>(node, (*models)[0], transform(at_a), (*models)[1],
+                                        transform(at_b), request, result);
+        fcl::detail::collide<double>(&node);
+        for (std::size_t i = 0; i < result.numContacts(); ++i)
+            scb_record_pair(&recorder, static_cast<Index>(result.getContact(i).b1),
+                            static_cast<Index>(result.getContact(i).b2));
+    };
+}
+
+}  // namespace scb
