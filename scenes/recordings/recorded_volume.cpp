@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/geometry/convex_hull.h"
 #include "scb/error.h"
 #include "scb/mesh.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 /// More make the polytope of a node take seconds.
 constexpr std::size_t most_directions = 128;
+/// The hull of more points is found first.
+constexpr std::size_t most_searched = 16;
 
 Vec3 vector_at(std::span<const double> values, std::size_t at) {
     return {values[at], values[at + 1], values[at + 2]};
@@ -121,12 +124,22 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
         }
         case RecordedKind::hull: {
             require(!v.empty() && v.size() % 3 == 0, "it has no whole number of points");
-            Polytope hull;
+            std::vector<Vec3> points;
             Box box;
-            for (std::size_t i = 0; i < v.size(); i += 3) box.add(vector_at(v, i));
+            for (std::size_t i = 0; i < v.size(); i += 3) {
+                points.push_back(vector_at(v, i));
+                box.add(points.back());
+            }
+            Polytope hull;
             hull.center = box.lower + (box.upper - box.lower) / 2;
-            for (std::size_t i = 0; i < v.size(); i += 3)
-                hull.corners.push_back(vector_at(v, i) - hull.center);
+            // Each search for the farthest point goes through all.
+            if (points.size() > most_searched) {
+                std::vector<Vec3> vertices;
+                for (const std::uint32_t i : convex_hull(points).vertices)
+                    vertices.push_back(points[i]);
+                points = std::move(vertices);
+            }
+            for (const Vec3& point : points) hull.corners.push_back(point - hull.center);
             return std::make_shared<const Polytope>(std::move(hull));
         }
     }

@@ -1,5 +1,5 @@
-// scb_record_engines ENGINE SCENE... [--frames LIST] [--models DIR] -o FILE.scbrec: has an engine of
-// somebody else's make the queries of a scene, and records them.
+// scb_record_engines ENGINE SCENE... [--frames LIST] [--models DIR] -o FILE.scbrec: has an engine
+// of somebody else's make the queries of a scene, and records them.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstring>
@@ -44,9 +44,9 @@ int record(const EngineKind& kind, const scenes::Scene& scene, const std::vector
     scb_recorder recorder{};
     scb_record_open(&recorder, output.c_str(), kind.title);
     scb_record_setting(&recorder, "scene", scene.name.c_str());
-    const RecordedQuery query =
-        kind.make(recorder, peer_mesh(scene.meshes[body_a.mesh].mesh),
-                  peer_mesh(scene.meshes[body_b.mesh].mesh));
+    const PeerMesh a = peer_mesh(scene.meshes[body_a.mesh].mesh),
+                   b = peer_mesh(scene.meshes[body_b.mesh].mesh);
+    const RecordedQuery query = kind.make(recorder, a, b);
     for (const int frame : frames) {
         scb_record_frame(&recorder, static_cast<std::uint32_t>(frame));
         const Pose poses[] = {scenes::pose_at(body_a.motion, frame),

@@ -34,24 +34,21 @@ struct RecordingNode : Node {
 void record_tree(scb_recorder& recorder, Index tree, const FclModel& model) {
     for (int i = 0; i < model.getNumBVs(); ++i) {
         const fcl::BVNode<fcl::OBBd>& node = model.getBV(i);
-        double box[15];
-        for (int k = 0; k < 3; ++k) {
-            box[k] = node.bv.To[k];
-            for (int row = 0; row < 3; ++row) box[3 + 3 * k + row] = node.bv.axis(row, k);
-            box[12 + k] = node.bv.extent[k];
+        std::vector<double> box(15);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<int>(k);
+            box[k] = node.bv.To[axis];
+            for (std::size_t row = 0; row < 3; ++row)
+                box[3 + 3 * k + row] = node.bv.axis(static_cast<int>(row), axis);
+            box[12 + k] = node.bv.extent[axis];
         }
-        const Index children[] = {static_cast<Index>(node.leftChild()),
-                                  static_cast<Index>(node.rightChild())},
-                    triangle = static_cast<Index>(node.primitiveId());
-        const scb_record_node_data data = {.parent = SCB_RECORD_NONE,  // FCL does not say
-                                           .id = static_cast<Index>(i),
-                                           .name = nullptr,
-                                           .children = children,
-                                           .child_count = node.isLeaf() ? 0u : 2u,
-                                           .items = &triangle,
-                                           .item_count = node.isLeaf(),
-                                           .volume = {SCB_RECORD_OBB, 15, box}};
-        scb_record_node(&recorder, tree, static_cast<Index>(i), &data);
+        std::vector<Index> children, items;
+        if (node.isLeaf())
+            items = {static_cast<Index>(node.primitiveId())};
+        else
+            children = {static_cast<Index>(node.leftChild()),
+                        static_cast<Index>(node.rightChild())};
+        record_node(recorder, tree, static_cast<Index>(i), children, items, SCB_RECORD_OBB, box);
     }
 }
 
