@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/inspect_report.h"
+#include "core/base/enum_names.h"
 #include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 
@@ -17,6 +18,22 @@ using scenes::FrameJudgement;
 using scenes::ProblemGroup;
 using scenes::RecordingJudgement;
 using scenes::TreeJudgement;
+
+constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
+    "nodes are described twice",
+    "children are not described",
+    "nodes are children of two nodes",
+    "nodes name another parent than the one that lists them",
+    "nodes are not listed by the parent that they name",
+    "nodes have no parent, beside the root",
+    "nodes are in cycles, or below them",
+    "triangles are in no leaf",
+    "triangles are in two leaves",
+    "triangles of leaves are none of the mesh",
+    "nodes have volumes that are none",
+    "nodes have no volume",
+    "nodes do not contain what is below them",
+};
 
 std::string query_words(const scenes::QueryName& query) {
     return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
@@ -33,6 +50,25 @@ std::string tree_name(const TreeJudgement& tree) {
     return tree.name.empty() ? number : number + " \"" + tree.name + "\"";
 }
 
+/// The problems of one kind: how many, the worst, and the first, which is that farthest from the
+/// root.
+std::string faults_text(const std::vector<const WatchedProblem*>& problems, std::size_t top) {
+    const TreeFault fault = problems[0]->problem.fault;
+    std::string text;
+    if (problems.size() > 1) {
+        text = "    " + count_text(problems.size()) + " " + std::string(fault_names[fault]);
+        double most = 0;
+        for (const WatchedProblem* problem : problems)
+            most = std::max(most, problem->problem.amount);
+        if (most > 0) text += format(", by up to %.6g", most);
+        text += "; the first:\n";
+    }
+    for (std::size_t i = 0; i < std::min(top, problems.size()); ++i)
+        text += "    " + std::string(problems.size() > 1 ? "  " : "") + problems[i]->words + " (" +
+                when(*problems[i]) + ")\n";
+    return text;
+}
+
 std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
     std::string text = "Trees\n";
     for (const TreeJudgement& tree : judged.trees) {
@@ -41,11 +77,11 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
                 (tree.problems.empty() ? "sound"
                                        : counted(tree.problems.size(), "problem", "problems")) +
                 "\n";
-        for (std::size_t i = 0; i < std::min(top, tree.problems.size()); ++i)
-            text += "    " + tree.problems[i].words + " (" + when(tree.problems[i]) + ")\n";
-        if (tree.problems.size() > top)
-            text += "    ... " + counted(tree.problems.size() - top, "more", "more") +
-                    ", which --json lists\n";
+        std::map<TreeFault, std::vector<const WatchedProblem*>> by_fault;
+        for (const WatchedProblem& problem : tree.problems)
+            by_fault[problem.problem.fault].push_back(&problem);
+        for (const auto& [fault, problems] : by_fault)
+            text += faults_text(problems, std::min<std::size_t>(top, 3));
     }
     return text + "\n";
 }
@@ -87,7 +123,7 @@ std::uint64_t sum(const RecordingJudgement& judged, std::uint64_t FrameJudgement
 }
 
 std::string results_text(const RecordingJudgement& judged) {
-    if (judged.summary.pairs + judged.summary.item_tests == 0)
+    if (judged.summary.pairs + judged.summary.item_tests == 0 && !judged.summary.tells_pairs)
         return "Results: none were recorded.\n\n";
     std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
                        " reported, " + count_text(judged.exact_pairs) + " intersect; " +

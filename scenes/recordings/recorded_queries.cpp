@@ -53,6 +53,8 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
         } else if (const auto* frame = std::get_if<RecordedFrame>(record)) {
             summary.frames.push_back(static_cast<int>(frame->frame));
         }
+        if (const auto* setting = std::get_if<RecordedSetting>(record))
+            summary.tells_pairs |= setting->key == "results" && setting->value == "pairs";
         summary.queries += std::holds_alternative<RecordedQuery>(*record);
     }
     if (summary.frames.empty()) summary.frames.push_back(0);
@@ -63,7 +65,7 @@ RecordedQueries::RecordedQueries(std::string_view bytes, std::string_view name,
                                  const RecordingSummary& summary)
     : name_(name), reader_(bytes, name) {
     query_.tells_items = summary.item_tests > 0;
-    query_.tells_pairs = summary.pairs > 0;
+    query_.tells_pairs = summary.tells_pairs || summary.pairs > 0;
 }
 
 RecordedQueries::Step RecordedQueries::next() {

@@ -48,6 +48,8 @@ struct BodyState {
 struct RecordingSummary {
     std::vector<int> frames;  ///< those that were told, ascending; 0 where none was
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
+    /// Whether the setting `results` says that pairs are told, though there may be none.
+    bool tells_pairs = false;
 };
 
 /// Reads all of it once. Throws InputError as RecordingReader does.

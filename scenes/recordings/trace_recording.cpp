@@ -128,6 +128,7 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
                                std::array<const AnyHierarchy*, 2> hierarchies)
     : tests_triangles_(header.options.stop_level < 0) {
     writer_.add(RecordedSetting{"engine", "scb " + header.scb_version});
+    if (tests_triangles_) writer_.add(RecordedSetting{"results", "pairs"});
     for (const TraceField& field : fields_of(header))
         writer_.add(RecordedSetting{field.name, field.value});
     for (const Stage stage : stages_of(header.volume, header.options.overlap))

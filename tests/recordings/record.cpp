@@ -44,6 +44,7 @@ int record(const EngineKind& kind, const scenes::Scene& scene, const std::vector
     scb_recorder recorder{};
     scb_record_open(&recorder, output.c_str(), kind.title);
     scb_record_setting(&recorder, "scene", scene.name.c_str());
+    scb_record_setting(&recorder, "results", "pairs");
     const PeerMesh a = peer_mesh(scene.meshes[body_a.mesh].mesh),
                    b = peer_mesh(scene.meshes[body_b.mesh].mesh);
     const RecordedQuery query = kind.make(recorder, a, b);

@@ -234,5 +234,34 @@ TEST(InspectCommand, RefusesWhatMakesNoSense) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST(InspectCommand, JudgesARecording) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "q.scbrec";
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + file).status, 0);
+    const ProgramRun sound = run_scb("inspect " + file);
+    EXPECT_EQ(sound.status, 0) << sound.err;
+    EXPECT_NE(sound.out.find(": sound"), std::string::npos) << sound.out;
+    EXPECT_NE(sound.out.find(" 0 missed, 0 false"), std::string::npos) << sound.out;
+
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed -o " + file).status, 0);
+    const ProgramRun wrong = run_scb("inspect --json " + file);
+    EXPECT_EQ(wrong.status, 1) << wrong.err;
+    const auto judged = nlohmann::json::parse(wrong.out);
+    EXPECT_EQ(judged["wrong"], true);
+    ASSERT_EQ(judged["missed"].size(), 1u);
+    EXPECT_EQ(judged["missed"][0]["what"], "rejected although the volumes overlap");
+    EXPECT_EQ(judged["missed"][0]["nodes"], nlohmann::json({0, 0}));
+
+    const std::string bytes = file_text(file);
+    folder.write("cut.scbrec", bytes.substr(0, bytes.size() - 5));
+    const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
+    EXPECT_NE(cut.err.find("cut.scbrec"), std::string::npos) << cut.err;
+    for (const char* arguments : {" --volume scb", " --frame 7", " -o out"}) {
+        const ProgramRun run = run_scb("inspect " + file + arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_EQ(run.out, "") << arguments;
+    }
+}
+
 }  // namespace
 }  // namespace scb::app
