@@ -33,28 +33,31 @@ bool has_items(const EngineQuery& query, IndexPair items) {
 /// Two triangles of the query: whether they intersect, and whether that is within the tolerance.
 struct ItemContact {
     bool meet = false, grazing = false;
+    double margin = 0;  ///< gap or depth, at least
 };
 
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
     const TriangleCorners a = corners(*query.sides[0].mesh, items.a),
                           b = corners(*query.sides[1].mesh, items.b);
-    ItemContact result{triangles_overlap(a, transform_corners(b_to_a, b)), false};
-    result.grazing =
-        exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance).contact !=
-        (result.meet ? Contact::overlapping : Contact::disjoint);
+    const ContactCertificate found =
+        exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance);
+    ItemContact result{triangles_overlap(a, transform_corners(b_to_a, b)), false, found.margin};
+    result.grazing = found.contact != (result.meet ? Contact::overlapping : Contact::disjoint);
     return result;
 }
 
 bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query.sides[1].mesh; }
 
-/// Whether a test of two items erred, and not just within the tolerance.
-bool errs(const EngineQuery& query, const Pose& b_to_a, const EngineEvent& event) {
-    if (!have_meshes(query) || !has_items(query, {event.a, event.b})) return false;
+/// The gap or depth of two triangles whose test erred, and not just within the tolerance.
+std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
+                               const EngineEvent& event) {
+    if (!have_meshes(query) || !has_items(query, {event.a, event.b})) return std::nullopt;
     const TriangleCorners a = corners(*query.sides[0].mesh, event.a),
                           b = corners(*query.sides[1].mesh, event.b);
     if (triangles_overlap(a, transform_corners(b_to_a, b)) == (event.kind == Kind::items_meet))
-        return false;
-    return !contact_of(query, b_to_a, {event.a, event.b}).grazing;
+        return std::nullopt;
+    const ItemContact contact = contact_of(query, b_to_a, {event.a, event.b});
+    return contact.grazing ? std::nullopt : std::optional(contact.margin);
 }
 
 TestVerdict verdict_of(const ContactCertificate& certificate, std::uint8_t stage) {
@@ -106,7 +109,8 @@ class Judge {
             case Kind::items_meet:
                 ++result_.item_tests;
                 item_tests_.try_emplace(key(event.a, event.b), i);
-                if (errs(query_, query_.b_to_a, event)) result_.wrong_item_tests.push_back(i);
+                if (const auto margin = error_of(query_, query_.b_to_a, event))
+                    result_.wrong_item_tests.push_back({i, *margin});
                 item_parent_.push_back(leading_test_of_items({event.a, event.b}));
                 if (event.kind == Kind::items_meet)
                     for (std::uint32_t t = item_parent_.back();
@@ -246,6 +250,8 @@ class Judge {
         if (rejected == no_index) {
             const bool leaf_pair = test.nodes.a == leaves[0] && test.nodes.b == leaves[1];
             problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
+            problem.next = {next_number(0, test.nodes.a, leaves[0]),
+                            next_number(1, test.nodes.b, leaves[1])};
             return problem;
         }
         problem.cause = PairCause::rejected;
@@ -262,6 +268,14 @@ class Judge {
             }
         }
         return problem;
+    }
+
+    /// The number of the child of `node` that has `leaf` below it; no_index of the leaf itself.
+    std::uint32_t next_number(std::size_t side, std::uint32_t node, std::uint32_t leaf) const {
+        const EngineSide& of = query_.sides[side];
+        std::uint32_t next = no_index;
+        for (std::uint32_t i = leaf; i != node && i != no_index; i = of.shape->parents[i]) next = i;
+        return next == no_index ? no_index : (*of.tree)[next].number;
     }
 
     void find_false() {
@@ -327,7 +341,7 @@ PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
     for (const EngineEvent& event : query.events) {
         if (event.kind == Kind::pair) continue;
         if (event.kind != Kind::volumes) {
-            fit.wrong += errs(query, b_to_a, event);
+            fit.wrong += error_of(query, b_to_a, event).has_value();
             continue;
         }
         const IndexPair nodes = nodes_of(query, event);

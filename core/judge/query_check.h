@@ -55,6 +55,8 @@ struct PairProblem {
     PairCause cause{};
     /// The numbers of the nodes at which it went wrong; no_index where that says nothing.
     IndexPair nodes{no_index, no_index};
+    /// Of never_visited: the numbers of the next nodes on the way to the pair.
+    IndexPair next{no_index, no_index};
     std::uint32_t event = no_index;  ///< at which it went wrong
     std::uint32_t side = 0;          ///< of in_no_leaf and not_contained: whose triangle and node
     double amount = 0;               ///< of not_contained: how far the triangle is outside
@@ -62,13 +64,19 @@ struct PairProblem {
     friend bool operator==(const PairProblem&, const PairProblem&) = default;
 };
 
+/// A test of two items that erred, and not just within the tolerance.
+struct WrongItemTest {
+    std::uint32_t event = 0;  ///< index into EngineQuery::events
+    double margin = 0;        ///< gap or depth of the two triangles, at least
+};
+
 /// A query, judged.
 struct QueryJudgement {
     std::vector<JudgedTest> tests;  ///< of volumes, in order
     std::uint64_t item_tests = 0;
-    std::vector<std::uint32_t> wrong_item_tests;  ///< indices of events, of pairs that do not graze
-    std::uint64_t reported = 0;                   ///< pairs, each once
-    std::uint64_t exact = 0;                      ///< pairs that intersect
+    std::vector<WrongItemTest> wrong_item_tests;
+    std::uint64_t reported = 0;      ///< pairs, each once
+    std::uint64_t exact = 0;         ///< pairs that intersect
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
     /// Tests of volumes and of items that a pair led to which passed although its volumes are

@@ -165,15 +165,18 @@ class RecordingJudge {
                  nodes + ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
-        for (const std::uint32_t i : judged.wrong_item_tests) {
+        for (const auto& [i, margin] : judged.wrong_item_tests) {
             const EngineEvent& event = query.events[i];
             ++row.wrong;
+            const bool meet = event.kind == EngineEvent::Kind::items_meet;
             ProblemGroup& group =
                 add(tests_,
-                    event.kind == EngineEvent::Kind::items_meet
-                        ? "a test said that two triangles meet which do not"
-                        : "a test said that two triangles are apart which intersect",
-                    name, pair_words("triangles", event.a, event.b), 1);
+                    meet ? "a test said that two triangles meet which do not"
+                         : "a test said that two triangles are apart which intersect",
+                    name,
+                    pair_words("triangles", event.a, event.b) + ", " + format("%.6g", margin) +
+                        (meet ? " apart" : " deep in each other"),
+                    1);
             if (group.count == 1) {
                 group.items = {event.a, event.b};
                 group.event = i;
@@ -216,6 +219,15 @@ class RecordingJudge {
             words += ", of which node " + std::to_string(node) + " of " + side +
                      " does not contain triangle " + std::to_string(item) + ", by " +
                      format("%.6g", problem.amount);
+        if (problem.cause == PairCause::never_visited) {
+            std::string next;
+            if (problem.next.a != no_index)
+                next = "node " + std::to_string(problem.next.a) + " of A";
+            if (problem.next.b != no_index)
+                next += (next.empty() ? "node " : " or node ") + std::to_string(problem.next.b) +
+                        " of B";
+            words += ", from which the way leads to " + next;
+        }
         if (problem.event != no_index && problem.event < query.events.size())
             words += ", event " + std::to_string(problem.event) + " of the query";
         return words;
