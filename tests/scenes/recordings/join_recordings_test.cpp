@@ -111,13 +111,16 @@ TEST(JoinRecordings, KeepsTheOrderOfChangesWithinAFrame) {
         return Records{at(1, x), RecordedRefit{0, 0, ball(x)}, RecordedSetting{"margin", "0"}} +
                query(which);
     };
+    // Without frames too.
+    const Records back = {at(1, 4), RecordedRefit{0, 0, ball(4)}};
+    EXPECT_EQ(joined({step(1, 4) + step(2, 5) + done, step(4, 5) + step(5, 4) + done}),
+              recording_of(step(1, 4) + step(2, 5) + query(4) + back + query(5) + done));
     const Records again = {at(1, 5), RecordedRefit{0, 0, ball(5)}};
     EXPECT_EQ(
         joined({world() + frame(0) + step(1, 4) + step(2, 5) + frame(1) + again + query(3) + done,
                 world() + frame(0) + step(4, 5) + step(5, 4) + frame(1) + again + query(6) + done}),
-        recording_of(world() + frame(0) + step(1, 4) + step(2, 5) + query(4) +
-                     Records{at(1, 4), RecordedRefit{0, 0, ball(4)}} + query(5) + frame(1) + again +
-                     query(3) + query(6) + done));
+        recording_of(world() + frame(0) + step(1, 4) + step(2, 5) + query(4) + back + query(5) +
+                     frame(1) + again + query(3) + query(6) + done));
 }
 
 TEST(JoinRecordings, SaysOnceThatATreeWasBuiltAnew) {
@@ -182,7 +185,7 @@ TEST(JoinRecordings, RefusesWhatContradictsAnother) {
                       " is not that of a.scbrec in frame 2; give what differs another number in "
                       "each thread.");
         // From here on it is another one.
-        EXPECT_EQ(refusal({world() + frame(2) + Records{record} + done, world() + done}), "");
+        EXPECT_EQ(refusal({world() + done, frame(2) + Records{record} + done}), "");
     }
 }
 
