@@ -167,6 +167,7 @@ int run(int argc, char** argv) {
     add_explain(Command(program), console, action);
     add_golden(Command(program), console, action);
     add_stats(Command(program), console, action);
+    add_convert(Command(program), console, action);
     add_export(Command(program), console, action);
     add_scenes(Command(program), action);
 

@@ -31,6 +31,7 @@ void add_golden_list(const Command& golden, Action& action);
 void add_golden_report(const Command& golden, const Console& console, Action& action);
 void add_golden_selftest(const Command& golden, const Console& console, Action& action);
 void add_stats(const Command& program, const Console& console, Action& action);
+void add_convert(const Command& program, const Console& console, Action& action);
 void add_export(const Command& program, const Console& console, Action& action);
 void add_scenes(const Command& program, Action& action);
 

@@ -226,6 +226,12 @@ struct WriteRecord {
 
 bool starts_as_recording(std::string_view bytes) { return bytes.starts_with(magic); }
 
+std::vector<std::uint8_t> record_payload(const Record& record) {
+    ByteWriter payload;
+    std::visit(WriteRecord{payload}, record);
+    return payload.bytes;
+}
+
 RecordingReader::RecordingReader(std::string_view bytes, std::string_view name)
     : name_(name), bytes_(as_bytes(bytes)) {
     if (!starts_as_recording(bytes))

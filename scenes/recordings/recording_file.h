@@ -18,6 +18,10 @@ inline constexpr std::uint32_t recording_version = 1;
 /// Whether the bytes start as a recording does.
 bool starts_as_recording(std::string_view bytes);
 
+/// What stands behind a record's tag and length: two records of a kind say the same where their
+/// payloads are the same, NaN included. Empty of a test.
+std::vector<std::uint8_t> record_payload(const Record& record);
+
 /// Reads the records of a file (`.scbrec`), one after the other.
 ///
 /// Of a file that stops in the middle, or is damaged, what stands before is read, up to the last
@@ -35,6 +39,7 @@ class RecordingReader {
 
     /// What a user must know of a file that is not whole, as a sentence; empty where it is.
     std::string damage() const;
+    const std::string& name() const { return name_; }
 
   private:
     bool next_block();

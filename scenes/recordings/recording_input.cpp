@@ -6,6 +6,7 @@
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_json.h"
 #include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {
@@ -25,10 +26,13 @@ bool names_recording(const std::string& path) {
 }
 
 std::string recording_bytes(const std::string& path) {
+    note_input(path);
     // What is no recording is refused by its first bytes, however long it is.
     std::string start = file_bytes(path, start_bytes);
     if (starts_as_recording(start)) return file_bytes(path);
-    if (path.ends_with(".jsonl")) return recording_of_json(file_bytes(path), path);
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    if (path.ends_with(".jsonl") || (first != std::string::npos && start[first] == '{'))
+        return recording_of_json(file_bytes(path), path);
     RecordingReader(start, path);  // throws, and says why
     return start;
 }

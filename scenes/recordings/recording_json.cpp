@@ -327,26 +327,33 @@ void add_line(RecordingWriter& out, const JsonPlace& line) {
 
 }  // namespace
 
-std::string recording_as_json(std::string_view bytes, std::string_view name) {
+void RecordingJsonWriter::add(const Record& record) {
     constexpr std::size_t most_tests = 100;
-    RecordingReader reader(bytes, name);
-    std::string text;
-    Json tests = Json::array();
-    const auto end_tests = [&] {
-        if (!tests.empty()) text += Json{{"tests", std::move(tests)}}.dump() + '\n';
-        tests = Json::array();
-    };
-    while (const Record* record = reader.next()) {
-        if (const auto* event = std::get_if<RecordedEvent>(record)) {
-            tests.push_back(event_json(*event));
-            if (tests.size() == most_tests) end_tests();
-            continue;
-        }
-        end_tests();
-        text += std::visit(LineOf{}, *record).dump() + '\n';
+    const auto* event = std::get_if<RecordedEvent>(&record);
+    if (!event || test_count_ == most_tests) end_tests();
+    if (event) {
+        tests_ += (test_count_++ == 0 ? "" : ",") + event_json(*event).dump();
+        return;
     }
+    text_ += std::visit(LineOf{}, record).dump() + '\n';
+}
+
+void RecordingJsonWriter::end_tests() {
+    if (test_count_ != 0) text_ += "{\"tests\":[" + tests_ + "]}\n";
+    tests_.clear();
+    test_count_ = 0;
+}
+
+std::string RecordingJsonWriter::finish() {
     end_tests();
-    return text;
+    return std::move(text_);
+}
+
+std::string recording_as_json(std::string_view bytes, std::string_view name) {
+    RecordingReader reader(bytes, name);
+    RecordingJsonWriter out;
+    while (const Record* record = reader.next()) out.add(*record);
+    return out.finish();
 }
 
 std::string recording_of_json(std::string_view text, const std::string& name) {

@@ -25,8 +25,8 @@ TEST(CommandLine, VersionNamesWhatDraws) {
 }
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
-    for (const char* command :
-         {"", "render levels", "collide", "bench", "trace", "diff", "stats", "export", "scenes"}) {
+    for (const char* command : {"", "render levels", "collide", "bench", "trace", "diff", "stats",
+                                "convert", "export", "scenes"}) {
         const ProgramRun run = run_scb(std::string(command) + " --help");
         EXPECT_EQ(run.status, 0) << command;
         EXPECT_NE(run.out.find("xample"), std::string::npos) << command;

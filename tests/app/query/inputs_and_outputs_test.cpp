@@ -62,6 +62,7 @@ std::vector<Row> rows() {
         {"bench scene.json --frames 0 --repeat 1 --volume scb", of_scene, "-o", ""},
         {"collide scene.json --frames 0", of_scene, "--pairs-out", "out.csv"},
         {"trace scene.json --frames 0", of_scene, "-o", "out.scbtrace"},
+        {"convert t.scbrec t.jsonl", {"t.scbrec", "t.jsonl"}, "-o", "out.scbrec"},
         {"export scene.json --levels 0", of_scene, "-o", "out.ply"},
         {"golden check --suite suite.json", of_suite, "--json", "out.json"},
         {"golden check --suite suite.json", of_suite, "--junit", "out.xml"},
@@ -85,6 +86,8 @@ struct InputsAndOutputs : testing::Test {
         folder.write("pairs.json", pairs_text);
         folder.write("suite.json", suite_text);
         EXPECT_EQ(run("trace scene.json -o t.scbtrace").status, 0);
+        EXPECT_EQ(run("trace scene.json -o t.scbrec").status, 0);
+        EXPECT_EQ(run("convert t.scbrec -o t.jsonl").status, 0);
         run("golden check --suite suite.json --json results.json");
     }
 

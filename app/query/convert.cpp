@@ -1,0 +1,78 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/query/output_guard.h"
+#include "core/base/exit_status.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/recordings/join_recordings.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/recordings/recording_json.h"
+
+namespace scb::app {
+namespace {
+
+struct ConvertOptions {
+    std::vector<std::string> inputs;
+    std::string output;
+};
+
+template <class Writer>
+std::string joined(std::vector<scenes::RecordingReader>& readers, Writer writer = {}) {
+    scenes::join_recordings(readers, [&](const scenes::Record& record) { writer.add(record); });
+    return writer.finish();
+}
+
+int run(const ConvertOptions& options, const Console& console) {
+    const bool json = options.output.ends_with(".jsonl");
+    if (!json && !options.output.ends_with(".scbrec"))
+        throw InputError("-o " + options.output +
+                         ": the ending says what to write; name a file .scbrec or .jsonl.");
+    check_output(options.output, "-o");
+    std::vector<std::string> files;
+    for (const std::string& input : options.inputs) files.push_back(scenes::recording_bytes(input));
+    check_output(options.output, "-o");
+    std::vector<scenes::RecordingReader> readers;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        readers.emplace_back(files[i], options.inputs[i]);
+    const std::string bytes = json ? joined<scenes::RecordingJsonWriter>(readers)
+                                   : joined<scenes::RecordingWriter>(readers);
+    render::write_file_whole(options.output, bytes);
+    for (const scenes::RecordingReader& reader : readers)
+        if (!reader.damage().empty()) console.alarm("scb: " + reader.damage());
+    console.note(
+        "scb: " + options.output + ": " + std::to_string(bytes.size()) + " bytes" +
+        (files.size() == 1 ? "." : ", of " + std::to_string(files.size()) + " recordings."));
+    return exit_done;
+}
+
+}  // namespace
+
+void add_convert(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
+        "convert", "Convert recordings to and from JSON Lines, or join those of several threads");
+    const auto options = std::make_shared<ConvertOptions>();
+    command
+        .add_option("RECORDING", options->inputs,
+                    "Recordings, as scb_record.h writes them, or their twins in JSON Lines")
+        .required()
+        .type_name("");
+    command.add_option("-o,--output", options->output, "The file: .scbrec or .jsonl")
+        .required()
+        .type_name("FILE");
+    command.footer(
+        "Nothing is lost. Several recordings are of the threads of one program: what they say "
+        "alike is written once, and their\n"
+        "queries stand frame by frame, in the order of the files. Of a damaged file, what can be "
+        "read is converted.\n\n"
+        "Examples:\n"
+        "  scb convert engine.scbrec -o engine.jsonl\n"
+        "  scb convert thread-0.scbrec thread-1.scbrec -o engine.scbrec");
+    command.callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb::app
