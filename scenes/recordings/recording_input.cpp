@@ -16,7 +16,7 @@ constexpr std::size_t start_bytes = 8;
 }  // namespace
 
 bool names_recording(const std::string& path) {
-    if (path.ends_with(".scbrec") || path.ends_with(".scbrec.jsonl")) return true;
+    if (path.ends_with(".scbrec") || path.ends_with(".jsonl")) return true;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
     std::ifstream file(path, std::ios::binary);

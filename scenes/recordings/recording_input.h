@@ -5,7 +5,7 @@
 namespace scb::scenes {
 
 /// Whether a command that takes a scene was given a recording: by its ending (`.scbrec`), by its
-/// first bytes, or as its twin in JSON Lines by the ending `.scbrec.jsonl`.
+/// first bytes, or as its twin in JSON Lines by the ending `.jsonl`.
 bool names_recording(const std::string& path);
 
 /// The bytes of a recording; its twin in JSON Lines, which begins with a brace or is called

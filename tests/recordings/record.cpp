@@ -1,6 +1,7 @@
-// scb_record_engines ENGINE SCENE... [--frames LIST] [--models DIR] -o FILE.scbrec: has an engine
-// of somebody else's make the queries of a scene, and records them.
+// scb_record_engines ENGINE SCENE... [--pose NUMBERS] [--frames LIST] [--models DIR] -o
+// FILE.scbrec: has an engine of somebody else's make the queries of a scene, and records them.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -72,16 +73,23 @@ int main(int argc, char** argv) {
     CLI::App program("Records what another engine does in the queries of a scene");
     std::string name, frames = "all", models, output;
     std::vector<std::string> scene;
+    std::vector<double> pose;
     const auto engines = scb::engines();
     program.add_option("ENGINE", name)->required()->check(CLI::IsMember(engines));
     program.add_option("SCENE", scene)->required();
     program.add_option("--frames", frames);
+    program.add_option("--pose", pose)->delimiter(',')->expected(12);
     program.add_option("--models", models)->envname("SCB_MODELS");
     program.add_option("-o", output)->required();
     CLI11_PARSE(program, argc, argv);
     try {
         scb::scenes::LoadOptions options;
         if (!models.empty()) options.models_dir = models;
+        if (!pose.empty()) {
+            scb::scenes::PoseRows rows{};
+            std::copy(pose.begin(), pose.end(), rows.begin());
+            options.pose = scb::scenes::pose_of(rows);
+        }
         const scb::scenes::Scene loaded = scb::scenes::load_scene(scene, options);
         return scb::record(engines.at(name), loaded,
                            scb::scenes::parse_frames(frames, loaded.frames, loaded.name), output);
