@@ -283,7 +283,8 @@ class Judge {
             ++result_.reported;
             const EngineEvent& event = query_.events[i];
             const IndexPair items{event.a, event.b};
-            PairProblem problem{items, PairCause::unknown_item, {no_index, no_index}, i};
+            PairProblem problem{items, PairCause::unknown_item};
+            problem.event = i;
             if (has_items(query_, items)) {
                 const ItemContact contact = contact_of(query_, query_.b_to_a, items);
                 if (contact.meet) continue;
@@ -302,11 +303,12 @@ class Judge {
             }
             result_.pairs.push_back(problem);
         }
-        for (const std::uint32_t i : twice_)
-            result_.pairs.push_back({{query_.events[i].a, query_.events[i].b},
-                                     PairCause::reported_twice,
-                                     {no_index, no_index},
-                                     i});
+        for (const std::uint32_t i : twice_) {
+            PairProblem problem{{query_.events[i].a, query_.events[i].b},
+                                PairCause::reported_twice};
+            problem.event = i;
+            result_.pairs.push_back(problem);
+        }
     }
 
     const EngineQuery& query_;

@@ -11,14 +11,14 @@
 namespace scb {
 namespace {
 
-const Obb box{Vec3(1, 2, 3), Mat3::Identity(), Vec3(0.5, 0.25, 0.125)};
+const Obb some_box{Vec3(1, 2, 3), Mat3::Identity(), Vec3(0.5, 0.25, 0.125)};
 
 NodeVolume corners_of_box() {
     Polytope hull;
-    hull.center = box.center;
+    hull.center = some_box.center;
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 p;
-        for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) ? box.half[i] : -box.half[i];
+        for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1) ? some_box.half[i] : -some_box.half[i];
         hull.corners.push_back(p);
     }
     return std::make_shared<const Polytope>(hull);
@@ -65,9 +65,9 @@ Vec3 random_direction(Random& random) {
 }
 
 TEST(NodeVolume, SaysHowFarAPointIsOutside) {
-    EXPECT_NEAR(excess(box, Vec3(1.8, 2, 3)), 0.3, 1e-15);
-    EXPECT_NEAR(excess(box, Vec3(1.8, 2.65, 3)), 0.5, 1e-15);
-    EXPECT_LE(excess(box, Vec3(1.5, 2.25, 3.125)), 0);
+    EXPECT_NEAR(excess(some_box, Vec3(1.8, 2, 3)), 0.3, 1e-15);
+    EXPECT_NEAR(excess(some_box, Vec3(1.8, 2.65, 3)), 0.5, 1e-15);
+    EXPECT_LE(excess(some_box, Vec3(1.5, 2.25, 3.125)), 0);
     EXPECT_NEAR(excess(corners_of_box(), Vec3(1.8, 2.65, 3)), 0.5, 1e-9);
     EXPECT_LE(excess(corners_of_box(), Vec3(1.4, 2.2, 3.1)), 1e-9);
     EXPECT_NEAR(excess(Ball{Vec3(0, 0, 1), 2}, Vec3(0, 3, 5)), 3, 1e-15);
@@ -152,8 +152,8 @@ TEST(NodeVolume, VerdictsDoNotDependOnHowAVolumeIsTold) {
     for (int n = 0; n < 300; ++n) {
         Pose pose;
         pose.translation = 1.2 * random_direction(random);
-        const Contact as_boxes = exact_verdict(box, box, pose, 1e-6).contact;
-        EXPECT_EQ(exact_verdict(corners_of_box(), box, pose, 1e-6).contact, as_boxes);
+        const Contact as_boxes = exact_verdict(some_box, some_box, pose, 1e-6).contact;
+        EXPECT_EQ(exact_verdict(corners_of_box(), some_box, pose, 1e-6).contact, as_boxes);
         EXPECT_EQ(exact_verdict(corners_of_box(), corners_of_box(), pose, 1e-6).contact, as_boxes);
     }
 }
@@ -161,12 +161,12 @@ TEST(NodeVolume, VerdictsDoNotDependOnHowAVolumeIsTold) {
 TEST(NodeVolume, WithinTheToleranceVolumesTouch) {
     Pose pose;
     for (const double gap : {1e-4, -1e-4}) {
-        pose.translation = Vec3(2 * box.half[0] + gap, 0, 0);
-        EXPECT_EQ(exact_verdict(box, box, pose, 1e-3).contact, Contact::touching);
-        EXPECT_EQ(exact_verdict(box, box, pose, 1e-5).contact,
+        pose.translation = Vec3(2 * some_box.half[0] + gap, 0, 0);
+        EXPECT_EQ(exact_verdict(some_box, some_box, pose, 1e-3).contact, Contact::touching);
+        EXPECT_EQ(exact_verdict(some_box, some_box, pose, 1e-5).contact,
                   gap > 0 ? Contact::disjoint : Contact::overlapping);
     }
-    EXPECT_EQ(exact_verdict(NodeVolume{}, box, {}, 0).contact, Contact::touching);
+    EXPECT_EQ(exact_verdict(NodeVolume{}, some_box, {}, 0).contact, Contact::touching);
 }
 
 }  // namespace

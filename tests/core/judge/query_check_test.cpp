@@ -173,6 +173,7 @@ TEST(QueryCheck, NamesTheCauseOfAFalsePair) {
     EXPECT_EQ(rows.problem().cause, PairCause::unknown_item);
     rows.query.events.back() = {Kind::pair, 0, 2, 2};
     EXPECT_EQ(rows.problem().cause, PairCause::reported_twice);
+    EXPECT_EQ(rows.problem().event, rows.query.events.size() - 1);
     rows.query.events.back() = {Kind::items_apart, 0, 0, 3};
     rows.query.events.push_back({Kind::pair, 0, 0, 3});
     EXPECT_EQ(rows.problem().cause, PairCause::reported_in_spite);
