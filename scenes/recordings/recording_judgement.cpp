@@ -1,8 +1,8 @@
 #include "scenes/recordings/recording_judgement.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "core/base/enum_names.h"
@@ -123,7 +123,7 @@ class RecordingJudge {
         result_.nanoseconds += query.nanoseconds;
         result_.self_queries += query.self;
         if (!query.rigid) {
-            add(tests_, "a query's pose is not rigid", name, "it is not judged", 1);
+            add(tests_, "a query's pose is not rigid", name, "it is not judged");
             return;
         }
         std::vector<IndexPair> contacts = own_.contacts(query);
@@ -145,7 +145,7 @@ class RecordingJudge {
             result_.unjudged += test.verdict == TestVerdict::unjudged;
             const std::string nodes = pair_words("nodes", event.a, event.b);
             const auto note = [&](const std::string& what, const std::string& first) {
-                ProblemGroup& group = add(tests_, what, name, first, 1);
+                ProblemGroup& group = add(tests_, what, name, first);
                 if (group.count == 1) {
                     group.nodes = {event.a, event.b};
                     group.event = test.event;
@@ -175,8 +175,7 @@ class RecordingJudge {
                          : "a test said that two triangles are apart which intersect",
                     name,
                     pair_words("triangles", event.a, event.b) + ", " + format("%.6g", margin) +
-                        (meet ? " apart" : " deep in each other"),
-                    1);
+                        (meet ? " apart" : " deep in each other"));
             if (group.count == 1) {
                 group.items = {event.a, event.b};
                 group.event = i;
@@ -195,8 +194,8 @@ class RecordingJudge {
         for (const PairProblem& problem : judged.pairs) {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
-            ProblemGroup& group = add(missed ? missed_ : false_,
-                                      std::string(cause_names[problem.cause]), name, {}, 1);
+            ProblemGroup& group =
+                add(missed ? missed_ : false_, std::string(cause_names[problem.cause]), name, {});
             if (group.count > 1) continue;
             group.nodes = problem.nodes;
             group.items = problem.items;
@@ -265,17 +264,17 @@ class RecordingJudge {
 
     using Groups = std::vector<ProblemGroup>;
     ProblemGroup& add(Groups& groups, const std::string& what, const QueryName& name,
-                      const std::string& first, std::uint64_t count) {
+                      const std::string& first) {
         for (ProblemGroup& group : groups)
             if (group.what == what) {
-                group.count += count;
+                ++group.count;
                 return group;
             }
         groups.emplace_back();
         groups.back().what = what;
         groups.back().query = name;
         groups.back().first = first;
-        groups.back().count = count;
+        groups.back().count = 1;
         return groups.back();
     }
 
