@@ -9,6 +9,7 @@
 #include "scenes/recordings/trace_recording.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
+#include "tests/unless_sanitized.h"
 
 namespace scb::scenes {
 namespace {
@@ -53,7 +54,10 @@ RecordingJudgement judge(const std::vector<Record>& records) {
 }
 
 TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
-    for (const VolumeKind volume : all_volume_kinds()) {
+    // Sanitized: slab cut balls, boxes along the axes, rectangle swept spheres.
+    for (std::size_t k = 0; k < all_volume_kinds().size();
+         k += unless_sanitized<std::size_t>(1, 5)) {
+        const VolumeKind volume = all_volume_kinds()[k];
         SCOPED_TRACE(volume_kind_name(volume));
         const Trace trace = trace_of(volume);
         const RecordingJudgement judged = judge(recording_of(trace));
