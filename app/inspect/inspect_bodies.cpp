@@ -69,7 +69,8 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     of_view.picture = options;
     const QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
-    const render::Heat heat = render::heat_of(bodies, frame, HeatOf::wasted, std::nullopt);
+    const render::Heat heat =
+        render::heat_of(bodies, report.header, frame, HeatOf::wasted, std::nullopt);
     render::SceneFigure figure;
     figure.title = view.title("where the waste is");
     figure.subtitle = view.subtitle(number);

@@ -1,5 +1,6 @@
 #include "app/pictures/id_ranges.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "scb/error.h"
@@ -16,8 +17,7 @@ std::optional<std::uint32_t> index_in(const IdRange& range, std::uint32_t id) {
 
 }  // namespace
 
-IdRanges id_ranges(const SceneQuery& query) {
-    const std::array<std::size_t, 2> bodies = {query.a, query.b};
+IdRanges id_ranges(const QuerySources& sources) {
     IdRanges ids;
     std::size_t next = 1;
     const auto take = [&next](std::size_t count) {
@@ -28,10 +28,22 @@ IdRanges id_ranges(const SceneQuery& query) {
                 "the scene has more nodes and triangles than ids; use smaller meshes.");
         return range;
     };
+    // Trees and meshes of recordings may change.
+    const auto most = [&](std::size_t side, const auto& count_of) {
+        std::size_t count = 0;
+        for (const QuerySource& source : sources)
+            for (const int frame : source.frames()) {
+                count = std::max(count, count_of(source.body(side, frame)));
+                if (!source.is_recording()) break;
+            }
+        return count;
+    };
+    using Body = scenes::BodyAtFrame;
     for (std::size_t side = 0; side < 2; ++side)
-        ids.nodes[side] = take(topology_of(query.hierarchy(bodies[side])).nodes.size());
+        ids.nodes[side] = take(most(side, [](const Body& body) { return body.tree->size(); }));
     for (std::size_t side = 0; side < 2; ++side)
-        ids.triangles[side] = take(query.mesh(bodies[side]).triangles.size());
+        ids.triangles[side] =
+            take(most(side, [](const Body& body) { return body.mesh->triangles.size(); }));
     ids.first_free = static_cast<std::uint32_t>(next);
     return ids;
 }
@@ -46,22 +58,20 @@ std::vector<IdRange> pair_id_ranges(const IdRanges& ids, const QueryFrames& fram
     return ranges;
 }
 
-std::string id_text(const IdRanges& ids, const SceneQuery& query, const QueryFrames& frames,
+std::string id_text(const IdRanges& ids, const QuerySource& source, const QueryFrames& frames,
                     std::uint32_t id) {
-    const std::array<std::size_t, 2> bodies = {query.a, query.b};
-    const auto name = [&](std::size_t side) {
-        return " of " + scenes::printable(query.scene.bodies[bodies[side]].name);
-    };
     for (std::size_t side = 0; side < 2; ++side) {
+        const scenes::BodyAtFrame body = source.body(side, frames.front()->frame);
+        const std::string of_body = " of " + scenes::printable(body.name);
         if (const auto node = index_in(ids.nodes[side], id)) {
-            const Topology& topology = topology_of(query.hierarchy(bodies[side]));
-            const std::uint32_t count = topology.nodes[*node].count;
-            return "node " + std::to_string(*node) + name(side) + ", depth " +
-                   std::to_string(node_depths(topology)[*node]) + ", " + std::to_string(count) +
+            const TreeShape& shape = body.tree->shape();
+            const std::uint32_t count = items_below(shape)[*node];
+            return scenes::printable(body.tree->node_words(*node)) + of_body + ", depth " +
+                   std::to_string(shape.depths[*node]) + ", " + std::to_string(count) +
                    (count == 1 ? " triangle" : " triangles");
         }
         if (const auto triangle = index_in(ids.triangles[side], id))
-            return "triangle " + std::to_string(*triangle) + name(side);
+            return "triangle " + std::to_string(*triangle) + of_body;
     }
     const std::vector<IdRange> pairs = pair_id_ranges(ids, frames);
     for (std::size_t i = 0; i < pairs.size(); ++i)

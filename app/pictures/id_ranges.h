@@ -24,7 +24,7 @@ struct IdRanges {
 };
 
 /// Throws InputError where the bodies have more nodes and triangles than there are ids.
-IdRanges id_ranges(const SceneQuery& query);
+IdRanges id_ranges(const QuerySources& sources);
 
 /// The ids of the segments in which the pairs of each query meet, in the order of
 /// `scb collide --pairs-out`.
@@ -32,7 +32,7 @@ std::vector<IdRange> pair_id_ranges(const IdRanges& ids, const QueryFrames& fram
 
 /// What an id of a picture of this frame stands for, as text: "node 412 of A, depth 9, 2
 /// triangles", "triangles 3 and 8 meet", "nothing". `query` is the one that the picture shows.
-std::string id_text(const IdRanges& ids, const SceneQuery& query, const QueryFrames& frames,
+std::string id_text(const IdRanges& ids, const QuerySource& source, const QueryFrames& frames,
                     std::uint32_t id);
 
 }  // namespace scb::app

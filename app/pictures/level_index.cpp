@@ -15,7 +15,7 @@ Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(
 
 }  // namespace
 
-Json level_entry(VolumeKind kind, int level, int frame,
+Json level_entry(const std::string& volumes, int level, int frame,
                  const std::vector<render::LevelBody>& bodies) {
     const render::LevelNumbers numbers = render::level_numbers(bodies, level);
     Json list = Json::array();
@@ -30,17 +30,17 @@ Json level_entry(VolumeKind kind, int level, int frame,
                         {"area", s.area},
                         {"volume", s.volume}});
     }
-    return {{"volume", volume_kind_name(kind)},
+    return {{"volume", volumes},
             {"level", level_json(level)},
             {"frame", frame},
             {"bodies", std::move(list)}};
 }
 
-Json level_head(const LevelOptions& options, const scenes::Scene& scene, int frame,
-                const std::vector<int>& levels, const scenes::CameraView& camera) {
-    Json levels_json = Json::array(), kinds = Json::array();
+Json level_head(const LevelOptions& options, const scenes::Scene& scene,
+                const std::vector<std::string>& volumes, int frame, const std::vector<int>& levels,
+                const scenes::CameraView& camera) {
+    Json levels_json = Json::array();
     for (const int level : levels) levels_json.push_back(level_json(level));
-    for (const VolumeKind kind : options.hierarchy.kinds()) kinds.push_back(volume_kind_name(kind));
     Json bodies = Json::array();
     for (const scenes::Body& body : scene.bodies)
         bodies.push_back(body_json({body.name, fingerprint(scene.meshes[body.mesh].mesh)}));
@@ -50,7 +50,7 @@ Json level_head(const LevelOptions& options, const scenes::Scene& scene, int fra
             {"frame", frame},
             {"poses", poses_json(scene, {frame})},
             {"options",
-             {{"volume", kinds},
+             {{"volume", volumes},
               {"levels", levels_json},
               {"growth", ball_growth_name(options.hierarchy.growth)},
               {"margin", options.hierarchy.margin},

@@ -10,12 +10,13 @@
 namespace scb::app {
 
 /// What index.json says of a picture of a level: the counts that it shows.
-nlohmann::ordered_json level_entry(VolumeKind kind, int level, int frame,
+nlohmann::ordered_json level_entry(const std::string& volumes, int level, int frame,
                                    const std::vector<render::LevelBody>& bodies);
 
 /// What it says of a run of `scb render levels`: the options and the camera.
+/// `volumes` are the names of what is drawn.
 nlohmann::ordered_json level_head(const LevelOptions& options, const scenes::Scene& scene,
-                                  int frame, const std::vector<int>& levels,
-                                  const scenes::CameraView& camera);
+                                  const std::vector<std::string>& volumes, int frame,
+                                  const std::vector<int>& levels, const scenes::CameraView& camera);
 
 }  // namespace scb::app

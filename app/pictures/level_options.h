@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
@@ -20,6 +21,8 @@ struct LevelOptions {
     std::optional<render::ColorBy> color_by;  ///< none: auto
     std::optional<double> opacity;
     bool mesh = false, edges = false, no_sheet = false;
+    /// What was given of what a recording already knows, see given_recording_options.
+    std::vector<std::string> recording{};
 
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;

@@ -75,13 +75,19 @@ void name_pose(NamedOptions& named, const std::vector<double>& pose) {
     named.add("pose", short_hash(numbers));
 }
 
+std::string volume_file_part(const TraceHeader& header) {
+    return header.engine ? scenes::file_name_of(header.engine->name)
+                         : std::string(volume_kind_name(header.volume));
+}
+
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other) {
-    const SceneQuery& asked = query.query();
-    const scenes::Scene& scene = asked.scene;
-    if (scene.bodies.size() > 2 || asked.a > asked.b)
-        named.add("bodies", scene.bodies[asked.a].name + "-" + scene.bodies[asked.b].name);
+    const scenes::Scene& scene = query.scene();
+    const std::size_t a = query.body_index(0), b = query.body_index(1);
+    if (scene.bodies.size() > 2 || a > b)
+        named.add("bodies", scene.bodies[a].name + "-" + scene.bodies[b].name);
+    if (query.is_recording() || other.is_recording()) return;
     if (query.header().source.size() == 2) {
-        const scenes::PoseRows rows = scenes::rows_of(asked.b_to_a(0));
+        const scenes::PoseRows rows = scenes::rows_of(query.query().b_to_a(0));
         name_pose(named, {rows.begin(), rows.end()});
     }
     TraceHeader usual = query.header();

@@ -32,6 +32,8 @@ class NamedOptions {
 void name_build(NamedOptions& named, const BuildOptions& options);
 /// The pose of the second of two meshes, [R|t] row by row; empty is the identity.
 void name_pose(NamedOptions& named, const std::vector<double>& pose);
+/// What stands for the volumes of such queries in file names: "scb"; of another engine its name.
+std::string volume_file_part(const TraceHeader& header);
 /// What is asked of a query: which bodies, where the scene leaves a choice, and how. Of two queries
 /// that are compared, what they have in common.
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other);

@@ -1,36 +1,76 @@
 #include "app/pictures/query_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
 #include "app/cli/build_text.h"
 #include "app/query/scene_title.h"
 #include "core/base/text_format.h"
+#include "render/figures/volume_colors.h"
 #include "render/figures/volume_titles.h"
 #include "scb/level_cover.h"
 
 namespace scb::app {
 namespace {
 
-double root_diameter(const AnyHierarchy& hierarchy) {
-    return std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy);
-}
-
 /// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or all leaves;
 /// or, since a volume may stick out of its parent's, all of the upper levels, below which they
 /// stick out little.
-std::vector<std::uint32_t> held_nodes(const AnyHierarchy& hierarchy, Shown shown) {
-    constexpr int levels = 6;
-    const Topology& topology = topology_of(hierarchy);
-    if (shown == Shown::meshes) return level_cover(topology, levels);
-    if (shown == Shown::leaves) return level_cover(topology, leaf_level);
+std::vector<std::uint32_t> held_nodes(const VolumeTree& tree, Shown shown) {
+    constexpr std::uint32_t levels = 6;
+    const TreeShape& shape = tree.shape();
     std::vector<std::uint32_t> nodes;
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    for (std::uint32_t node = 0; node < depths.size(); ++node)
-        if (depths[node] <= levels) nodes.push_back(node);
+    if (shown == Shown::volumes) {
+        for (std::uint32_t node = 0; node < shape.size(); ++node)
+            if (shape.hangs(node) && shape.depths[node] <= levels) nodes.push_back(node);
+    } else {
+        nodes = level_cover(shape, shown == Shown::leaves ? leaf_level : static_cast<int>(levels));
+    }
+    std::erase_if(nodes, [&tree](std::uint32_t node) { return !tree.has_volume(node); });
     return nodes;
+}
+
+/// The nodes of each tree, found once.
+class HeldNodes {
+  public:
+    explicit HeldNodes(Shown shown) : shown_(shown) {}
+    const std::vector<std::uint32_t>& of(const VolumeTree& tree) {
+        const auto [nodes, added] = of_.try_emplace(&tree);
+        if (added) nodes->second = held_nodes(tree, shown_);
+        return nodes->second;
+    }
+
+  private:
+    Shown shown_;
+    std::unordered_map<const VolumeTree*, std::vector<std::uint32_t>> of_;  // lookups only
+};
+
+/// What is unusual about the settings that two queries, or one and itself, have in common.
+std::vector<std::string> settings_in_common(const TraceHeader& header, const TraceHeader& other,
+                                            const std::function<bool(const char*)>& common) {
+    std::vector<std::string> parts;
+    const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
+    if (of_scb.volume == VolumeKind::scb) {
+        const OverlapOptions& overlap = of_scb.options.overlap;
+        // Of two kinds of volumes the captions say it, since it is that of one of them.
+        if (common("test") && other.volume == header.volume)
+            parts.push_back("test " + std::string(overlap_test_name(overlap.test)));
+        if (common("threshold") && has_threshold(overlap.test) &&
+            overlap.threshold != OverlapOptions{}.threshold)
+            parts.push_back(format("threshold %g", overlap.threshold));
+    }
+    if (common("descent") && header.options.descent != CollideOptions{}.descent)
+        parts.push_back("descent by " + std::string(descent_rule_name(header.options.descent)));
+    BuildOptions build;
+    if (common("growth")) build.fit.growth = header.growth;
+    if (common("margin")) build.fit.margin = header.margin;
+    if (common("split")) build.split = header.split;
+    for (const std::string& part : build_parts(build)) parts.push_back(part);
+    return parts;
 }
 
 }  // namespace
@@ -42,32 +82,33 @@ std::string stopped_remark(const TraceFrame& frame) {
 
 QueryView::QueryView(const QueryViewOptions& options, const QuerySources& sources,
                      render::Renderer& renderer, std::optional<render::ComparisonLayout> layout)
-    : options_(options), sources_(sources), named_(options.named), layout_(layout) {
+    : options_(options),
+      sources_(sources),
+      renderer_(renderer),
+      named_(options.named),
+      layout_(layout) {
     if (compares()) labels_ = query_labels(sources[0].header(), sources[1].header());
     name_query(named_, sources.front(), sources.back());
     if (options.shown != Shown::nothing) name_view(named_, options.picture, options.camera);
     name_picture(named_, options.picture);
     if (options.shown == Shown::nothing) return;
-    const SceneQuery& query = sources.front().query();
-    for (const scenes::NamedMesh& mesh : query.scene.meshes)
-        meshes_.push_back(renderer.upload(mesh.mesh));
-    ids_ = id_ranges(query);
-    camera_view_ = camera_view_for(options.camera, query.scene);
-    std::array<std::vector<std::uint32_t>, 2> nodes;
-    for (std::size_t side = 0; side < 2; ++side)
-        nodes[side] = held_nodes(query.hierarchy(side == 0 ? query.a : query.b), options.shown);
-    support_ = support_over_frames(
-        [nodes](const render::QueryBody& body, std::size_t side, const Vec3& direction) {
-            double most = -std::numeric_limits<double>::infinity();
-            for (const std::uint32_t node : nodes[side])
-                most = std::max(most, render::reach(render::volume_of(body, node), direction));
-            return most;
-        });
+    const QuerySource& source = sources.front();
+    ids_ = id_ranges(sources);
+    camera_view_ = camera_view_for(options.camera, source.scene());
+    const auto nodes = std::make_shared<HeldNodes>(options.shown);
+    support_ = support_over_frames([nodes](const render::QueryBody& body, const Vec3& direction) {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const std::uint32_t node : nodes->of(*body.tree))
+            most = std::max(most, render::reach(render::volume_of(body, node), direction));
+        // Of trees without volumes there is the mesh.
+        return std::isfinite(most) ? most : mesh_reach(body, direction);
+    });
     render::Support held = support_;
     if (options.held_part < 1)
         held = render::support_between(
-            support_over_frames([](const render::QueryBody& body, std::size_t,
-                                   const Vec3& direction) { return mesh_reach(body, direction); }),
+            support_over_frames([](const render::QueryBody& body, const Vec3& direction) {
+                return mesh_reach(body, direction);
+            }),
             support_, options.held_part);
     center_ = render::center_of(held);
     whole_ = camera_for(camera_view_, held, aspect());
@@ -85,7 +126,7 @@ render::Support QueryView::support_over_frames(Reach reach) const {
             for (const int frame : sources_[i].frames()) {
                 const render::QueryBodies at_frame = bodies(frame, i);
                 for (std::size_t side = 0; side < 2; ++side)
-                    most = std::max(most, reach(at_frame[side], side, direction));
+                    most = std::max(most, reach(at_frame[side], direction));
             }
         known->emplace_back(direction, most);
         return most;
@@ -93,21 +134,26 @@ render::Support QueryView::support_over_frames(Reach reach) const {
 }
 
 render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const {
-    const SceneQuery& query = sources_[query_index].query();
+    const QuerySource& source = sources_[query_index];
     render::QueryBodies bodies;
     for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t index = side == 0 ? query.a : query.b;
-        const scenes::Body& body = query.scene.bodies[index];
+        scenes::BodyAtFrame at = source.body(side, frame);
         render::QueryBody& b = bodies[side];
-        b.name = body.name;
-        b.mesh = &query.mesh(index);
-        b.hierarchy = &query.hierarchy(index);
-        b.handle = meshes_[body.mesh];
-        b.pose = scenes::pose_at(body.motion, frame);
+        b.name = std::move(at.name);
+        b.mesh = at.mesh.get();
+        b.tree = at.tree.get();
+        b.handle = handle_of(*at.mesh);
+        b.pose = at.pose;
         b.first_node_id = ids_.nodes[side].first;
         b.first_triangle_id = ids_.triangles[side].first;
     }
     return bodies;
+}
+
+render::MeshHandle QueryView::handle_of(const Mesh& mesh) const {
+    const auto [handle, added] = meshes_.try_emplace(&mesh);
+    if (added) handle->second = renderer_.upload(mesh);
+    return handle->second;
 }
 
 double QueryView::aspect() const {
@@ -116,9 +162,8 @@ double QueryView::aspect() const {
 }
 
 double QueryView::least_radius() const {
-    const SceneQuery& query = sources_.front().query();
-    return std::min(root_diameter(query.hierarchy(query.a)),
-                    root_diameter(query.hierarchy(query.b))) /
+    const render::QueryBodies first = bodies(sources_.front().frames().front());
+    return std::min(render::root_diameter(*first[0].tree), render::root_diameter(*first[1].tree)) /
            50;
 }
 
@@ -161,16 +206,15 @@ Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
 }
 
 std::string QueryView::title(const std::string& what) const {
-    const SceneQuery& query = sources_.front().query();
-    const bool one_kind = sources_.back().query().kind == query.kind;
-    return scene_title(query.scene.name, query.scene.bodies[query.a].name,
-                       query.scene.bodies[query.b].name) +
-           " · " + (one_kind ? std::string(render::volume_title(query.kind)) + " · " : "") + what;
+    const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
+    const std::string volumes = render::volume_title(header);
+    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + " · " +
+           (volumes == render::volume_title(other) ? volumes + " · " : "") + what;
 }
 
 std::string QueryView::subtitle(std::optional<int> frame) const {
     const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
-    const scenes::Scene& scene = sources_.front().query().scene;
+    const scenes::Scene& scene = sources_.front().scene();
     std::string text;
     const auto add = [&text](const std::string& part) {
         text += (text.empty() ? "" : ", ") + part;
@@ -185,23 +229,13 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     };
     if (frame && scene.frames > 1)
         add("frame " + std::to_string(*frame) + " of 0 to " + std::to_string(scene.frames - 1));
-    const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
-    if (of_scb.volume == VolumeKind::scb) {
-        const OverlapOptions& overlap = of_scb.options.overlap;
-        // Of two kinds of volumes the captions say it, since it is that of one of them.
-        if (common("test") && other.volume == header.volume)
-            add("test " + std::string(overlap_test_name(overlap.test)));
-        if (common("threshold") && has_threshold(overlap.test) &&
-            overlap.threshold != OverlapOptions{}.threshold)
-            add(format("threshold %g", overlap.threshold));
+    if (header.engine || other.engine) {
+        if (header.engine && !compares())
+            for (const TraceField& setting : header.engine->settings)
+                add(setting.name + " " + setting.value);
+    } else {
+        for (const std::string& setting : settings_in_common(header, other, common)) add(setting);
     }
-    if (common("descent") && header.options.descent != CollideOptions{}.descent)
-        add("descent by " + std::string(descent_rule_name(header.options.descent)));
-    BuildOptions build;
-    if (common("growth")) build.fit.growth = header.growth;
-    if (common("margin")) build.fit.margin = header.margin;
-    if (common("split")) build.split = header.split;
-    for (const std::string& part : build_parts(build)) add(part);
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
     if (camera_view_.orthographic.value_or(false)) add("orthographic");
@@ -212,17 +246,19 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
 
 std::string QueryView::picture_name(const std::string& what, std::optional<int> frame,
                                     std::optional<std::size_t> test) const {
-    const SceneQuery& query = sources_.front().query();
-    std::string queries(volume_kind_name(query.kind));
+    const QuerySource& query = sources_.front();
+    std::string queries = volume_file_part(query.header());
     if (compares()) {
         const std::string both = labels_[0].name + "-vs-" + labels_[1].name;
-        queries = sources_.back().query().kind == query.kind ? queries + "_" + both : both;
+        queries =
+            volume_file_part(sources_.back().header()) == queries ? queries + "_" + both : both;
     }
     NamedOptions named = named_;
     const std::vector<int>& frames = sources_.front().frames();
-    if (!frame && frames != std::vector<int>{query.scene.default_frame}) name_frames(named, frames);
+    if (!frame && frames != std::vector<int>{query.scene().default_frame})
+        name_frames(named, frames);
     return app::picture_name(
-        query.scene.name, queries + "_" + what, named,
+        query.header().scene, queries + "_" + what, named,
         (frame ? frame_part(*frame) : "") + (test ? format("_test-%07zu", *test) : ""));
 }
 
@@ -235,7 +271,7 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
     };
     const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
     pictures.say(name + format(".png at %d,%d: ", at.x, at.y) +
-                 id_text(ids_, sources_[query].query(), frames, pictures.id_at(at.x, at.y)));
+                 id_text(ids_, sources_[query], frames, pictures.id_at(at.x, at.y)));
 }
 
 void QueryView::begin_sheet(PictureRun& pictures, const std::string& what,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "app/pictures/id_ranges.h"
@@ -75,17 +76,19 @@ class QueryView {
     double aspect() const;
     /// Of a view of the contact: a single small triangle does not fill it.
     double least_radius() const;
-    /// The support over all queries and frames of what reaches so far of a body, A (0) or B (1).
-    using Reach =
-        std::function<double(const render::QueryBody&, std::size_t side, const Vec3& direction)>;
+    /// The support over all queries and frames of what reaches so far of a body.
+    using Reach = std::function<double(const render::QueryBody&, const Vec3& direction)>;
     render::Support support_over_frames(Reach reach) const;
+    render::MeshHandle handle_of(const Mesh& mesh) const;
 
     const QueryViewOptions& options_;
     const QuerySources& sources_;
+    render::Renderer& renderer_;
     NamedOptions named_;
     std::optional<render::ComparisonLayout> layout_;
     std::array<QueryLabel, 2> labels_;
-    std::vector<render::MeshHandle> meshes_;
+    /// By mesh: a recorded one may change from frame to frame.
+    mutable std::unordered_map<const Mesh*, render::MeshHandle> meshes_;
     scenes::CameraView camera_view_;
     /// Of both bodies at all frames: what all pictures show.
     Vec3 center_ = Vec3::Zero();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "app/cli/build_text.h"
@@ -9,11 +10,14 @@
 #include "app/pictures/picture_run.h"
 #include "app/pictures/scene_camera.h"
 #include "app/query/level_list.h"
+#include "app/query/query_options.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/level_sheet.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
+#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {
@@ -37,11 +41,10 @@ NamedOptions named_options(const LevelOptions& options) {
     return named;
 }
 
-std::string level_name(const NamedOptions& named, const scenes::Scene& scene, VolumeKind kind,
-                       int level, int frame) {
+std::string level_name(const NamedOptions& named, const scenes::Scene& scene,
+                       const std::string& volumes, int level, int frame) {
     const std::string which = level == leaf_level ? "_level-leaves" : format("_level-%02d", level);
-    return picture_name(scene.name, std::string(volume_kind_name(kind)) + which, named,
-                        frame_part(frame));
+    return picture_name(scene.name, volumes + which, named, frame_part(frame));
 }
 
 /// Which volumes and levels a sheet shows is a part of its name, as they are of the others'.
@@ -61,46 +64,44 @@ std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene,
     std::string text = "of levels 0 to " + std::to_string(deepest_level);
     if (scene.frames > 1)
         text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
-    text += build_text(options.hierarchy.build());
+    if (!scenes::names_recording(scene.file.string()))
+        text += build_text(options.hierarchy.build());
     if (orthographic) text += ", orthographic";
     const std::string up = up_words(options.camera, scene);
     if (!up.empty()) text += ", " + up;
     return text;
 }
 
-render::LevelStyle style_of(const LevelOptions& options, const scenes::Scene& scene,
-                            int deepest_level, const std::vector<AnyHierarchy>& hierarchies) {
+render::LevelStyle style_of(const LevelOptions& options, std::size_t bodies, int deepest_level,
+                            double root_diameter) {
     render::LevelStyle style;
     style.opacity = options.resolved_opacity();
     style.mesh = options.mesh || options.edges || style.opacity < 1;
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
-    style.colors = {options.resolved_color_by(scene.bodies.size()), deepest_level,
-                    render::largest_root(hierarchies)};
+    style.colors = {options.resolved_color_by(bodies), deepest_level, root_diameter};
     return style;
 }
 
-// `meshes` is empty where none is drawn.
-std::vector<render::LevelBody> bodies_of(const scenes::Scene& scene, int frame,
-                                         const std::vector<AnyHierarchy>& hierarchies,
-                                         const std::vector<render::MeshHandle>& meshes) {
-    std::vector<render::LevelBody> bodies;
+// `handles` is empty where no mesh is drawn.
+std::vector<render::LevelBody> bodies_of(const std::vector<scenes::BodyAtFrame>& bodies,
+                                         const std::vector<render::MeshHandle>& handles) {
+    std::vector<render::LevelBody> result;
     std::uint32_t next_id = 1;
-    for (const scenes::Body& body : scene.bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
         render::LevelBody b;
-        b.name = body.name;
-        b.mesh = &scene.meshes[body.mesh].mesh;
-        if (!meshes.empty()) b.handle = meshes[body.mesh];
-        b.pose = scenes::pose_at(body.motion, frame);
-        b.hierarchy = &hierarchies[body.mesh];
+        b.name = bodies[i].name;
+        b.mesh = bodies[i].mesh.get();
+        if (!handles.empty()) b.handle = handles[i];
+        b.pose = bodies[i].pose;
+        b.tree = bodies[i].tree.get();
         b.first_id = next_id;
-        const std::size_t nodes = topology_of(*b.hierarchy).nodes.size();
-        if (nodes > 0xffffffffu - next_id)
+        if (b.tree->size() > 0xffffffffu - next_id)
             throw InputError("the scene has more nodes than 32-bit ids; use fewer bodies.");
-        next_id += static_cast<std::uint32_t>(nodes);
-        bodies.push_back(std::move(b));
+        next_id += static_cast<std::uint32_t>(b.tree->size());
+        result.push_back(std::move(b));
     }
-    return bodies;
+    return result;
 }
 
 // The deepest node of which a volume is drawn or counted.
@@ -113,34 +114,103 @@ int deepest_drawn(const std::vector<int>& levels) {
 // Its volumes are too large for a view to be shared with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
 
-int run(const LevelOptions& options, const Console& console) {
-    options.check();
-    const scenes::Scene scene = options.scene.load();
-    const int frame = options.scene.frame_of(scene);
-    const scenes::CameraView wish = camera_view_for(options.camera, scene);
+/// Trees of one kind, one per body.
+struct LevelTrees {
+    std::string title, name;  ///< for readers, and for files
+    std::vector<scenes::BodyAtFrame> bodies;
+};
+
+/// What is to be drawn: bodies at a frame with trees of one or several kinds.
+struct LevelSubject {
+    scenes::Scene scene;
+    int frame = 0;
+    int deepest = 0;
+    std::vector<int> levels;
+    std::vector<LevelTrees> trees;
+    std::vector<std::vector<AnyHierarchy>> hierarchies;  ///< that trees are of, per kind and mesh
+};
+
+LevelSubject own_subject(const LevelOptions& options, const Console& console) {
+    LevelSubject subject;
+    subject.scene = options.scene.load();
+    const scenes::Scene& scene = subject.scene;
+    subject.frame = options.scene.frame_of(scene);
     const std::vector<MeshTopology> topologies =
         scenes::build_topologies(scene, options.hierarchy.build().topology());
-    const int deepest_level = scenes::deepest(topologies);
-    const std::vector<int> levels =
-        parse_levels(options.levels, deepest_level, scenes::telling_levels(topologies));
+    subject.deepest = scenes::deepest(topologies);
+    subject.levels =
+        parse_levels(options.levels, subject.deepest, scenes::telling_levels(topologies));
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
         console.note("scb: both bodies are at the same pose; --pose moves the second.");
-
     note_doubts(options.hierarchy, kinds, console);
-    PictureRun pictures(options.picture, scene.name);
-    std::vector<std::vector<AnyHierarchy>> hierarchies;  // per kind, per mesh
-    for (const VolumeKind kind : kinds)
-        for (AnyHierarchy& fitted : hierarchies.emplace_back(scenes::fit_meshes(
-                 topologies, kind, options.hierarchy.build(), deepest_drawn(levels))))
+    subject.hierarchies.reserve(kinds.size());  // trees refer to them
+    for (const VolumeKind kind : kinds) {
+        LevelTrees of_kind{
+            std::string(render::volume_title(kind)), std::string(volume_kind_name(kind)), {}};
+        std::vector<std::shared_ptr<const VolumeTree>> of_mesh;
+        for (AnyHierarchy& fitted : subject.hierarchies.emplace_back(scenes::fit_meshes(
+                 topologies, kind, options.hierarchy.build(), deepest_drawn(subject.levels)))) {
             mutate(options.hierarchy.mutation, fitted);
-    const render::LevelStyle style = style_of(options, scene, deepest_level, hierarchies[0]);
-    std::vector<render::MeshHandle> meshes;
+            of_mesh.push_back(volume_tree(fitted));
+        }
+        // The scene owns the meshes.
+        for (const scenes::Body& body : scene.bodies)
+            of_kind.bodies.push_back(
+                {body.name,
+                 {std::shared_ptr<const Mesh>(), &scene.meshes[body.mesh].mesh},
+                 of_mesh[body.mesh],
+                 pose_at(body.motion, subject.frame)});
+        subject.trees.push_back(std::move(of_kind));
+    }
+    return subject;
+}
+
+LevelSubject recorded_subject(const LevelOptions& options) {
+    refuse_for_recording(options.recording, options.scene.names[0]);
+    scenes::RecordedBodies recorded =
+        scenes::bodies_of_recording(options.scene.names[0], options.scene.frames);
+    LevelSubject subject;
+    std::vector<const TreeShape*> shapes;
+    for (const scenes::BodyAtFrame& body : recorded.bodies) {
+        shapes.push_back(&body.tree->shape());
+        subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
+    }
+    subject.levels = parse_levels(options.levels, subject.deepest, scenes::telling_levels(shapes));
+    subject.frame = recorded.frame;
+    subject.scene = std::move(recorded.scene);
+    subject.trees.push_back({recorded.engine + ", " + recorded.volumes,
+                             scenes::file_name_of(recorded.engine), std::move(recorded.bodies)});
+    return subject;
+}
+
+int run(const LevelOptions& options, const Console& console) {
+    options.check();
+    const LevelSubject subject =
+        options.scene.names.size() == 1 && scenes::names_recording(options.scene.names[0])
+            ? recorded_subject(options)
+            : own_subject(options, console);
+    const scenes::Scene& scene = subject.scene;
+    const int frame = subject.frame;
+    const std::vector<int>& levels = subject.levels;
+    const std::vector<LevelTrees>& trees = subject.trees;
+    const scenes::CameraView wish = camera_view_for(options.camera, scene);
+    PictureRun pictures(options.picture, scene.name);
+    double root_diameter = 0;
+    for (const scenes::BodyAtFrame& body : trees[0].bodies)
+        root_diameter = std::max(root_diameter, render::root_diameter(*body.tree));
+    const render::LevelStyle style =
+        style_of(options, trees[0].bodies.size(), subject.deepest, root_diameter);
+    std::vector<render::MeshHandle> handles;
+    std::map<const Mesh*, render::MeshHandle> uploaded;  // lookups only
     if (style.mesh)
-        for (const scenes::NamedMesh& mesh : scene.meshes)
-            meshes.push_back(pictures.renderer().upload(mesh.mesh));
+        for (const scenes::BodyAtFrame& body : trees[0].bodies) {
+            const auto [handle, is_new] = uploaded.try_emplace(body.mesh.get());
+            if (is_new) handle->second = pictures.renderer().upload(*body.mesh);
+            handles.push_back(handle->second);
+        }
     std::vector<std::vector<render::LevelBody>> bodies;  // per kind
-    for (const auto& h : hierarchies) bodies.push_back(bodies_of(scene, frame, h, meshes));
+    for (const LevelTrees& each : trees) bodies.push_back(bodies_of(each.bodies, handles));
     const auto support_of = [&bodies](const std::vector<int>& shown) {
         std::vector<render::Support> of_kinds;
         for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));
@@ -157,21 +227,21 @@ int run(const LevelOptions& options, const Console& console) {
                                        wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
     figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
-    figure.subtitle = subtitle_of(options, scene, frame, deepest_level, figure.camera.orthographic);
+    figure.subtitle =
+        subtitle_of(options, scene, frame, subject.deepest, figure.camera.orthographic);
 
     const NamedOptions named = named_options(options);
-    const std::size_t total = kinds.size() * levels.size();
+    const std::size_t total = trees.size() * levels.size();
     std::size_t done = 0;
-    for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
-            figure.title = scene.name + " · " + std::string(render::volume_title(kinds[k])) +
-                           " · " + level_title(level);
+            figure.title = scene.name + " · " + trees[k].title + " · " + level_title(level);
             figure.bodies = bodies[k];
             figure.level = level;
             const render::Picture picture =
                 render::compose(figure, width, height, options.picture.samples, pictures.overlay());
-            const std::string name = level_name(named, scene, kinds[k], level, frame);
-            pictures.draw(name, picture, level_entry(kinds[k], level, frame, bodies[k]));
+            const std::string name = level_name(named, scene, trees[k].name, level, frame);
+            pictures.draw(name, picture, level_entry(trees[k].name, level, frame, bodies[k]));
             console.progress(name, ++done, total);
         }
 
@@ -183,7 +253,7 @@ int run(const LevelOptions& options, const Console& console) {
         // Of one level the volumes stand side by side.
         const bool one_row = levels.size() == 1;
         const render::LevelSheetLayout layout = render::level_sheet_layout(
-            one_row ? 1 : kinds.size(), one_row ? kinds.size() : levels.size(),
+            one_row ? 1 : trees.size(), one_row ? trees.size() : levels.size(),
             figure.detail.has_value(), render::aspect_of(held, figure.camera.axes));
         sheet.layout = layout;
         sheet.title = scene.name + " · levels";
@@ -202,23 +272,22 @@ int run(const LevelOptions& options, const Console& console) {
         for (const int level : levels)
             cameras.push_back(has_own_view(level) ? sheet_camera(support_of({level}))
                                                   : shared_camera);
-        for (std::size_t k = 0; k < kinds.size(); ++k) {
-            if (kinds.size() > 1)
-                sheet.note +=
-                    (k == 0 ? "" : "; ") + std::string(render::volume_title(kinds[k])) + ": ";
-            sheet.note += render::lengths_words(*bodies[k].front().hierarchy);
+        for (std::size_t k = 0; k < trees.size(); ++k) {
+            if (trees.size() > 1) sheet.note += (k == 0 ? "" : "; ") + trees[k].title + ": ";
+            sheet.note += render::lengths_words(bodies[k].front().tree->family());
             if (k == 0 || !one_row) sheet.rows.emplace_back();
             std::vector<render::LevelSheetCell>& row = sheet.rows.back();
             for (std::size_t i = 0; i < levels.size(); ++i)
-                row.push_back(
-                    {std::string(render::volume_title(kinds[k])) + " · " + level_title(levels[i]),
-                     bodies[k], levels[i], cameras[i]});
+                row.push_back({trees[k].title + " · " + level_title(levels[i]), bodies[k],
+                               levels[i], cameras[i]});
         }
         const render::Picture picture =
             render::compose(sheet, options.picture.samples, pictures.overlay());
         pictures.draw(sheet_name(named, options, scene, frame), picture, {{"sheet", true}}, false);
     }
-    pictures.finish(level_head(options, scene, frame, levels,
+    std::vector<std::string> names;
+    for (const LevelTrees& each : trees) names.push_back(each.name);
+    pictures.finish(level_head(options, scene, names, frame, levels,
                                exact_camera_view(wish, figure.camera, figure.center)),
                     console);
     return exit_done;
@@ -241,7 +310,8 @@ void add_render_levels(const Command& render_command, const Console& console, Ac
         "Examples:\n"
         "  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/\n"
         "  scb render levels part.stl --levels 0:12 --opacity 0.4 --camera orbit:40,15 -o out/");
-    command.callback([&action, &console, options] {
+    command.callback([&action, &console, command, options] {
+        options->recording = given_hierarchy_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -48,8 +48,10 @@ std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
 }
 
 void describe_heat(render::SceneFigure& figure, const QueryView& view, const PairsOptions& options,
-                   const TraceFrame& frame, const render::QueryBodies& bodies) {
-    const render::Heat heat = render::heat_of(bodies, frame, *options.heat, heat_end_of(options));
+                   const TraceHeader& header, const TraceFrame& frame,
+                   const render::QueryBodies& bodies) {
+    const render::Heat heat =
+        render::heat_of(bodies, header, frame, *options.heat, heat_end_of(options));
     figure.title = view.title(title_of(heat.of));
     figure.pane = render::heat_pane(bodies, heat);
     figure.panel = render::heat_panel(bodies, frame, heat);
@@ -118,7 +120,7 @@ int run(PairsOptions& options, const Console& console) {
             if (!options.heat)
                 describe_pairs(figure, view, source, frame, bodies, style);
             else
-                describe_heat(figure, view, options, frame, bodies);
+                describe_heat(figure, view, options, source.header(), frame, bodies);
             figure.subtitle = view.subtitle(frame.frame);
             const std::vector<render::AnyVolume> region =
                 render::contact_region(bodies, source.header(), frame);

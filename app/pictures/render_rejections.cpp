@@ -36,10 +36,10 @@ constexpr double default_focus = 0.5;
 /// See QueryViewOptions::held_part.
 constexpr double held_in_focus = 0.15;
 
-std::string names_of(const std::vector<Outcome>& endings) {
+std::string names_of(const TraceHeader& header, const std::vector<Outcome>& endings) {
     std::string names;
     for (const Outcome ending : endings)
-        names += (names.empty() ? "" : ", ") + std::string(outcome_name(ending));
+        names += (names.empty() ? "" : ", ") + ending_words(header, ending);
     return names;
 }
 
@@ -62,27 +62,35 @@ std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
     return {first, last};
 }
 
+int deepest_level(const QuerySource& source) {
+    const int frame = source.frames().front();
+    return std::max(depth(source.body(0, frame).tree->shape()),
+                    depth(source.body(1, frame).tree->shape()));
+}
+
 render::RejectionsStyle style_of(const RejectionsOptions& options, const QuerySources& sources) {
     const QuerySource& source = sources.front();
     render::RejectionsStyle style;
     style.by = options.by;
     std::vector<Outcome> known;
     for (const QuerySource& each : sources)
-        for (const Outcome ending : endings_of(each.header().volume, each.header().options))
+        for (const Outcome ending : endings_of(each.header()))
             if (std::find(known.begin(), known.end(), ending) == known.end())
                 known.push_back(ending);
     if (!options.stages.empty())
         for (const std::string& name : scenes::split_list(options.stages)) {
-            const std::optional<Outcome> ending = ending_of(name);
+            std::optional<Outcome> ending;
+            for (const QuerySource& each : sources)
+                if (!ending) ending = ending_of(each.header(), name);
             if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())
                 throw InputError("--stages " + options.stages + ": '" + name +
                                  "' is not an ending of these queries; give some of " +
-                                 names_of(known) + ".");
+                                 names_of(source.header(), known) + ".");
             style.filter.endings.push_back(*ending);
         }
     if (!options.depths.empty())
         std::tie(style.filter.least_depth, style.filter.most_depth) =
-            depth_range(options.depths, scenes::deepest(source.query().topologies));
+            depth_range(options.depths, deepest_level(source));
     const TraceHeader& header = source.header();
     if (!options.body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
@@ -211,17 +219,18 @@ struct Shot {
     void show_current_pair(render::SceneFigure& figure, const render::QueryBodies& bodies,
                            const TraceFrame& frame, const TraversalTree& tree,
                            std::uint64_t all) const {
+        const QuerySource& source = sources.front();
         const std::size_t last = frame.events.volume_tests.size() - 1;
-        const TracedTest test = traced_test(frame, tree, last);
+        const TracedTest test = traced_test(source.header(), frame, tree, last);
         for (std::size_t side = 0; side < 2; ++side) {
             const std::uint32_t node = side == 0 ? test.test.nodes.a : test.test.nodes.b;
-            const render::AnyVolume volume = render::volume_of(bodies[side], node);
-            const double radius = std::visit([](const auto& v) { return diameter(v) / 2; }, volume);
-            figure.markers.push_back({render::center(volume), radius});
+            if (!bodies[side].tree->has_volume(node)) continue;
+            figure.markers.push_back({render::center(render::volume_of(bodies[side], node)),
+                                      bodies[side].tree->lengths(node).diameter / 2});
         }
         const std::string result = test.test.stage == Stage::overlapping
                                        ? std::string("overlap")
-                                       : "rejected at " + std::string(stage_name(test.test.stage));
+                                       : "rejected at " + test.stage;
         render::insert_before_notes(
             figure.panel, {"squares: the two nodes of test " + render::count_text(last + 1)});
         figure.remark = "test " + render::count_text(last + 1) + " of " + render::count_text(all) +
@@ -263,8 +272,7 @@ std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t>
     if (!steps) return source.frames().size();
     const auto each = static_cast<std::uint64_t>(*steps);
     std::uint64_t count = 0;
-    for (const int frame : source.frames())
-        count += (source.query().collide(frame).n_v + each - 1) / each;
+    for (const int frame : source.frames()) count += (source.test_count(frame) + each - 1) / each;
     return count;
 }
 

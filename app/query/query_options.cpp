@@ -130,19 +130,33 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
         .type_name("K");
 }
 
-std::vector<std::string> given_recording_options(const Command& command) {
+std::vector<std::string> given_hierarchy_options(const Command& command) {
     std::vector<std::string> given;
-    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
-                               "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"})
+    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split"})
+        if (command.count(option) > 0) given.emplace_back(option);
+    return given;
+}
+
+std::vector<std::string> given_recording_options(const Command& command) {
+    std::vector<std::string> given = given_hierarchy_options(command);
+    for (const char* option :
+         {"--test", "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"})
         if (command.count(option) > 0) given.emplace_back(option);
     return given;
 }
 
 void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace) {
     if (given.empty()) return;
-    throw InputError(given[0] + ": " + trace +
-                     " is recorded, and has what it was recorded with; give a scene, or leave out " +
-                     given[0] + ".");
+    throw InputError(
+        given[0] + ": " + trace +
+        " is recorded, and has what it was recorded with; give a scene, or leave out " + given[0] +
+        ".");
+}
+
+void refuse_for_recording(std::vector<std::string> given, const std::string& recording,
+                          const std::string& choosing) {
+    std::erase(given, choosing);
+    refuse_for_trace(given, recording);
 }
 
 }  // namespace scb::app

@@ -50,7 +50,12 @@ void add_query_limits(const Command& command, QueryLimits& limits);
 
 /// The options that were given and say what a query is to be: a trace already knows.
 std::vector<std::string> given_recording_options(const Command& command);
+/// Those of them that say how hierarchies are built and where the second mesh is.
+std::vector<std::string> given_hierarchy_options(const Command& command);
 /// Throws InputError where there are any.
 void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace);
+/// The same of another engine's recording, but for options that choose what of it is wanted.
+void refuse_for_recording(std::vector<std::string> given, const std::string& recording,
+                          const std::string& choosing = "--bodies");
 
 }  // namespace scb::app

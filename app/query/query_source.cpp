@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
@@ -81,8 +82,29 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
         open_trace(scene, query.frames);
         return;
     }
+    if (scene.names.size() == 1 && scenes::names_recording(scene.names[0])) {
+        recorded_ =
+            std::make_unique<scenes::RecordedTrace>(scene.names[0], query.bodies, query.frames);
+        return;
+    }
     query_ = open_query(scene, hierarchy, query, limits);
     header_ = trace_header(scene, query_);
+}
+
+std::size_t QuerySource::body_index(std::size_t side) const {
+    return recorded_ ? recorded_->sides()[side] : side == 0 ? query_.a : query_.b;
+}
+
+scenes::BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
+    if (recorded_) return recorded_->body(side, frame);
+    const std::size_t index = body_index(side);
+    const scenes::Body& body = query_.scene.bodies[index];
+    if (!trees_[side]) trees_[side] = volume_tree(query_.hierarchy(index));
+    // The scene owns the mesh.
+    return {body.name,
+            {std::shared_ptr<const Mesh>(), &query_.mesh(index)},
+            trees_[side],
+            scenes::pose_at(body.motion, frame)};
 }
 
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
@@ -132,7 +154,12 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     query_.frames = std::move(wanted);
 }
 
+std::uint64_t QuerySource::test_count(int frame) const {
+    return recorded_ ? recorded_->test_count(frame) : query_.collide(frame).n_v;
+}
+
 const TraceFrame& QuerySource::frame(int number) {
+    if (recorded_) return recorded_->frame(number);
     if (!trace_) {
         recorder_.events = std::move(made_.events);
         recorder_.events.volume_tests.clear();

@@ -1,25 +1,39 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "app/query/scene_query.h"
+#include "scenes/recordings/recorded_trace.h"
 #include "scenes/traces/trace_input.h"
 
 namespace scb::app {
 
-/// Queries with all their tests, frame by frame: made now, or read from a trace. Whoever draws them
-/// cannot tell which.
+/// Queries with all their tests, frame by frame: made now, read from a trace, or from another
+/// engine's recording. Whoever draws them cannot tell which.
 class QuerySource {
   public:
     /// Of a scene; or, where the one name is that of a trace, of the scene that it names, which
-    /// must still have the same meshes. Throws InputError.
+    /// must still have the same meshes; or of a recording. Throws InputError.
     QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                 const QueryOptions& query, const QueryLimits& limits);
 
+    /// What this project builds and asks itself: not of a recording.
     const SceneQuery& query() const { return query_; }
-    const TraceHeader& header() const { return header_; }
+    bool is_recording() const { return recorded_ != nullptr; }
+    const TraceHeader& header() const { return recorded_ ? recorded_->header() : header_; }
+    const scenes::Scene& scene() const { return recorded_ ? recorded_->scene() : query_.scene; }
+    /// The body A (0) or B (1), as an index of Scene::bodies.
+    std::size_t body_index(std::size_t side) const;
+    /// What there is of it at one of the frames.
+    scenes::BodyAtFrame body(std::size_t side, int frame) const;
     /// The frames that were asked for, ascending.
-    const std::vector<int>& frames() const { return query_.frames; }
+    const std::vector<int>& frames() const {
+        return recorded_ ? recorded_->frames() : query_.frames;
+    }
+
+    /// How many tests of volumes the query of a frame has; made, or read, for this alone.
+    std::uint64_t test_count(int frame) const;
 
     /// The query of one of these frames; valid until the next call. They must be asked for
     /// ascending. Throws InputError where a trace says that the bodies were elsewhere.
@@ -34,6 +48,9 @@ class QuerySource {
     std::string trace_path_;
     TraceFrame made_;
     EventRecorder recorder_;
+    /// Of the two bodies, where they were asked for.
+    mutable std::array<std::shared_ptr<const VolumeTree>, 2> trees_;
+    std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null but of a recording
 };
 
 }  // namespace scb::app

@@ -4,6 +4,7 @@
 
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -52,13 +53,13 @@ std::string text_of(const TraceHeader& header) {
 void check_comparable(const QuerySources& sources) {
     const TraceHeader &a = sources[0].header(), &b = sources[1].header();
     // Bodies of two mesh files are called after these, which may have been renamed.
-    const bool are_named = a.source.size() != 2 || b.source.size() != 2;
+    const bool are_named = (a.source.size() != 2 || b.source.size() != 2) && !a.engine && !b.engine;
     for (std::size_t side = 0; side < 2; ++side)
         if ((are_named && (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name)) ||
             a.bodies[side].mesh != b.bodies[side].mesh)
             throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
                              "; " + text_of(b) + "); give two of one scene.");
-    if (a.options.stop_level != b.options.stop_level)
+    if (pairs_are_nodes(a) != pairs_are_nodes(b) || a.options.stop_level != b.options.stop_level)
         throw InputError(
             "the traces stop at other levels, so that one has pairs of other things; record them "
             "with the same --level.");
@@ -80,8 +81,8 @@ std::string file_name_part(const std::string& text) {
 
 /// With the overlap test, where there is a choice.
 std::string volume_caption(const TraceHeader& header) {
-    const std::string title(render::volume_title(header.volume));
-    return header.volume == VolumeKind::scb
+    const std::string title = render::volume_title(header);
+    return !header.engine && header.volume == VolumeKind::scb
                ? title + ", test " + std::string(overlap_test_name(header.options.overlap.test))
                : title;
 }
@@ -91,8 +92,12 @@ std::string volume_caption(const TraceHeader& header) {
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                           const QueryOptions& query, const QueryLimits& limits,
                           const CompareOptions& compare, const Console& console) {
-    const auto traces = static_cast<std::size_t>(
-        std::count_if(scene.names.begin(), scene.names.end(), scenes::names_trace));
+    const auto count = [&scene](bool (*names)(const std::string&)) {
+        return static_cast<std::size_t>(
+            std::count_if(scene.names.begin(), scene.names.end(), names));
+    };
+    const std::size_t recordings = count(scenes::names_recording),
+                      traces = count(scenes::names_trace) + recordings;
     if (traces > 0 && !compare.names.empty())
         throw InputError("--compare " + compare.names +
                          ": a trace is of one query; give two traces, or a scene.");
@@ -105,12 +110,14 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         }
         check_comparable(sources);
         for (const QuerySource& source : sources) {
+            if (source.is_recording()) continue;
             QueryOptions recorded = query;
             recorded.test = overlap_test_name(source.header().options.overlap.test);
             note_doubts(recorded, {source.query().kind}, console);
         }
     } else if (compare.names.empty()) {
         sources.emplace_back(scene, hierarchy, query, limits);
+        if (sources[0].is_recording()) return sources;
         note_doubts(hierarchy, {sources[0].query().kind}, console);
         note_doubts(scene, query, {sources[0].query().kind}, console);
     } else {
@@ -129,6 +136,13 @@ std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& 
         label.caption += (label.caption.empty() ? "" : ", ") + caption;
         label.name += (label.name.empty() ? "" : "-") + file_name_part(name);
     };
+    if (a.engine || b.engine) {
+        const std::string of_a = render::volume_title(a), of_b = render::volume_title(b);
+        const bool tell = of_a != of_b;
+        add(labels[0], tell ? of_a : "first, " + of_a, tell ? of_a : "first");
+        add(labels[1], tell ? of_b : "second, " + of_b, tell ? of_b : "second");
+        return labels;
+    }
     const std::vector<TraceField> of_a = fields_of(a), of_b = fields_of(b);
     for (const TraceField& x : of_a)
         for (const TraceField& y : of_b) {

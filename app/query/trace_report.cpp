@@ -46,11 +46,19 @@ Json trace_header_json(const TraceHeader& header) {
     Json result = {{"version", header.scb_version},
                    {"source", header.source},
                    {"scene", header.scene},
-                   {"bodies", bodies},
-                   {"volume", volume_kind_name(header.volume)},
-                   {"growth", ball_growth_name(header.growth)},
-                   {"margin", header.margin},
-                   {"split", split_method_name(header.split)}};
+                   {"bodies", bodies}};
+    if (header.engine) {
+        result["engine"] = header.engine->name;
+        result["volume"] = header.engine->volumes;
+        result["settings"] = Json::object();
+        for (const TraceField& setting : header.engine->settings)
+            result["settings"][setting.name] = setting.value;
+        return result;
+    }
+    result["volume"] = volume_kind_name(header.volume);
+    result["growth"] = ball_growth_name(header.growth);
+    result["margin"] = header.margin;
+    result["split"] = split_method_name(header.split);
     if (header.volume == VolumeKind::scb) {
         result["test"] = overlap_test_name(header.options.overlap.test);
         if (has_threshold(header.options.overlap.test))
@@ -67,7 +75,7 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
         return {{"nodes", {t.nodes.a, t.nodes.b}}, {"depths", {t.depth_a, t.depth_b}}};
     };
     Json result = nodes(test.test);
-    result["stage"] = stage_name(test.test.stage);
+    result["stage"] = test.stage;
     result["outcome"] = words_of(test, bodies);
     if (test.triangles) {
         result["triangles"] = {test.triangles->triangles.a, test.triangles->triangles.b};
@@ -86,7 +94,7 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
                     bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
     std::string text = "   test  parent   node A   node B  depths  outcome\n";
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        const TracedTest test = traced_test(frame, tree, i);
+        const TracedTest test = traced_test(header, frame, tree, i);
         const std::string parent =
             tree.parents[i] == TraversalTree::no_parent ? "-" : std::to_string(tree.parents[i]);
         text += format("%7zu %7s %8u %8u %3d %3d  ", i, parent.c_str(), test.test.nodes.a,
@@ -106,7 +114,7 @@ void print_events_json(const TraceHeader& header, const TraceFrame& frame,
         Json row = {{"test", i}};
         const std::uint32_t parent = tree.parents[i];
         row["parent_test"] = parent == TraversalTree::no_parent ? Json() : Json(parent);
-        row.update(traced_test_json(traced_test(frame, tree, i), bodies));
+        row.update(traced_test_json(traced_test(header, frame, tree, i), bodies));
         text += (i == 0 ? "\n" : ",\n") + indent +
                 row.dump(-1, ' ', false, Json::error_handler_t::replace);
         print_block(text);

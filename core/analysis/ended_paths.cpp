@@ -20,7 +20,7 @@ EndedPaths summary(std::span<const End> ends) {
     result.tests = static_cast<std::uint32_t>(ends.size());
     result.first = ends.front().ending;
     result.last = ends.back().ending;
-    std::array<std::uint32_t, ending_count> counts{};
+    std::array<std::uint32_t, outcome_end> counts{};
     for (const End& end : ends) {
         ++counts[static_cast<std::size_t>(end.ending)];
         result.rejected += is_rejection(end.ending);
@@ -66,16 +66,13 @@ std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree
     return front;
 }
 
-std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const Topology& topology) {
-    std::vector<char> in_front(topology.nodes.size()), below(topology.nodes.size());
-    for (const EndedPaths& node : front) in_front[node.node] = 1;
-    // Children come after their parents.
-    for (std::size_t i = topology.nodes.size(); i-- > 0;) {
-        const TopologyNode& node = topology.nodes[i];
-        if (node.is_leaf()) continue;
-        for (const std::size_t child : {std::size_t{node.left}, std::size_t{node.left} + 1})
-            if (in_front[child] || below[child]) below[i] = 1;
-    }
+std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const TreeShape& shape) {
+    std::vector<char> holds(shape.size());  // a node of the front, in itself or below it
+    for (const EndedPaths& node : front) holds[node.node] = 1;
+    std::vector<char> below(shape.size());
+    for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i)
+        if (const std::uint32_t parent = shape.parents[*i]; parent != no_index && holds[*i])
+            holds[parent] = below[parent] = 1;
     std::vector<EndedPaths> result;
     for (const EndedPaths& node : front)
         if (!below[node.node]) result.push_back(node);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/analysis/ending.h"
+#include "core/hierarchy/tree_shape.h"
 
 namespace scb {
 
@@ -34,6 +35,6 @@ std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree
 
 /// Of these nodes, those without another one below them: their volumes do not hold each other, so
 /// that each can be seen.
-std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& nodes, const Topology& topology);
+std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& nodes, const TreeShape& shape);
 
 }  // namespace scb

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/trace.h"
@@ -9,7 +12,7 @@
 namespace scb {
 
 /// Tests per ending, indexed by Outcome.
-using EndingCounts = std::array<std::uint64_t, ending_count>;
+using EndingCounts = std::array<std::uint64_t, outcome_end>;
 
 /// How the tests of a frame ended, by the depth of the pair: the depths of both nodes added.
 std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TraversalTree& tree);
@@ -17,9 +20,20 @@ std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Traver
 /// The same for all depths together.
 EndingCounts ending_counts(const TraceFrame& frame, const TraversalTree& tree);
 
-/// The endings that queries of these volumes and options can have, in order: the stages of the
+/// The endings that such queries can have, in order: the stages of the
 /// test, then the others. `triangles_apart` and `triangles_meet` where
 /// triangles were tested, else `found`; `left_over` last.
 std::vector<Outcome> endings_of(VolumeKind kind, const CollideOptions& options);
+std::vector<Outcome> endings_of(const TraceHeader& header);
+
+/// The tests of a frame by how they ended, whoever made them: "overlapping" first, then the stages
+/// in their order, those without a test too.
+std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,
+                                                                  const TraceFrame& frame);
+
+/// As outcome_name, and of foreign stages the name that the engine gives them.
+std::string ending_words(const TraceHeader& header, Outcome ending);
+/// The one of that name, among endings_of.
+std::optional<Outcome> ending_of(const TraceHeader& header, std::string_view name);
 
 }  // namespace scb

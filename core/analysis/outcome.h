@@ -19,19 +19,23 @@ enum class Outcome : std::uint8_t {
     divided_a,  ///< they overlap; the children of A's node were tested next
     divided_b,  ///< they overlap; the children of B's node were tested next
 };
-/// How many outcomes end a path, and indices below which they are.
+/// How many outcomes end a path, and indices below which they are: but for foreign stages.
 inline constexpr std::size_t ending_count = stage_count + 4;
+/// Above all outcomes.
+inline constexpr std::size_t outcome_end = 192;
 
 constexpr Outcome rejected_at(Stage stage) { return static_cast<Outcome>(stage); }
 constexpr bool is_rejection(Outcome outcome) {
-    return outcome != Outcome{} && static_cast<std::size_t>(outcome) < stage_count;
+    return (outcome != Outcome{} && static_cast<std::size_t>(outcome) < stage_count) ||
+           is_foreign(static_cast<Stage>(outcome));
 }
 constexpr bool is_ending(Outcome outcome) {
-    return static_cast<std::size_t>(outcome) < ending_count;
+    return static_cast<std::size_t>(outcome) < ending_count ||
+           is_foreign(static_cast<Stage>(outcome));
 }
 
 /// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
-/// "divided a", "divided b".
+/// "divided a", "divided b". Foreign stages have no name, see stage_words.
 std::string_view outcome_name(Outcome outcome);
 /// The outcome of that name, where it ends a path.
 std::optional<Outcome> ending_of(std::string_view name);

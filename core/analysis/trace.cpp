@@ -59,10 +59,23 @@ BuildOptions build_options(const TraceHeader& header) {
     return options;
 }
 
+bool pairs_are_nodes(const TraceHeader& header) {
+    return header.engine ? header.engine->objects : header.options.stop_level >= 0;
+}
+
+std::string stage_words(const TraceHeader& header, Stage stage) {
+    if (header.engine)
+        for (const NamedStage& named : header.engine->stages)
+            if (named.stage == stage) return named.name;
+    if (is_foreign(stage)) return "stage " + std::to_string(foreign_number(stage));
+    return std::string(stage_name(stage));
+}
+
 TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame) {
-    const bool stops = header.options.stop_level >= 0;
-    return traversal_tree(frame.events,
-                          stops ? std::span(frame.found.pairs) : std::span<const IndexPair>());
+    const auto nodes =
+        pairs_are_nodes(header) ? std::span(frame.found.pairs) : std::span<const IndexPair>();
+    return header.engine ? traversal_tree(frame.events, nodes, frame.parents)
+                         : traversal_tree(frame.events, nodes);
 }
 
 std::vector<TraceField> fields_of(const TraceHeader& header) {
@@ -71,9 +84,17 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                                       {"body A", header.bodies[0].name},
                                       {"body B", header.bodies[1].name},
                                       {"mesh of A", text_of(header.bodies[0].mesh)},
-                                      {"mesh of B", text_of(header.bodies[1].mesh)},
-                                      {"split", std::string(split_method_name(header.split))},
-                                      {"volume", std::string(volume_kind_name(header.volume))}};
+                                      {"mesh of B", text_of(header.bodies[1].mesh)}};
+    if (header.engine) {
+        fields.push_back({"engine", header.engine->name});
+        fields.push_back({"volume", header.engine->volumes});
+        fields.push_back({"tree of A", hexadecimal(header.engine->trees[0])});
+        fields.push_back({"tree of B", hexadecimal(header.engine->trees[1])});
+        fields.insert(fields.end(), header.engine->settings.begin(), header.engine->settings.end());
+        return fields;
+    }
+    fields.push_back({"split", std::string(split_method_name(header.split))});
+    fields.push_back({"volume", std::string(volume_kind_name(header.volume))});
     // Only what has an effect on these volumes.
     if (has_growth(header.volume))
         fields.push_back({"growth", std::string(ball_growth_name(header.growth))});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,30 @@ struct TraceBody {
 /// The names of A and B.
 using BodyNames = std::array<std::string, 2>;
 
+/// One line of what was asked, as text.
+struct TraceField {
+    std::string name, value;
+
+    friend bool operator==(const TraceField&, const TraceField&) = default;
+};
+
+/// A stage, as whoever made the test calls it.
+struct NamedStage {
+    Stage stage{};
+    std::string name;
+};
+
+/// Another engine, of whose queries there is a trace.
+struct TraceEngine {
+    std::string name;                  ///< as it calls itself, or the recording's
+    std::string volumes;               ///< "OBB", "AABB", see volumes_title
+    std::vector<NamedStage> stages;    ///< at which its tests can reject
+    bool objects = false;              ///< its pairs are of objects that nothing is known of
+    std::vector<TraceField> settings;  ///< as it told them
+    /// Of A and B, by which trees that are alike can be told, see tree_hash.
+    std::array<std::uint64_t, 2> trees{};
+};
+
 /// What the queries of a trace were asked.
 struct TraceHeader {
     std::string scb_version;  ///< of the program that recorded it
@@ -41,9 +66,16 @@ struct TraceHeader {
     double margin = 0;
     SplitMethod split = SplitMethod::section_3;
     CollideOptions options;
+    /// Set where another engine made the queries: what stands between the bodies and this then says
+    /// nothing.
+    std::optional<TraceEngine> engine{};
 };
 
 BodyNames body_names(const TraceHeader& header);
+/// Whether the pairs that were found are such of nodes: those of a level, or of objects.
+bool pairs_are_nodes(const TraceHeader& header);
+/// The stage as stage_name has it, or as the engine calls it.
+std::string stage_words(const TraceHeader& header, Stage stage);
 /// How the hierarchies were built.
 BuildOptions build_options(const TraceHeader& header);
 
@@ -53,6 +85,9 @@ struct TraceFrame {
     Pose b_to_a;
     Collision found;
     Events events;
+    /// Per volume test the one that led to it, or TraversalTree::no_parent; empty where the tests
+    /// are those of one call of collide, of which their order tells it.
+    std::vector<std::uint32_t> parents{};
 };
 
 /// Queries of one scene, frame by frame, with all that they did.
@@ -64,16 +99,9 @@ struct Trace {
 /// The tree of a frame's tests.
 TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame);
 
-/// One line of what was asked, as text.
-struct TraceField {
-    std::string name, value;
-
-    friend bool operator==(const TraceField&, const TraceField&) = default;
-};
-
 /// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, test and
-/// threshold where they mean anything to the volume; descent, pairs at most, level. Neither version
-/// nor source.
+/// threshold where they mean anything to the volume; descent, pairs at most, level. Of another
+/// engine scene, bodies, meshes, engine, volume and its settings. Neither version nor source.
 std::vector<TraceField> fields_of(const TraceHeader& header);
 
 }  // namespace scb

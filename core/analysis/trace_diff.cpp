@@ -1,7 +1,6 @@
 #include "core/analysis/trace_diff.h"
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 #include <set>
 
@@ -49,39 +48,47 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const TraversalTree
     return same ? std::nullopt : std::optional(test);
 }
 
-std::optional<TracedTest> traced(const TraceFrame& frame, const TraversalTree& tree,
-                                 std::size_t index) {
+std::optional<TracedTest> traced(const TraceHeader& header, const TraceFrame& frame,
+                                 const TraversalTree& tree, std::size_t index) {
     if (index >= frame.events.volume_tests.size()) return std::nullopt;
-    return traced_test(frame, tree, index);
+    return traced_test(header, frame, tree, index);
 }
 
 bool same_pose(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
 
-/// The volume test from which the pair came.
-std::size_t test_of(const TraceFrame& frame, const TraversalTree& tree, bool of_nodes,
-                    IndexPair pair) {
+/// The volume test from which the pair came: other engines need not tell of one.
+std::optional<std::size_t> test_of(const TraceFrame& frame, const TraversalTree& tree,
+                                   bool of_nodes, IndexPair pair) {
     if (of_nodes)
         for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
             if (tree.outcomes[i] == Outcome::found && frame.events.volume_tests[i].nodes == pair)
                 return i;
     for (const TriangleTest& t : frame.events.triangle_tests)
         if (t.intersect && t.triangles == pair) return t.after;
-    assert(false && "a pair was found by a test");
-    return 0;
+    return std::nullopt;
 }
 
+/// A query at one frame.
+struct AtFrame {
+    const TraceHeader& header;
+    const TraceFrame& frame;
+    const TraversalTree& tree;
+};
+
 /// Looks for the test of `other` that left out the pair which `finder` found.
-LostPair lost_pair(const TraceFrame& finder, const TraversalTree& finder_tree,
-                   const TraceFrame& other, const TraversalTree& other_tree, const TraceDiff& d,
+LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff& d,
                    IndexPair pair) {
+    const auto& [finder_header, finder, finder_tree] = found;
+    const auto& [other_header, other, other_tree] = lost_by;
     LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
+    const std::optional<std::size_t> from = test_of(finder, finder_tree, d.of_nodes, pair);
+    if (!from) return lost;
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
     std::set<std::uint32_t> ancestors_a, ancestors_b;
-    for (std::size_t i = test_of(finder, finder_tree, d.of_nodes, pair);;
-         i = finder_tree.parents[i]) {
+    for (std::size_t i = *from;; i = finder_tree.parents[i]) {
         ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
         ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
         if (finder_tree.parents[i] == TraversalTree::no_parent) break;
@@ -92,7 +99,7 @@ LostPair lost_pair(const TraceFrame& finder, const TraversalTree& finder_tree,
         if (outcome == Outcome::divided_a || outcome == Outcome::divided_b ||
             !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
             continue;
-        lost.lost_at = traced_test(other, other_tree, i);
+        lost.lost_at = traced_test(other_header, other, other_tree, i);
         lost.test = i;
         break;
     }
@@ -100,10 +107,9 @@ LostPair lost_pair(const TraceFrame& finder, const TraversalTree& finder_tree,
 }
 
 /// The pairs that only one of the two found.
-void compare_pairs(const TraceFrame& frame_a, const TraversalTree& tree_a,
-                   const TraceFrame& frame_b, const TraversalTree& tree_b, TraceDiff& result) {
-    const auto& pairs_a = frame_a.found.pairs;
-    const auto& pairs_b = frame_b.found.pairs;
+void compare_pairs(const AtFrame& a, const AtFrame& b, TraceDiff& result) {
+    const auto& pairs_a = a.frame.found.pairs;
+    const auto& pairs_b = b.frame.found.pairs;
     std::vector<IndexPair> only_a, only_b;
     std::set_difference(pairs_a.begin(), pairs_a.end(), pairs_b.begin(), pairs_b.end(),
                         std::back_inserter(only_a));
@@ -114,12 +120,12 @@ void compare_pairs(const TraceFrame& frame_a, const TraversalTree& tree_a,
     if (only_a.empty() && only_b.empty()) return;
     for (const IndexPair& pair : only_a) {
         if (result.lost.size() == TraceDiff::most_lost) return;
-        result.lost.push_back(lost_pair(frame_a, tree_a, frame_b, tree_b, result, pair));
+        result.lost.push_back(lost_pair(a, b, result, pair));
         result.lost.back().found_by_a = true;
     }
     for (const IndexPair& pair : only_b) {
         if (result.lost.size() == TraceDiff::most_lost) return;
-        result.lost.push_back(lost_pair(frame_b, tree_b, frame_a, tree_a, result, pair));
+        result.lost.push_back(lost_pair(b, a, result, pair));
     }
 }
 
@@ -139,11 +145,13 @@ void TraceCounts::add(const Collision& found) {
     for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
 }
 
-TracedTest traced_test(const TraceFrame& frame, const TraversalTree& tree, std::size_t index) {
+TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
+                       const TraversalTree& tree, std::size_t index) {
     const Events& events = frame.events;
     TracedTest result;
     result.test = events.volume_tests[index];
     result.outcome = tree.outcomes[index];
+    result.stage = stage_words(header, result.test.stage);
     const auto triangles =
         std::lower_bound(events.triangle_tests.begin(), events.triangle_tests.end(), index,
                          [](const TriangleTest& t, std::size_t i) { return t.after < i; });
@@ -164,12 +172,14 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         a.bodies[0].mesh == b.bodies[0].mesh && a.bodies[1].mesh == b.bodies[1].mesh;
     result.meshes_differ = !result.nodes_comparable;
     // Other trees: the number of a node is another node's there.
-    result.nodes_comparable &= a.split == b.split;
+    result.nodes_comparable &= a.engine && b.engine ? a.engine->trees == b.engine->trees
+                                                    : !a.engine && !b.engine && a.split == b.split;
     result.bodies = body_names(a);
-    result.of_nodes = a.options.stop_level >= 0;
-    result.pairs_comparable = !result.meshes_differ &&
-                              a.options.stop_level == b.options.stop_level &&
-                              (result.nodes_comparable || !result.of_nodes);
+    result.of_nodes = pairs_are_nodes(a);
+    result.pairs_comparable =
+        !result.meshes_differ && pairs_are_nodes(b) == result.of_nodes &&
+        (a.engine || b.engine || a.options.stop_level == b.options.stop_level) &&
+        (result.nodes_comparable || !result.of_nodes);
     const TraceFrame* frame_a = frames_a();
     const TraceFrame* frame_b = frames_b();
     while (frame_a || frame_b) {
@@ -199,10 +209,11 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         if (result.nodes_comparable) {
             test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
             if (test && !result.first)
-                result.first = Parting{frame_a->frame, *test, traced(*frame_a, tree_a, *test),
-                                       traced(*frame_b, tree_b, *test)};
+                result.first = Parting{frame_a->frame, *test, traced(a, *frame_a, tree_a, *test),
+                                       traced(b, *frame_b, tree_b, *test)};
         }
-        if (result.pairs_comparable) compare_pairs(*frame_a, tree_a, *frame_b, tree_b, result);
+        if (result.pairs_comparable)
+            compare_pairs({a, *frame_a, tree_a}, {b, *frame_b, tree_b}, result);
         if (test || difference.poses_differ || difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();

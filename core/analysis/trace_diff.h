@@ -32,7 +32,8 @@ struct FrameDifference {
 struct TracedTest {
     VolumeTest test;
     Outcome outcome{};
-    std::optional<TriangleTest> triangles;  ///< of two leaves that overlap
+    std::string stage;                      ///< where it ended, see stage_words
+    std::optional<TriangleTest> triangles;  ///< of two leaves that overlap; of several the first
     std::optional<VolumeTest> parent;       ///< of the pair whose division led here; the roots
                                             ///< have none
     Outcome parent_outcome{};
@@ -92,13 +93,15 @@ using TraceFrames = std::function<const TraceFrame*()>;
 /// Compares what was asked, and then the frames that are in both, also where something else was
 /// asked: two overlap tests on one scene part somewhere, and where is the question. Frames differ
 /// where poses, counts or tests do. Indices of nodes depend on the mesh alone, so tests are
-/// compared for different volumes too, but not for different splits, where pairs and counts are
+/// compared for different volumes too, but not for different splits, nor for trees of other engines
+/// that are not alike, where pairs and counts are
 /// compared, nor for different meshes, where counts are. The versions of scb are not compared.
 TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
                const TraceFrames& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);
 
 /// The volume test `index` of a frame. `tree` is traversal_tree's.
-TracedTest traced_test(const TraceFrame& frame, const TraversalTree& tree, std::size_t index);
+TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
+                       const TraversalTree& tree, std::size_t index);
 
 }  // namespace scb

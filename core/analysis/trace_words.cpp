@@ -22,7 +22,7 @@ std::string words_of(const VolumeTest& test) {
 std::string words_of(const TracedTest& test, const BodyNames& bodies) {
     const std::string triangles =
         test.triangles ? pair_text(test.triangles->triangles.a, test.triangles->triangles.b) : "";
-    if (is_rejection(test.outcome)) return "rejected at " + std::string(outcome_name(test.outcome));
+    if (is_rejection(test.outcome)) return "rejected at " + test.stage;
     switch (test.outcome) {
         case Outcome::divided_a:
             return "overlap, passed on to the children of " + bodies[0] + "'s node";

@@ -46,6 +46,36 @@ TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> fo
     return tree;
 }
 
+TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> found_nodes,
+                             std::span<const std::uint32_t> parents) {
+    const std::vector<VolumeTest>& tests = events.volume_tests;
+    assert(parents.size() == tests.size() && "each test has a place");
+    TraversalTree tree;
+    tree.parents.assign(parents.begin(), parents.end());
+    for (const VolumeTest& test : tests)
+        tree.outcomes.push_back(
+            test.stage != Stage::overlapping ? rejected_at(test.stage)
+            : std::binary_search(found_nodes.begin(), found_nodes.end(), test.nodes)
+                ? Outcome::found
+                : Outcome::left_over);
+    for (std::uint32_t i = 0; i < tests.size(); ++i) {
+        if (parents[i] == TraversalTree::no_parent) continue;
+        Outcome& parent = tree.outcomes[parents[i]];
+        if (parent == Outcome::left_over)
+            parent = tests[i].nodes.a != tests[parents[i]].nodes.a ? Outcome::divided_a
+                                                                   : Outcome::divided_b;
+    }
+    for (const TriangleTest& test : events.triangle_tests) {
+        Outcome& leaves = tree.outcomes[test.after];
+        if (is_rejection(leaves)) continue;  // the engine contradicts itself
+        if (test.intersect)
+            leaves = Outcome::triangles_meet;
+        else if (leaves != Outcome::triangles_meet)
+            leaves = Outcome::triangles_apart;
+    }
+    return tree;
+}
+
 std::vector<std::uint32_t> subtree_sizes(const TraversalTree& tree) {
     std::vector<std::uint32_t> sizes(tree.parents.size(), 1);
     // Parents come before their children.

@@ -23,6 +23,12 @@ struct TraversalTree {
 /// empty. `events` must be those of one call of collide. O(n).
 TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> found_nodes);
 
+/// The same of queries of whatever engine. `parents`: per volume test the one that led to it, an
+/// earlier one, or no_parent. A pair of leaves may have had several tests of triangles, which
+/// follow each other in `events`, ascending by `after`.
+TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> found_nodes,
+                             std::span<const std::uint32_t> parents);
+
 /// For each volume test, how many volume tests there are in the part of the tree that begins with
 /// it, itself among them: what the pair cost. That of the roots is N_v; that of a pair which was
 /// divided is one more than those of its children together. O(n).

@@ -2,14 +2,9 @@
 
 #include <cassert>
 
-#include "core/analysis/traversal_tree.h"
-
 namespace scb {
 
-std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> found) {
-    // A query that was to stop at a level has pairs of nodes, and has tested no triangles.
-    const bool nodes = events.triangle_tests.empty();
-    const TraversalTree tree = traversal_tree(events, nodes ? found : std::span<const IndexPair>());
+std::vector<bool> wasted_tests(const TraversalTree& tree) {
     const auto is_true = [](Outcome outcome) {
         return outcome == Outcome::triangles_meet || outcome == Outcome::found;
     };
@@ -24,12 +19,12 @@ std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> 
     return wasted;
 }
 
-std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
+std::vector<std::uint32_t> triangle_heat(const Events& events, const TreeShape& shape,
                                          std::size_t side, HeatOf of,
                                          const std::vector<bool>& wasted) {
     assert((of != HeatOf::wasted || wasted.size() == events.volume_tests.size()) &&
            "which tests are wasted is known");
-    std::vector<std::uint32_t> heat(topology.order.size());
+    std::vector<std::uint32_t> heat(shape.holder.size());
     const auto index_on_side = [side](const IndexPair& pair) {
         return side == 0 ? pair.a : pair.b;
     };
@@ -38,19 +33,14 @@ std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& t
             ++heat[index_on_side(test.triangles)];
         return heat;
     }
-    std::vector<std::uint32_t> tests(topology.nodes.size());
+    std::vector<std::uint32_t> tests(shape.size());
     for (std::size_t i = 0; i < events.volume_tests.size(); ++i)
         if (of != HeatOf::wasted || wasted[i]) ++tests[index_on_side(events.volume_tests[i].nodes)];
-    // Parents come before their children: what was tested of a node was tested of all below it.
-    for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
-        const TopologyNode& node = topology.nodes[i];
-        if (node.is_leaf()) {
-            heat[topology.order[node.first]] = tests[i];
-            continue;
-        }
-        tests[node.left] += tests[i];
-        tests[node.left + 1] += tests[i];
-    }
+    // What was tested of a node was tested of all below it.
+    for (const std::uint32_t i : shape.order)
+        if (shape.parents[i] != no_index) tests[i] += tests[shape.parents[i]];
+    for (std::size_t item = 0; item < heat.size(); ++item)
+        if (shape.holder[item] != no_index) heat[item] = tests[shape.holder[item]];
     return heat;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "core/analysis/traversal_tree.h"
+#include "core/hierarchy/tree_shape.h"
 #include "scb/event_recorder.h"
-#include "scb/topology.h"
 
 namespace scb {
 
@@ -16,12 +16,12 @@ enum class HeatOf {
 };
 
 /// For each volume test of a query whether the pair whose division led to it is false: no triangles
-/// below it intersect. `found` are the query's pairs.
-std::vector<bool> wasted_tests(const Events& events, std::span<const IndexPair> found);
+/// below it intersect.
+std::vector<bool> wasted_tests(const TraversalTree& tree);
 
 /// For each triangle of A (`side` 0) or B (1), in how many tests of the query it took part.
-/// `topology` is that body's; `wasted` are wasted_tests, where `of` asks for them.
-std::vector<std::uint32_t> triangle_heat(const Events& events, const Topology& topology,
+/// `shape` is that of the body's tree; `wasted` are wasted_tests, where `of` asks for them.
+std::vector<std::uint32_t> triangle_heat(const Events& events, const TreeShape& shape,
                                          std::size_t side, HeatOf of,
                                          const std::vector<bool>& wasted = {});
 

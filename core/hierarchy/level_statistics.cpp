@@ -11,7 +11,7 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
                                         std::size_t{1});
     for (std::size_t i = 0; i < depths.size(); ++i) {
         LevelStatistics& level = levels[depths[i]];
-        level.add(hierarchy.volumes[i], hierarchy.topology->nodes[i].is_leaf());
+        level.add(size_of(hierarchy.volumes[i]), hierarchy.topology->nodes[i].is_leaf());
         ++level.rules[static_cast<std::size_t>(hierarchy.topology->rules[i])];
     }
     std::uint32_t leaves_above = 0;
@@ -20,6 +20,13 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
         leaves_above += level.leaves;
     }
     return levels;
+}
+
+VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover) {
+    VolumeStatistics statistics;
+    for (const std::uint32_t node : cover)
+        if (tree.has_volume(node)) statistics.add(tree.volume_size(node), tree.is_leaf(node));
+    return statistics;
 }
 
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {

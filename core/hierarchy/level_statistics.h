@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/hierarchy/volume_tree.h"
 #include "scb/any_hierarchy.h"
 
 namespace scb {
@@ -22,16 +23,15 @@ struct VolumeStatistics {
     double mean_diameter() const { return volumes == 0 ? 0 : diameter_sum / volumes; }
     double mean_thickness() const { return volumes == 0 ? 0 : thickness_sum / volumes; }
 
-    template <Volume V>
-    void add(const V& v, bool is_leaf) {
+    void add(const VolumeSize& size, bool is_leaf) {
         ++volumes;
         leaves += is_leaf ? 1 : 0;
-        diameter_sum += diameter(v);
-        thickness_sum += thickness(v);
-        max_diameter = std::max(max_diameter, diameter(v));
-        max_thickness = std::max(max_thickness, thickness(v));
-        area += surface_area(v);
-        volume += scb::volume(v);
+        diameter_sum += size.diameter;
+        thickness_sum += size.thickness;
+        max_diameter = std::max(max_diameter, size.diameter);
+        max_thickness = std::max(max_thickness, size.thickness);
+        area += size.area;
+        volume += size.volume;
     }
 
     void add(const VolumeStatistics& other) {
@@ -56,15 +56,8 @@ struct LevelStatistics : VolumeStatistics {
 template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
 
-/// The volumes of a cover in numbers.
-template <Volume V>
-VolumeStatistics cover_statistics(const Hierarchy<V>& hierarchy,
-                                  const std::vector<std::uint32_t>& cover) {
-    VolumeStatistics statistics;
-    for (const std::uint32_t node : cover)
-        statistics.add(hierarchy.volumes[node], hierarchy.topology->nodes[node].is_leaf());
-    return statistics;
-}
+/// The volumes of a cover in numbers: of those nodes that have one.
+VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover);
 
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
 

@@ -2,13 +2,13 @@
 
 #include <vector>
 
+#include "core/hierarchy/tree_shape.h"
 #include "scb/mesh.h"
-#include "scb/topology.h"
 
 namespace scb {
 
-/// For each node the area of the triangles below it, in squared units of the mesh. `mesh` is the
-/// one that the topology is of.
-std::vector<double> node_surfaces(const Topology& topology, const Mesh& mesh);
+/// For each node the area of the triangles in it and below it, in squared units of the mesh, whose
+/// tree the shape is of.
+std::vector<double> node_surfaces(const TreeShape& shape, const Mesh& mesh);
 
 }  // namespace scb

@@ -60,6 +60,8 @@ TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
     TreeShape shape;
     shape.parents.assign(size, no_index);
     shape.depths.assign(size, no_index);
+    shape.first_child.assign(size, no_index);
+    shape.next_sibling.assign(size, no_index);
     shape.holder.assign(items, no_index);
     std::vector<bool> listed(size, false);
     for (std::uint32_t i = 0; i < size; ++i)
@@ -84,6 +86,8 @@ TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
             if (c == no_index || shape.depths[c] != no_index) continue;
             shape.depths[c] = shape.depths[i] + 1;
             shape.parents[c] = i;
+            shape.next_sibling[c] = shape.first_child[i];
+            shape.first_child[i] = c;
             left.push_back(c);
         }
     }

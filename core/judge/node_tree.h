@@ -7,12 +7,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/hierarchy/tree_shape.h"
 #include "core/judge/node_volume.h"
 
 namespace scb {
-
-/// No node, no triangle.
-inline constexpr std::uint32_t no_index = UINT32_MAX;
 
 /// A node as its engine tells of it: nothing of it need be true.
 struct TreeNode {
@@ -59,18 +57,6 @@ class NodeTree {
     std::vector<std::uint32_t> children_, items_, told_twice_;
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
     std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
-};
-
-/// What of the nodes hangs together.
-struct TreeShape {
-    /// Per node: the index of the node that lists it as a child; of roots, and of nodes that no
-    /// root leads to, no_index.
-    std::vector<std::uint32_t> parents;
-    std::vector<std::uint32_t> depths;  ///< per node: no_index where no root leads to it
-    std::vector<std::uint32_t> order;   ///< indices: from the roots down, parents before children
-    std::vector<std::uint32_t> roots;   ///< indices
-    std::vector<std::uint32_t> holder;  ///< per item: index of the first node in `order` that has
-                                        ///< it; no_index: none
 };
 
 /// `items` is how many there are: those of higher numbers are left out.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/judge/test_links.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
@@ -68,10 +69,6 @@ TestVerdict verdict_of(const ContactCertificate& certificate, std::uint8_t stage
     return TestVerdict::right;
 }
 
-IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
-    return {query.sides[0].tree->index_of(event.a), query.sides[1].tree->index_of(event.b)};
-}
-
 bool can_judge(const EngineQuery& query, IndexPair nodes) {
     return nodes.a != no_index && nodes.b != no_index &&
            has_volume((*query.sides[0].tree)[nodes.a].volume) &&
@@ -86,7 +83,7 @@ ContactCertificate certificate_of(const EngineQuery& query, const Pose& b_to_a, 
 class Judge {
   public:
     Judge(const EngineQuery& query, std::span<const IndexPair> contacts)
-        : query_(query), contacts_(contacts) {}
+        : query_(query), contacts_(contacts), links_(query) {}
 
     QueryJudgement judged() && {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
@@ -111,7 +108,7 @@ class Judge {
                 item_tests_.try_emplace(key(event.a, event.b), i);
                 if (const auto margin = error_of(query_, query_.b_to_a, event))
                     result_.wrong_item_tests.push_back({i, *margin});
-                item_parent_.push_back(leading_test_of_items({event.a, event.b}));
+                item_parent_.push_back(links_.led_to_items({event.a, event.b}));
                 if (event.kind == Kind::items_meet)
                     for (std::uint32_t t = item_parent_.back();
                          t != no_index && !result_.tests[t].meets; t = result_.tests[t].parent)
@@ -125,45 +122,15 @@ class Judge {
 
     void take_test(std::uint32_t i, const EngineEvent& event) {
         JudgedTest test{i, nodes_of(query_, event)};
-        const auto index = static_cast<std::uint32_t>(result_.tests.size());
         if (can_judge(query_, test.nodes)) {
             const ContactCertificate found = certificate_of(query_, query_.b_to_a, test.nodes);
             test.verdict = verdict_of(found, event.stage);
             test.margin = found.margin;
         }
-        if (test.nodes.a != no_index && test.nodes.b != no_index) {
-            test.parent = leading_test(test.nodes);
-            const auto [known, added] = tests_.try_emplace(key(test.nodes.a, test.nodes.b), index);
-            test.repeated = !added;
-            known->second = index;
-        }
+        const TestLinks::Link link = links_.take_volumes(test.nodes, event.stage == 0);
+        test.parent = link.led_by;
+        test.repeated = link.repeated;
         result_.tests.push_back(test);
-        if (event.stage == 0) last_overlap_ = index;
-    }
-
-    /// The test of the parents, or of one node and the parent of the other: the latest.
-    std::uint32_t leading_test(IndexPair nodes) const {
-        const std::uint32_t above_a = query_.sides[0].shape->parents[nodes.a],
-                            above_b = query_.sides[1].shape->parents[nodes.b];
-        std::uint32_t latest = no_index;
-        for (const IndexPair led : {IndexPair{above_a, nodes.b}, IndexPair{nodes.a, above_b},
-                                    IndexPair{above_a, above_b}}) {
-            if (led.a == no_index || led.b == no_index) continue;
-            const auto found = tests_.find(key(led.a, led.b));
-            if (found != tests_.end() && (latest == no_index || found->second > latest))
-                latest = found->second;
-        }
-        return latest;
-    }
-
-    /// That of the nodes that have the items; where there was none, the latest that passed.
-    std::uint32_t leading_test_of_items(IndexPair items) const {
-        const auto holder = [](const EngineSide& side, std::uint32_t item) {
-            return item < side.shape->holder.size() ? side.shape->holder[item] : no_index;
-        };
-        const auto found =
-            tests_.find(key(holder(query_.sides[0], items.a), holder(query_.sides[1], items.b)));
-        return found != tests_.end() ? found->second : last_overlap_;
     }
 
     void report(std::uint32_t i, const EngineEvent& event) {
@@ -227,15 +194,15 @@ class Judge {
         for (std::uint32_t a = leaves[0]; a != no_index; a = query_.sides[0].shape->parents[a])
             for (std::uint32_t b = leaves[1]; b != no_index;
                  b = query_.sides[1].shape->parents[b]) {
-                const auto found = tests_.find(key(a, b));
-                if (found == tests_.end()) continue;
-                const JudgedTest& test = result_.tests[found->second];
+                const std::optional<std::uint32_t> found = links_.test_of({a, b});
+                if (!found) continue;
+                const JudgedTest& test = result_.tests[*found];
                 const std::uint32_t depth =
                     query_.sides[0].shape->depths[a] + query_.sides[1].shape->depths[b];
                 if (query_.events[test.event].stage != 0)
-                    rejected = std::min(rejected, found->second);
+                    rejected = std::min(rejected, *found);
                 else if (deepest == no_index || depth > most) {
-                    deepest = found->second;
+                    deepest = *found;
                     most = depth;
                 }
             }
@@ -314,11 +281,11 @@ class Judge {
     const EngineQuery& query_;
     std::span<const IndexPair> contacts_;
     QueryJudgement result_;
-    // By nodes' indices, or items: lookups only.
-    std::unordered_map<std::uint64_t, std::uint32_t> tests_, item_tests_, reported_;
+    TestLinks links_;
+    // By items: lookups only.
+    std::unordered_map<std::uint64_t, std::uint32_t> item_tests_, reported_;
     std::vector<std::uint32_t> order_, twice_;  ///< reports
     std::vector<std::uint32_t> item_parent_;  ///< per test of items: the test of volumes before it
-    std::uint32_t last_overlap_ = no_index;
 };
 
 }  // namespace

@@ -9,16 +9,16 @@
 #include "render/view/palette.h"
 
 namespace scb::render {
-Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
-             std::optional<std::uint32_t> scale_end) {
+Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+             HeatOf of, std::optional<std::uint32_t> scale_end) {
     Heat heat;
     heat.of = of;
     std::vector<bool> wasted;
-    if (of == HeatOf::wasted) wasted = wasted_tests(frame.events, frame.found.pairs);
+    if (of == HeatOf::wasted) wasted = wasted_tests(traversal_tree(header, frame));
     heat.wasted = static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
     for (std::size_t side = 0; side < 2; ++side) {
         heat.counts[side] =
-            triangle_heat(frame.events, topology_of(*bodies[side].hierarchy), side, of, wasted);
+            triangle_heat(frame.events, bodies[side].tree->shape(), side, of, wasted);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
     // The next of 1, 2 and 5 times a power of ten.

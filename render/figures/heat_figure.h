@@ -25,8 +25,8 @@ struct Heat {
 
 /// `scale_end`: the count at the upper end of the scale; else the first of 1, 2 and 5 times a power
 /// of ten that holds all, which seldom changes from frame to frame.
-Heat heat_of(const QueryBodies& bodies, const TraceFrame& frame, HeatOf of,
-             std::optional<std::uint32_t> scale_end);
+Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+             HeatOf of, std::optional<std::uint32_t> scale_end);
 
 /// Both meshes, each triangle in viridis by its count, and B outlined in its color.
 Pane heat_pane(const QueryBodies& bodies, const Heat& heat);

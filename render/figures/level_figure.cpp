@@ -2,28 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 #include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/node_surfaces.h"
-#include "core/volumes/shape.h"
 #include "render/figures/body_names.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
 namespace {
-
-bool holds_boxes(const AnyHierarchy& hierarchy) {
-    return std::visit(
-        [](const auto& h) {
-            return std::is_same_v<std::decay_t<decltype(shape_of(h.volumes[0]))>, Obb>;
-        },
-        hierarchy);
-}
-
-bool holds_convex_volumes(const AnyHierarchy& hierarchy) {
-    return std::visit([]<class V>(const Hierarchy<V>&) { return ConvexVolume<V>; }, hierarchy);
-}
 
 // Whether the thickness is but rounding noise.
 bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
@@ -81,23 +67,30 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     }
     if (figure.style.colors.by == ColorBy::subtree)
         items.emplace_back(PanelNote{"color: the subtree below the third division"});
-    const AnyHierarchy& hierarchy = *figure.bodies[0].hierarchy;
-    const bool boxes = holds_boxes(hierarchy),
-               two_slabs = std::holds_alternative<Hierarchy<Scb2>>(hierarchy);
-    items.emplace_back(PanelNote{std::string(lengths_words(hierarchy)) +
-                                 (boxes || holds_convex_volumes(hierarchy) ? ""
-                                  : two_slabs                              ? "; units of the scene"
-                                              : "; lengths in units of the scene")});
+    const VolumeFamily family = figure.bodies[0].tree->family();
+    items.emplace_back(PanelNote{std::string(lengths_words(family)) +
+                                 (family == VolumeFamily::two_slabs ? "; units of the scene"
+                                  : family == VolumeFamily::slab_cut || family == VolumeFamily::ball
+                                      ? "; lengths in units of the scene"
+                                      : "")});
     return items;
 }
 
 }  // namespace
 
-std::string_view lengths_words(const AnyHierarchy& hierarchy) {
-    if (holds_boxes(hierarchy)) return "d: diagonal, τ: shortest side";
-    if (std::holds_alternative<Hierarchy<Scb2>>(hierarchy)) return "d = 2r, τ: the thinner slab";
-    if (std::holds_alternative<Hierarchy<Ball>>(hierarchy)) return "τ = d = 2r";
-    if (holds_convex_volumes(hierarchy)) return "d: length, τ: thickness of a volume";
+std::string_view lengths_words(VolumeFamily family) {
+    switch (family) {
+        case VolumeFamily::slab_cut:
+            break;
+        case VolumeFamily::two_slabs:
+            return "d = 2r, τ: the thinner slab";
+        case VolumeFamily::ball:
+            return "τ = d = 2r";
+        case VolumeFamily::box:
+            return "d: diagonal, τ: shortest side";
+        case VolumeFamily::convex:
+            return "d: length, τ: thickness of a volume";
+    }
     return "d = 2r, τ = e − f";
 }
 
@@ -112,9 +105,8 @@ std::string volume_text(const VolumeStatistics& s) {
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level) {
     LevelNumbers numbers;
     for (const LevelBody& body : bodies) {
-        numbers.bodies.push_back(std::visit(
-            [&](const auto& h) { return cover_statistics(h, level_cover(*h.topology, level)); },
-            *body.hierarchy));
+        numbers.bodies.push_back(
+            cover_statistics(*body.tree, level_cover(body.tree->shape(), level)));
         numbers.all.add(numbers.bodies.back());
     }
     return numbers;
@@ -125,12 +117,11 @@ LengthHistogram level_lengths(const std::vector<LevelBody>& bodies, int level,
     LengthHistogram lengths;
     lengths.root_diameter = style.colors.root_diameter;
     for (const LevelBody& body : bodies)
-        std::visit(
-            [&](const auto& h) {
-                for (const std::uint32_t node : level_cover(*h.topology, level))
-                    lengths.add(diameter(h.volumes[node]), thickness(h.volumes[node]));
-            },
-            *body.hierarchy);
+        for (const std::uint32_t node : level_cover(body.tree->shape(), level)) {
+            if (!body.tree->has_volume(node)) continue;
+            const VolumeLengths of_node = body.tree->lengths(node);
+            lengths.add(of_node.diameter, of_node.thickness);
+        }
     return lengths;
 }
 
@@ -139,23 +130,18 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
     for (const LevelBody& body : bodies) {
         std::vector<std::uint32_t> nodes;
         for (const int level : levels) {
-            const std::vector<std::uint32_t> cover =
-                level_cover(topology_of(*body.hierarchy), level);
+            const std::vector<std::uint32_t> cover = level_cover(body.tree->shape(), level);
             nodes.insert(nodes.end(), cover.begin(), cover.end());
         }
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        std::erase_if(nodes, [&body](std::uint32_t node) { return !body.tree->has_volume(node); });
         parts.push_back([&body, nodes = std::move(nodes)](const Vec3& direction) {
             const Vec3 local = rotate(body.pose.rotation.transpose(), direction);
-            const double reach = std::visit(
-                [&](const auto& h) {
-                    double most = -std::numeric_limits<double>::infinity();
-                    for (const std::uint32_t node : nodes)
-                        most = std::max(most, scb::render::reach(shape_of(h.volumes[node]), local));
-                    return most;
-                },
-                *body.hierarchy);
-            return reach + dot(body.pose.translation, direction);
+            double most = -std::numeric_limits<double>::infinity();
+            for (const std::uint32_t node : nodes)
+                most = std::max(most, reach(body.tree->volume(node), local));
+            return most + dot(body.pose.translation, direction);
         });
     }
     return support_of_all(std::move(parts));
@@ -177,35 +163,32 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             pane.meshes.push_back(std::move(mesh));
         }
         if (style.opacity <= 0) continue;
-        const Topology& topology = topology_of(*body.hierarchy);
-        const std::vector<std::uint16_t> depths = node_depths(topology);
+        const TreeShape& shape = body.tree->shape();
         std::vector<std::uint8_t> subtrees;
-        if (style.colors.by == ColorBy::subtree) subtrees = subtrees_of(topology);
+        if (style.colors.by == ColorBy::subtree) subtrees = subtrees_of(shape);
         std::vector<double> surfaces;
-        if (style.colors.by == ColorBy::surface) surfaces = node_surfaces(topology, *body.mesh);
-        std::visit(
-            [&](const auto& h) {
-                const std::uint32_t none = 0xffffffffu;
-                std::uint32_t drawn = none;
-                const std::vector<std::uint32_t> cover = level_cover(*h.topology, level);
-                for (const std::uint32_t node : cover) {
-                    const auto& volume = shape_of(h.volumes[node]);
-                    // Duplicate triangles have the same leaf: one of a run of equal ones is all
-                    // that can be seen.
-                    if (drawn != none && identical(volume, shape_of(h.volumes[drawn]))) continue;
-                    drawn = node;
-                    const Rgba8 color =
-                        surfaces.empty()
-                            ? volume_color(style.colors, h.volumes[node], depths[node],
-                                           subtrees.empty() ? b : subtrees[node], node)
-                            : viridis(surface_magnitude(surfaces[node] / surfaces[0] *
-                                                        static_cast<double>(cover.size())));
-                    pane.volumes.push_back({placed(volume, body.pose),
-                                            with_opacity(color, style.opacity),
-                                            body.first_id + node});
-                }
-            },
-            *body.hierarchy);
+        if (style.colors.by == ColorBy::surface) surfaces = node_surfaces(shape, *body.mesh);
+        double whole = 0;
+        if (!surfaces.empty())
+            for (const std::uint32_t root : shape.roots) whole += surfaces[root];
+        std::optional<AnyVolume> drawn;
+        const std::vector<std::uint32_t> cover = level_cover(shape, level);
+        for (const std::uint32_t node : cover) {
+            if (!body.tree->has_volume(node)) continue;
+            AnyVolume volume = body.tree->volume(node);
+            // Duplicate triangles have the same leaf: one of a run of equal ones is all that can
+            // be seen.
+            if (drawn && identical(volume, *drawn)) continue;
+            const Rgba8 color = surfaces.empty()
+                                    ? volume_color(style.colors, body.tree->lengths(node),
+                                                   static_cast<int>(shape.depths[node]),
+                                                   subtrees.empty() ? b : subtrees[node], node)
+                                    : viridis(surface_magnitude(surfaces[node] / whole *
+                                                                static_cast<double>(cover.size())));
+            pane.volumes.push_back({placed(volume, body.pose), with_opacity(color, style.opacity),
+                                    body.first_id + node});
+            drawn = std::move(volume);
+        }
     }
     return pane;
 }

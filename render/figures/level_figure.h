@@ -12,7 +12,6 @@
 #include "render/plots/length_histogram.h"
 #include "render/view/fit_camera.h"
 #include "render/view/picture.h"
-#include "scb/any_hierarchy.h"
 #include "scb/level_cover.h"
 
 namespace scb::render {
@@ -23,7 +22,7 @@ struct LevelBody {
     const Mesh* mesh = nullptr;
     MeshHandle handle;  ///< of the mesh, where the style shows it
     Pose pose;
-    const AnyHierarchy* hierarchy = nullptr;
+    const VolumeTree* tree = nullptr;
     std::uint32_t first_id = 1;  ///< node i has the id first_id + i
 };
 
@@ -44,7 +43,7 @@ struct LevelNumbers {
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
 
 /// What d and τ are of such volumes: "d = 2r, τ = e − f".
-std::string_view lengths_words(const AnyHierarchy& hierarchy);
+std::string_view lengths_words(VolumeFamily family);
 
 /// Mean thickness and summed volume for a reader: 0 where they are but rounding noise.
 std::string thickness_text(const VolumeStatistics& statistics);

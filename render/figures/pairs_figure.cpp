@@ -17,8 +17,6 @@ constexpr double node_opacity = 0.3;
 /// fainter than the body's usual ones.
 constexpr double leaf_opacity = 0.25, least_leaf_opacity = 0.05;
 
-bool stops_at_level(const TraceHeader& header) { return header.options.stop_level >= 0; }
-
 /// The indices on one side of a list of pairs, ascending, each once.
 std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::size_t side) {
     std::vector<std::uint32_t> indices;
@@ -39,16 +37,17 @@ std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t sid
 void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
                  Rgba8 color) {
     for (const std::uint32_t node : nodes)
-        pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
+        if (body.tree->has_volume(node))
+            pane.volumes.push_back({volume_of(body, node), color, body.first_node_id + node});
 }
 
 double leaf_size(const QueryBody& body, std::uint32_t node) {
-    return std::visit([&](const auto& h) { return diameter(h.volumes[node]); }, *body.hierarchy);
+    return body.tree->has_volume(node) ? body.tree->lengths(node).diameter : 0;
 }
 
 double usual_leaf_size(const QueryBody& body) {
     std::vector<double> sizes;
-    for (const std::uint32_t leaf : level_cover(topology_of(*body.hierarchy), leaf_level))
+    for (const std::uint32_t leaf : level_cover(body.tree->shape(), leaf_level))
         sizes.push_back(leaf_size(body, leaf));
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
@@ -59,6 +58,7 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
                 Rgba8 color, bool hatched) {
     const double usual = usual_leaf_size(body);
     for (const std::uint32_t leaf : leaves) {
+        if (!body.tree->has_volume(leaf)) continue;
         const double size = leaf_size(body, leaf), fainter = size > usual ? usual / size : 1;
         pane.volumes.push_back(
             {volume_of(body, leaf),
@@ -106,18 +106,18 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
     for (std::size_t side = 0; side < 2; ++side) {
         const QueryBody& body = bodies[side];
         // Before the whole mesh, since of what coincides the first is seen.
-        if (!stops_at_level(header))
+        if (!pairs_are_nodes(header))
             pane.meshes.push_back(
                 marked_triangles(body, side_of(frame.found.pairs, side), body_color(side)));
         pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
-        if (stops_at_level(header))
+        if (pairs_are_nodes(header))
             add_volumes(pane, body, side_of(frame.found.pairs, side),
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
             add_leaves(pane, body, apart_leaves(frame, side),
                        ending_color(Outcome::triangles_apart, *style.theme), side == 1);
     }
-    if (stops_at_level(header)) return pane;
+    if (pairs_are_nodes(header)) return pane;
     pane.segments = contact_segments(bodies, frame, first_pair_id);
     for (Segment& segment : pane.segments) {
         segment.color = style.theme->text;
@@ -139,7 +139,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
                                 {count_text(bodies[0].mesh->triangles.size()),
                                  count_text(bodies[1].mesh->triangles.size())}});
     const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
-    const bool nodes = stops_at_level(header);
+    const bool nodes = pairs_are_nodes(header);
     const auto shown = [&](std::size_t side) {
         return nodes ? seen_color(body_color(side), node_opacity, theme) : body_color(side);
     };
@@ -150,11 +150,13 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(found.n_p)}});
-    items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});
+    if (!header.engine) items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});
     items.emplace_back(PanelHeading{""});
     if (nodes) {
-        items.emplace_back(PanelNote{"volumes of level " +
-                                     std::to_string(header.options.stop_level) + " that overlap"});
+        items.emplace_back(PanelNote{
+            header.engine ? std::string("volumes of the nodes whose objects were reported")
+                          : "volumes of level " + std::to_string(header.options.stop_level) +
+                                " that overlap"});
         return items;
     }
     items.emplace_back(PanelKey{theme.text, "where triangles meet"});
@@ -171,7 +173,7 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
     std::vector<PanelItem> items;
     for (std::size_t side = 0; side < 2; ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
-    if (stops_at_level(header)) return items;
+    if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
     add_leaves_keys(items, bodies, frame, style);
     return items;
@@ -180,7 +182,7 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
                                       const TraceFrame& frame) {
     std::vector<AnyVolume> region;
-    if (!stops_at_level(header)) {
+    if (!pairs_are_nodes(header)) {
         for (const Segment& segment : contact_segments(bodies, frame, 0))
             for (const Vec3& end : {segment.from, segment.to}) region.push_back(Ball{end, 0});
         return region;

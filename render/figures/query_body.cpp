@@ -5,35 +5,33 @@
 #include <utility>
 #include <vector>
 
-#include "core/volumes/shape.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
 
 AnyVolume volume_of(const QueryBody& body, std::uint32_t node) {
-    return std::visit(
-        [&](const auto& h) { return AnyVolume(placed(shape_of(h.volumes[node]), body.pose)); },
-        *body.hierarchy);
+    return placed(body.tree->volume(node), body.pose);
 }
 
 double mesh_reach(const QueryBody& body, const Vec3& direction) {
     const Vec3 local = rotate(body.pose.rotation.transpose(), direction);
-    const Topology& topology = topology_of(*body.hierarchy);
+    const TreeShape& shape = body.tree->shape();
     double most = -std::numeric_limits<double>::infinity();
-    std::vector<std::uint32_t> open = {0};
+    std::vector<std::uint32_t> open(shape.roots.rbegin(), shape.roots.rend());
     while (!open.empty()) {
-        const std::uint32_t i = open.back();
+        const std::uint32_t node = open.back();
         open.pop_back();
-        const double bound = std::visit(
-            [&](const auto& h) { return reach(shape_of(h.volumes[i]), local); }, *body.hierarchy);
-        if (bound <= most) continue;
-        const TopologyNode& node = topology.nodes[i];
-        if (!node.is_leaf()) {
-            open.insert(open.end(), {node.left + 1, node.left});
-            continue;
+        if (body.tree->has_volume(node) && reach(body.tree->volume(node), local) <= most) continue;
+        for (const std::uint32_t triangle : body.tree->items(node)) {
+            if (triangle >= body.mesh->triangles.size()) continue;
+            for (const std::uint32_t corner : body.mesh->triangles[triangle])
+                most = std::max(most, dot(body.mesh->vertices[corner], local));
         }
-        for (const std::uint32_t corner : body.mesh->triangles[topology.order[node.first]])
-            most = std::max(most, dot(body.mesh->vertices[corner], local));
+        const std::size_t below = open.size();
+        for (std::uint32_t child = shape.first_child[node]; child != no_index;
+             child = shape.next_sibling[child])
+            open.push_back(child);
+        std::reverse(open.begin() + static_cast<std::ptrdiff_t>(below), open.end());
     }
     return most + dot(body.pose.translation, direction);
 }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/hierarchy/volume_tree.h"
 #include "render/view/fit_camera.h"
 #include "render/view/palette.h"
 #include "render/view/picture.h"
-#include "scb/any_hierarchy.h"
 
 namespace scb::render {
 
@@ -17,7 +17,7 @@ namespace scb::render {
 struct QueryBody {
     std::string name;
     const Mesh* mesh = nullptr;
-    const AnyHierarchy* hierarchy = nullptr;
+    const VolumeTree* tree = nullptr;
     MeshHandle handle;
     Pose pose;                            ///< from the body's frame to the world's
     std::uint32_t first_node_id = 1;      ///< node i has the id first_node_id + i
@@ -25,7 +25,7 @@ struct QueryBody {
 };
 using QueryBodies = std::array<QueryBody, 2>;
 
-/// A node's volume, in the world.
+/// The volume of a node that has one, in the world.
 AnyVolume volume_of(const QueryBody& body, std::uint32_t node);
 
 /// The largest `direction.x` over the vertices of the body's triangles, in the world, for a unit

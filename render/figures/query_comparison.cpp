@@ -20,8 +20,9 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
 
 /// Whether a node's number means the same node in both, with the same volume.
 bool nodes_comparable(const ComparedQueries& queries) {
-    return queries[0].header->split == queries[1].header->split &&
-           queries[0].header->volume == queries[1].header->volume;
+    const TraceHeader &a = *queries[0].header, &b = *queries[1].header;
+    if (a.engine && b.engine) return a.engine->trees == b.engine->trees;
+    return !a.engine && !b.engine && a.split == b.split && a.volume == b.volume;
 }
 
 /// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
@@ -184,7 +185,8 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
                                           const Theme& theme) {
     std::array<Heat, 2> heats;
     for (std::size_t side = 0; side < 2; ++side)
-        heats[side] = heat_of(queries[side].bodies, *queries[side].frame, of, scale_end);
+        heats[side] = heat_of(queries[side].bodies, *queries[side].header, *queries[side].frame, of,
+                              scale_end);
     const std::size_t larger = heats[1].most > heats[0].most ? 1 : 0;
     heats[1 - larger].scale = heats[larger].scale;
     std::array<ComparedView, 2> views;

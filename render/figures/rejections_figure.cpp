@@ -28,19 +28,18 @@ double area_of(const QueryBody& body, std::uint32_t triangle) {
     return triangle_moments(at[0], at[1], at[2]).area;
 }
 
-/// The triangle of a leaf at which paths ended since its triangle was tested, if it has an area to
-/// be seen; none of a node whose volume ended them.
-std::optional<std::uint32_t> tested_triangle(const QueryBody& body, const EndedPaths& node,
-                                             NodeColor by) {
+/// The triangles of a leaf at which paths ended since its triangles were tested, those with an area
+/// to be seen; none of a node whose volume ended them.
+std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPaths& node,
+                                            NodeColor by) {
+    std::vector<std::uint32_t> triangles;
     const Outcome ending = told_ending(node, by);
-    const Topology& topology = topology_of(*body.hierarchy);
-    const TopologyNode& place = topology.nodes[node.node];
-    if (!place.is_leaf() ||
-        (ending != Outcome::triangles_apart && ending != Outcome::triangles_meet))
-        return std::nullopt;
-    const std::uint32_t triangle = topology.order[place.first];
-    if (!(area_of(body, triangle) > 0)) return std::nullopt;
-    return triangle;
+    if (body.tree->is_leaf(node.node) &&
+        (ending == Outcome::triangles_apart || ending == Outcome::triangles_meet))
+        for (const std::uint32_t triangle : body.tree->items(node.node))
+            if (triangle < body.mesh->triangles.size() && area_of(body, triangle) > 0)
+                triangles.push_back(triangle);
+    return triangles;
 }
 
 /// What is left over may hold much of the front, and would hide it.
@@ -49,14 +48,16 @@ double opacity_of(Rgba8 color, const RejectionsStyle& style) {
                                                                    : style.opacity;
 }
 
-/// What a node may hide: the square about its volume; of a triangle that is drawn instead, between
-/// that and the little that a sliver hides.
-double size_of(const QueryBody& body, const EndedPaths& node, NodeColor by) {
+/// What a node may hide: the square about its volume; of triangles that are drawn instead, between
+/// that and the little that slivers hide. Nothing, where there is no volume.
+double hidden_area(const QueryBody& body, const EndedPaths& node, NodeColor by) {
+    if (!body.tree->has_volume(node.node)) return 0;
     const double side =
         std::visit([](const auto& v) { return diameter(v); }, volume_of(body, node.node));
-    const auto triangle = tested_triangle(body, node, by);
-    if (!triangle) return side * side;
-    return side * std::sqrt(2 * area_of(body, *triangle));
+    double area = 0;
+    for (const std::uint32_t triangle : tested_triangles(body, node, by))
+        area += area_of(body, triangle);
+    return area > 0 ? side * std::sqrt(2 * area) : side * side;
 }
 
 /// Leaves out what is large for its paths: see RejectionsStyle::focus.
@@ -69,7 +70,7 @@ void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, const Rejecti
     double left = 0;  // paths that may still be left out
     for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t i = 0; i < ended[side].size(); ++i) {
-            const double size = size_of(bodies[side], ended[side][i], style.by);
+            const double size = hidden_area(bodies[side], ended[side][i], style.by);
             // A point hides nothing.
             volumes.push_back({ended[side][i].tests / std::max(size, 1e-300), side, i});
             left += (1 - style.focus) * ended[side][i].tests;
@@ -115,10 +116,10 @@ std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceF
                                              const TraversalTree& tree, std::size_t side,
                                              EndedPathsFilter filter) {
     filter.endings = {Outcome::triangles_meet};
-    const Topology& topology = topology_of(*body.hierarchy);
     std::vector<std::uint32_t> triangles;
     for (const EndedPaths& leaf : ended_paths(frame, tree, side, filter))
-        triangles.push_back(topology.order[topology.nodes[leaf.node].first]);
+        for (const std::uint32_t triangle : body.tree->items(leaf.node))
+            triangles.push_back(triangle);
     std::sort(triangles.begin(), triangles.end());
     return triangles;
 }
@@ -157,8 +158,7 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
     for (std::size_t side = 0; side < 2; ++side) {
         if (!style.sides[side]) continue;
         ended[side] = ended_paths(frame, tree, side, style.filter);
-        if (!style.nested)
-            ended[side] = innermost(ended[side], topology_of(*bodies[side].hierarchy));
+        if (!style.nested) ended[side] = innermost(ended[side], bodies[side].tree->shape());
     }
     if (style.focus < 1) leave_out_large(ended, bodies, style);
     return ended;
@@ -172,12 +172,14 @@ Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const T
         tested.hatched = side == 1;
         for (const EndedPaths& node : ended[side]) {
             const Rgba8 color = color_of(node, style.by, *style.theme);
-            if (const auto triangle = tested_triangle(bodies[side], node, style.by)) {
+            const std::vector<std::uint32_t> triangles =
+                tested_triangles(bodies[side], node, style.by);
+            for (const std::uint32_t triangle : triangles) {
                 tested.triangle_colors.resize(bodies[side].mesh->triangles.size());
-                tested.triangle_colors[*triangle] = color;
-                tested.chosen->push_back(*triangle);
-                continue;
+                tested.triangle_colors[triangle] = color;
+                tested.chosen->push_back(triangle);
             }
+            if (!triangles.empty() || !bodies[side].tree->has_volume(node.node)) continue;
             pane.volumes.push_back({volume_of(bodies[side], node.node),
                                     with_opacity(color, opacity_of(color, style)),
                                     bodies[side].first_node_id + node.node, side == 1});
@@ -224,8 +226,7 @@ EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style) {
 }
 
 std::vector<EndingGroup> shown_groups(const TraceHeader& header, const RejectionsStyle& style) {
-    std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options), *style.theme);
+    std::vector<EndingGroup> groups = ending_groups(header, *style.theme);
     std::erase_if(groups, [&](const EndingGroup& group) {
         return std::none_of(group.endings.begin(), group.endings.end(),
                             [&](Outcome ending) { return is_shown(ending, style); });

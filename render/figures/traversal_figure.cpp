@@ -42,7 +42,9 @@ struct Number {
     std::string label, value;
 };
 
-std::vector<Number> numbers_of(const Collision& found, const DepthMatrix& matrix) {
+std::vector<Number> numbers_of(const TraceHeader& header, const TraceFrame& frame,
+                               const DepthMatrix& matrix) {
+    const Collision& found = frame.found;
     const std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
     std::string depth = count_text(static_cast<std::uint64_t>(found.depth));
     if (of_a > 0 && of_b > 0)
@@ -50,13 +52,14 @@ std::vector<Number> numbers_of(const Collision& found, const DepthMatrix& matrix
             "; A down to " + std::to_string(of_a - 1) + ", B down to " + std::to_string(of_b - 1);
     const std::uint64_t rejected =
         found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
-    return {
+    std::vector<Number> numbers = {
         {"pairs", count_text(found.pairs.size())},
         {"N_v", count_text(found.n_v)},
         {"rejected", count_text(rejected) + " (" + share_text(rejected, found.n_v) + " of N_v)"},
-        {"N_p", count_text(found.n_p)},
-        {"N_u", count_text(found.n_u)},
-        {"deepest pair", depth}};
+        {"N_p", count_text(found.n_p)}};
+    if (!header.engine) numbers.push_back({"N_u", count_text(found.n_u)});
+    numbers.push_back({"deepest pair", depth});
+    return numbers;
 }
 
 /// Numbers in a row, in several rows where they are too many. Returns the y below.
@@ -221,13 +224,12 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     const int unit = layout.unit, margin = layout.heading.x, inside = width - 2 * margin;
     const TraversalTree tree = traversal_tree(header, frame);
     const DepthMatrix matrix = depth_matrix(frame.events);
-    const std::vector<EndingGroup> groups =
-        ending_groups(endings_of(header.volume, header.options), theme);
+    const std::vector<EndingGroup> groups = ending_groups(header, theme);
 
     overlay.begin();
     draw_heading(overlay, layout, theme, figure.title, figure.subtitle);
     int top = layout.heading.y + layout.heading.height;
-    top = draw_numbers(overlay, {margin, top, inside, unit}, numbers_of(frame.found, matrix),
+    top = draw_numbers(overlay, {margin, top, inside, unit}, numbers_of(header, frame, matrix),
                        remark_of(header, frame.found, figure.part), style) +
           unit / 2;
     int bottom = height - margin;

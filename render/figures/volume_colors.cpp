@@ -25,9 +25,8 @@ double surface_magnitude(double times_equal_share) {
                       1.0);
 }
 
-template <Volume V>
-double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
-    const double d = diameter(volume);
+double color_magnitude(const ColorScale& scale, const VolumeLengths& lengths, int depth) {
+    const double d = lengths.diameter;
     switch (scale.by) {
         case ColorBy::depth:
             return scale.deepest == 0 ? 0 : static_cast<double>(depth) / scale.deepest;
@@ -38,7 +37,7 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
                        : 0;
         // Most volumes of a deep level are nearly flat: the square root parts them.
         case ColorBy::thickness:
-            return d > 0 ? std::sqrt(thickness(volume) / d) : 0;
+            return d > 0 ? std::sqrt(lengths.thickness / d) : 0;
         case ColorBy::body:
         case ColorBy::subtree:
         case ColorBy::surface:
@@ -47,12 +46,11 @@ double color_magnitude(const ColorScale& scale, const V& volume, int depth) {
     return 0;
 }
 
-template <Volume V>
-Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t category,
-                   std::uint32_t node) {
+Rgba8 volume_color(const ColorScale& scale, const VolumeLengths& lengths, int depth,
+                   std::size_t category, std::uint32_t node) {
     if (scale.by == ColorBy::body || scale.by == ColorBy::subtree)
         return varied(category_color(category), node);
-    return viridis(color_magnitude(scale, volume, depth));
+    return viridis(color_magnitude(scale, lengths, depth));
 }
 
 std::optional<PanelScale> legend_of(const ColorScale& scale) {
@@ -97,34 +95,25 @@ std::optional<PanelScale> legend_of(const ColorScale& scale) {
     return std::nullopt;
 }
 
-std::vector<std::uint8_t> subtrees_of(const Topology& topology) {
-    constexpr int divisions = 3;
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    std::vector<std::uint8_t> subtrees(topology.nodes.size());
-    // Parents come before their children.
-    for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
-        const TopologyNode& node = topology.nodes[i];
-        if (node.is_leaf()) continue;
-        const bool divides = depths[i] < divisions;
-        for (const std::uint32_t side : {0u, 1u})
-            subtrees[node.left + side] =
-                static_cast<std::uint8_t>(divides ? 2 * subtrees[i] + side : subtrees[i]);
+std::vector<std::uint8_t> subtrees_of(const TreeShape& shape) {
+    constexpr std::uint32_t divisions = 3;
+    std::vector<std::uint8_t> subtrees(shape.size());
+    for (const std::uint32_t node : shape.order) {
+        const bool divides = shape.depths[node] < divisions;
+        unsigned side = 0;
+        for (std::uint32_t child = shape.first_child[node]; child != no_index;
+             child = shape.next_sibling[child], ++side)
+            subtrees[child] = static_cast<std::uint8_t>(divides ? (2u * subtrees[node] + side) % 8
+                                                                : subtrees[node]);
     }
     return subtrees;
 }
 
-double largest_root(const std::vector<AnyHierarchy>& hierarchies) {
+double root_diameter(const VolumeTree& tree) {
     double largest = 0;
-    for (const AnyHierarchy& hierarchy : hierarchies)
-        largest = std::max(
-            largest, std::visit([](const auto& h) { return diameter(h.volumes[0]); }, hierarchy));
+    for (const std::uint32_t root : tree.shape().roots)
+        if (tree.has_volume(root)) largest = std::max(largest, tree.lengths(root).diameter);
     return largest;
 }
-
-#define SCB_INSTANTIATE(V)                                             \
-    template double color_magnitude(const ColorScale&, const V&, int); \
-    template Rgba8 volume_color(const ColorScale&, const V&, int, std::size_t, std::uint32_t);
-SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
-#undef SCB_INSTANTIATE
 
 }  // namespace scb::render

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/enum_names.h"
+#include "core/hierarchy/volume_tree.h"
 #include "render/overlay/side_panel.h"
 #include "render/view/palette.h"
-#include "scb/any_hierarchy.h"
 
 namespace scb::render {
 
@@ -45,20 +45,18 @@ inline constexpr int surface_doublings = 6;
 double surface_magnitude(double times_equal_share);
 
 /// Of what the volume itself tells: not `surface`.
-template <Volume V>
-double color_magnitude(const ColorScale& scale, const V& volume, int depth);
+double color_magnitude(const ColorScale& scale, const VolumeLengths& lengths, int depth);
 
 /// `category`: its body, or its subtree, see subtrees_of.
-template <Volume V>
-Rgba8 volume_color(const ColorScale& scale, const V& volume, int depth, std::size_t category,
-                   std::uint32_t node);
+Rgba8 volume_color(const ColorScale& scale, const VolumeLengths& lengths, int depth,
+                   std::size_t category, std::uint32_t node);
 
 /// For each node the subtree that ColorBy::subtree speaks of, 0 to 7. The nodes of a level above
-/// the third have different ones.
-std::vector<std::uint8_t> subtrees_of(const Topology& topology);
+/// the third of a binary tree have different ones.
+std::vector<std::uint8_t> subtrees_of(const TreeShape& shape);
 
-/// The largest diameter of the hierarchies' roots.
-double largest_root(const std::vector<AnyHierarchy>& hierarchies);
+/// The largest diameter of the tree's roots.
+double root_diameter(const VolumeTree& tree);
 
 /// The scale as a legend, or nothing where the colors are categories.
 std::optional<PanelScale> legend_of(const ColorScale& scale);

@@ -29,4 +29,9 @@ std::string_view volume_title(VolumeKind kind) {
     return "SCB";
 }
 
+std::string volume_title(const TraceHeader& header) {
+    return header.engine ? header.engine->name + ", " + header.engine->volumes
+                         : std::string(volume_title(header.volume));
+}
+
 }  // namespace scb::render

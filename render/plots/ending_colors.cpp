@@ -1,5 +1,8 @@
 #include "render/plots/ending_colors.h"
 
+#include <algorithm>
+#include <array>
+
 namespace scb::render {
 namespace {
 
@@ -9,6 +12,19 @@ constexpr Rgba8 grey{0xAC, 0xAC, 0xAC}, blue{0x00, 0x72, 0xB2}, sky{0x56, 0xB4, 
 
 // Beyond the palette: far from all others, and from bodies, also as a deuteranope sees them.
 constexpr Rgba8 violet{0x77, 0x33, 0xEE}, olive{0x5F, 0x5F, 0x00};
+
+/// Of the stages of another engine, in their order; the last one is that of all others.
+constexpr std::size_t most_foreign = 9;
+constexpr std::array<Rgba8, most_foreign + 1> foreign_colors = {blue,
+                                                                sky,
+                                                                green,
+                                                                yellow,
+                                                                violet,
+                                                                olive,
+                                                                Rgba8{0x00, 0x2B, 0x5C},
+                                                                Rgba8{0x8C, 0x51, 0x0A},
+                                                                Rgba8{0x80, 0xCD, 0xC1},
+                                                                grey};
 
 struct Look {
     std::string_view label;
@@ -30,6 +46,11 @@ Look look_of(Outcome ending, const Theme& theme) {
             break;
     }
     const auto stage = static_cast<Stage>(ending);
+    if (is_foreign(stage)) {
+        const unsigned number = foreign_number(stage);
+        return {number <= most_foreign ? "" : "other stages",
+                foreign_colors[std::min<std::size_t>(number, most_foreign + 1) - 1]};
+    }
     switch (stage) {
         case Stage::overlapping:
             break;
@@ -86,7 +107,22 @@ std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, cons
     for (const Outcome ending : endings) {
         const Look look = look_of(ending, theme);
         if (groups.empty() || groups.back().label != look.label)
-            groups.push_back({look.label, look.color, {}});
+            groups.push_back({std::string(look.label), look.color, {}});
+        groups.back().endings.push_back(ending);
+    }
+    return groups;
+}
+
+std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& theme) {
+    const std::vector<Outcome> endings = endings_of(header);
+    if (!header.engine) return ending_groups(endings, theme);
+    std::vector<EndingGroup> groups;
+    for (const Outcome ending : endings) {
+        const Look look = look_of(ending, theme);
+        const std::string label =
+            look.label.empty() ? ending_words(header, ending) : std::string(look.label);
+        if (groups.empty() || groups.back().label != label)
+            groups.push_back({label, look.color, {}});
         groups.back().endings.push_back(ending);
     }
     return groups;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "core/analysis/ending.h"
@@ -11,7 +11,7 @@ namespace scb::render {
 /// Endings that a picture shows alike: every stage of slab cut balls and balls for itself, the 15
 /// axes of boxes in three groups.
 struct EndingGroup {
-    std::string_view label;  ///< "slab A, ball B", "faces of A", "triangles apart"
+    std::string label;  ///< "slab A, ball B", "faces of A", "triangles apart"
     Rgba8 color;
     std::vector<Outcome> endings;
 };
@@ -22,6 +22,9 @@ struct EndingGroup {
 /// where the triangles were apart and vermillion where they meet. What the query left over has the
 /// theme's color.
 std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme);
+/// Those of such queries. The stages of another engine have their own names, and are colored in
+/// their order; what is behind the ninth of them is one group.
+std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& theme);
 
 Rgba8 ending_color(Outcome ending, const Theme& theme);
 

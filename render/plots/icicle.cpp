@@ -16,11 +16,15 @@ std::vector<std::uint32_t> begins_of(const TraversalTree& tree,
                                      const std::vector<std::uint32_t>& sizes) {
     std::vector<std::uint32_t> begins(sizes.size(), 0);
     std::vector<std::uint32_t> next(sizes.size(), 0);  // where a test's next child begins
+    std::uint32_t next_root = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const std::uint32_t parent = tree.parents[i];
         if (parent != TraversalTree::no_parent) {
             begins[i] = next[parent];
             next[parent] += sizes[i];
+        } else {
+            begins[i] = next_root;
+            next_root += sizes[i];
         }
         next[i] = begins[i];
     }
@@ -56,7 +60,7 @@ class GroupIndex {
 
   private:
     std::uint32_t divided_;
-    std::array<std::uint32_t, ending_count> of_{};
+    std::array<std::uint32_t, outcome_end> of_{};
 };
 
 /// One column of a row. Areas are exact: a column is as wide as there are tests, and a test as wide
@@ -119,7 +123,8 @@ Icicle icicle(const Events& events, const TraversalTree& tree,
     result.columns = columns;
     if (tests.empty()) return result;
 
-    const std::size_t first_depth = depth_of(tests[0]);
+    std::size_t first_depth = depth_of(tests[0]);
+    for (const VolumeTest& test : tests) first_depth = std::min(first_depth, depth_of(test));
     std::size_t depths = 0;
     for (const VolumeTest& test : tests)
         depths = std::max(depths, depth_of(test) - first_depth + 1);
@@ -134,7 +139,7 @@ Icicle icicle(const Events& events, const TraversalTree& tree,
     const GroupIndex group_of(groups);
 
     const auto width = static_cast<std::uint64_t>(columns);
-    const std::uint64_t all = sizes[0];
+    const std::uint64_t all = tests.size();
     std::vector<Column> line(width);
     for (std::size_t row = 0; row < rows.size(); ++row) {
         std::fill(line.begin(), line.end(), Column{});

@@ -41,4 +41,13 @@ bool identical(const Obb& a, const Obb& b) {
     return a.center == b.center && a.axes == b.axes && a.half == b.half;
 }
 
+bool identical(const AnyVolume& a, const AnyVolume& b) {
+    return std::visit(
+        [&]<class V>(const V& of_a) {
+            const V* of_b = std::get_if<V>(&b);
+            return of_b != nullptr && identical(of_a, *of_b);
+        },
+        a);
+}
+
 }  // namespace scb::render

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <variant>
-
-#include "core/volumes/convex_shape.h"
-#include "core/volumes/placed_volume.h"
+#include "core/volumes/any_volume.h"
 
 namespace scb::render {
 
-/// A volume of any type, for pictures that mix them.
-using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
+using scb::AnyVolume;
 
 /// As of each type, see core/volumes/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
@@ -19,6 +15,7 @@ bool identical(const Scb2& a, const Scb2& b);
 bool identical(const Ball& a, const Ball& b);
 bool identical(const Obb& a, const Obb& b);
 using scb::identical;
+bool identical(const AnyVolume& a, const AnyVolume& b);
 
 /// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);

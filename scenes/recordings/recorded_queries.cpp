@@ -1,6 +1,7 @@
 #include "scenes/recordings/recorded_queries.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -43,6 +44,7 @@ Pose made_rigid(Pose pose) {
 
 RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     RecordingSummary summary;
+    std::array<bool, 128> is_stage{};
     RecordingReader reader(bytes, name);
     while (const Record* record = reader.next()) {
         if (const auto* event = std::get_if<RecordedEvent>(record)) {
@@ -50,6 +52,10 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
             summary.volume_tests += tag < RecordTag::items_apart;
             summary.item_tests += tag == RecordTag::items_apart || tag == RecordTag::items_meet;
             summary.pairs += tag == RecordTag::pair;
+            if (tag > RecordTag::volumes_overlap && tag < RecordTag::items_apart) {
+                if (!is_stage[event->tag]) summary.stages.insert(event->tag);
+                is_stage[event->tag] = true;
+            }
         } else if (const auto* frame = std::get_if<RecordedFrame>(record)) {
             summary.frames.push_back(static_cast<int>(frame->frame));
         }

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,8 @@ struct BodyState {
 
 /// What of tests and results a recording has anywhere.
 struct RecordingSummary {
-    std::vector<int> frames;  ///< those that were told, ascending; 0 where none was
+    std::vector<int> frames;        ///< those that were told, ascending; 0 where none was
+    std::set<std::uint8_t> stages;  ///< at which tests were rejected
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` says that pairs are told, though there may be none.
     bool tells_pairs = false;

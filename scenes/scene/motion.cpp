@@ -1,6 +1,8 @@
 #include "scenes/scene/motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/trigonometry.h"
 #include "scb/error.h"
@@ -38,6 +40,11 @@ Mat3 rotation_about(const Vec3& axis, double degrees) {
 }
 
 Pose pose_at(const Motion& motion, int frame) {
+    if (!motion.told.empty()) {
+        const auto next = std::upper_bound(motion.told.begin(), motion.told.end(), frame,
+                                           [](int f, const PoseKey& key) { return f < key.frame; });
+        return next == motion.told.begin() ? next->pose : std::prev(next)->pose;
+    }
     Pose pose;
     pose.rotation = motion.base;
     for (const Turn& turn : motion.turns)

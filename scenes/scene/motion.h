@@ -23,6 +23,12 @@ struct LinearPath {
     double frames = 1;  ///< > 0
 };
 
+/// Where a body is from a frame on.
+struct PoseKey {
+    int frame = 0;
+    Pose pose;
+};
+
 /// How a body moves. Matrices act on columns; the body is first turned by `base`, then by each of
 /// `turns` in the order of the list, then moved along `path`. Euler angles are three turns about x,
 /// y and z.
@@ -30,6 +36,9 @@ struct Motion {
     LinearPath path;
     Mat3 base = Mat3::Identity();
     std::vector<Turn> turns;
+    /// In place of all that, poses that somebody told, ascending by frame; the first holds before
+    /// it too.
+    std::vector<PoseKey> told;
 };
 
 /// The rotation by `degrees` about `axis`: Rodrigues' formula, with no function of the C library

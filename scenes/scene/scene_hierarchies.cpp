@@ -24,14 +24,21 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 }
 
 std::vector<int> telling_levels(const std::vector<MeshTopology>& topologies) {
-    const int last = deepest(topologies);
+    std::vector<TreeShape> shapes;
+    for (const MeshTopology& mesh : topologies) shapes.push_back(tree_shape(*mesh.topology));
+    std::vector<const TreeShape*> trees;
+    for (const TreeShape& shape : shapes) trees.push_back(&shape);
+    return telling_levels(trees);
+}
+
+std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees) {
+    int last = 0;
+    for (const TreeShape* shape : trees) last = std::max(last, depth(*shape));
     std::vector<std::size_t> leaves(static_cast<std::size_t>(last) + 1);  // by depth
     std::size_t all = 0;
-    for (const MeshTopology& mesh : topologies) {
-        const std::vector<std::uint16_t> depths = node_depths(*mesh.topology);
-        for (std::size_t i = 0; i < depths.size(); ++i)
-            if (mesh.topology->nodes[i].is_leaf()) ++leaves[depths[i]], ++all;
-    }
+    for (const TreeShape* shape : trees)
+        for (std::uint32_t i = 0; i < shape->size(); ++i)
+            if (shape->hangs(i) && shape->is_leaf(i)) ++leaves[shape->depths[i]], ++all;
     std::vector<int> levels;
     std::size_t so_far = 0;
     for (int level = 0; level < last && 20 * so_far < 19 * all; ++level) {

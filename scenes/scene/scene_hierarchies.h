@@ -4,6 +4,7 @@
 
 #include "core/hierarchy/fitted_nodes.h"
 #include "core/hierarchy/mesh_topology.h"
+#include "core/hierarchy/tree_shape.h"
 #include "scb/any_hierarchy.h"
 #include "scenes/scene/scene.h"
 
@@ -16,8 +17,9 @@ std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOpt
 int deepest(const std::vector<MeshTopology>& topologies);
 
 /// The levels that differ enough to be told apart: down to the first that has 95 of 100 leaves, in
-/// all meshes together, and the deepest.
+/// all trees together, and the deepest.
 std::vector<int> telling_levels(const std::vector<MeshTopology>& topologies);
+std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees);
 
 /// One hierarchy per mesh, without the volumes of nodes that are deeper than that, see FittedNodes.
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,

@@ -43,6 +43,7 @@ constexpr int width = 1280, height = 720;
 struct Spheres {
     scenes::Scene scene = scenes::load_builtin(*scenes::find_builtin("spheres-l1"));
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
+    std::vector<std::unique_ptr<VolumeTree>> trees;
     TraceHeader header;
 
     Spheres() {
@@ -51,6 +52,7 @@ struct Spheres {
             hierarchies.push_back(
                 fit_any(VolumeKind::scb, topology, leaf_order(named.mesh, *topology)));
         }
+        for (const AnyHierarchy& hierarchy : hierarchies) trees.push_back(volume_tree(hierarchy));
         header.scene = scene.name;
         for (std::size_t side = 0; side < 2; ++side)
             header.bodies[side].name = scene.bodies[side].name;
@@ -62,9 +64,9 @@ struct Spheres {
         for (std::size_t side = 0; side < 2; ++side) {
             const scenes::Body& body = scene.bodies[side];
             bodies[side] = {
-                body.name,          &scene.meshes[body.mesh].mesh,       &hierarchies[body.mesh],
+                body.name,          &scene.meshes[body.mesh].mesh,       trees[body.mesh].get(),
                 handles[body.mesh], scenes::pose_at(body.motion, frame), id};
-            id += static_cast<std::uint32_t>(topology_of(*bodies[side].hierarchy).nodes.size());
+            id += static_cast<std::uint32_t>(bodies[side].tree->size());
         }
         for (render::QueryBody& body : bodies) {
             body.first_triangle_id = id;
@@ -74,14 +76,16 @@ struct Spheres {
     }
 };
 
-void ask(const render::QueryBodies& bodies, const TraceHeader& header, int frame,
-         TraceFrame& result) {
+void ask(const Spheres& spheres, const render::QueryBodies& bodies, const TraceHeader& header,
+         int frame, TraceFrame& result) {
+    const auto& [a, b] = std::pair(spheres.scene.bodies[0].mesh, spheres.scene.bodies[1].mesh);
+
     EventRecorder recorder{std::move(result.events)};
     recorder.events.volume_tests.clear();
     recorder.events.triangle_tests.clear();
     result.frame = frame;
     result.b_to_a = relative_pose(bodies[0].pose, bodies[1].pose);
-    result.found = collide(*bodies[0].hierarchy, *bodies[0].mesh, *bodies[1].hierarchy,
+    result.found = collide(spheres.hierarchies[a], *bodies[0].mesh, spheres.hierarchies[b],
                            *bodies[1].mesh, result.b_to_a, header.options, recorder);
     result.events = std::move(recorder.events);
 }
@@ -111,7 +115,7 @@ std::vector<render::AnyVolume> held_volumes(const Spheres& spheres,
     std::vector<render::AnyVolume> volumes;
     for (const int frame : frames)
         for (const render::QueryBody& body : spheres.bodies(frame, none)) {
-            const std::vector<std::uint16_t> depths = node_depths(topology_of(*body.hierarchy));
+            const std::vector<std::uint32_t>& depths = body.tree->shape().depths;
             for (std::uint32_t node = 0; node < depths.size(); ++node)
                 if (depths[node] <= 6) volumes.push_back(render::volume_of(body, node));
         }
@@ -220,7 +224,7 @@ void sequence(benchmark::State& state, What what) {
         PartClock clock;
         for (const int number : frames) {
             const render::QueryBodies bodies = spheres.bodies(number, handles);
-            ask(bodies, spheres.header, number, frame);
+            ask(spheres, bodies, spheres.header, number, frame);
             clock.add(query);
             render::SceneFigure figure;
             figure.title = "spheres-l1 · SCB";

@@ -54,7 +54,15 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t stage_count = 28;
 
-/// Tests per stage, indexed by Stage.
+/// The stages of a test that is none of this project's, by the numbers of who made it, 1 to 127;
+/// they have no names here. Above all others.
+constexpr Stage foreign_stage(std::uint8_t number) { return static_cast<Stage>(64 + number); }
+constexpr bool is_foreign(Stage stage) { return static_cast<std::uint8_t>(stage) > 64; }
+constexpr std::uint8_t foreign_number(Stage stage) {
+    return static_cast<std::uint8_t>(static_cast<std::uint8_t>(stage) - 64);
+}
+
+/// Tests per stage, indexed by Stage; foreign ones have no place.
 using StageCounts = std::array<std::uint64_t, stage_count>;
 
 /// The sum of all counts: N_v of equation 1.

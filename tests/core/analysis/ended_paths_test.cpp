@@ -135,7 +135,7 @@ TEST(EndedPathsOf, InnermostNodesHoldNoOther) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
     const TraceFrame frame = some_frame(header);
     const std::vector<EndedPaths> front = ended_paths(frame, traversal_tree(header, frame), 0);
-    const std::vector<EndedPaths> inner = innermost(front, mesh().topology());
+    const std::vector<EndedPaths> inner = innermost(front, tree_shape(mesh().topology()));
     const auto& nodes = mesh().topology().nodes;
     const auto holds = [&](std::uint32_t outer, std::uint32_t node) {
         return outer != node && nodes[outer].first <= nodes[node].first &&

@@ -20,6 +20,7 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
         const TraceFrame frame =
             record_frame(mesh, mesh, 0, pose, asking(kind, OverlapTest::symmetric));
         const Topology& topology = mesh.topology();
+        const TreeShape shape = tree_shape(topology);
         for (const std::size_t side : {0u, 1u}) {
             const auto on_side = [&](const IndexPair& p) { return side == 0 ? p.a : p.b; };
             std::vector<std::uint32_t> volumes(topology.order.size()), triangles(volumes);
@@ -30,8 +31,8 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
             }
             for (const TriangleTest& test : frame.events.triangle_tests)
                 ++triangles[on_side(test.triangles)];
-            EXPECT_EQ(triangle_heat(frame.events, topology, side, HeatOf::volumes), volumes);
-            const auto heat = triangle_heat(frame.events, topology, side, HeatOf::triangles);
+            EXPECT_EQ(triangle_heat(frame.events, shape, side, HeatOf::volumes), volumes);
+            const auto heat = triangle_heat(frame.events, shape, side, HeatOf::triangles);
             EXPECT_EQ(heat, triangles);
             EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), std::uint64_t{0}), frame.found.n_p);
         }
@@ -47,15 +48,15 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
         header.options.stop_level = stop_level;
         const TraceFrame frame = record_frame(mesh, mesh, 0, pose, header);
         ASSERT_FALSE(frame.found.pairs.empty());
-        const std::vector<bool> wasted = wasted_tests(frame.events, frame.found.pairs);
+        const std::vector<bool> wasted = wasted_tests(traversal_tree(header, frame));
         ASSERT_EQ(wasted.size(), frame.found.n_v);
         const auto count =
             static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
         EXPECT_FALSE(wasted[0]);
         EXPECT_GT(count, 0u);
-        const Topology& topology = mesh.topology();
-        const auto heat = triangle_heat(frame.events, topology, 0, HeatOf::wasted, wasted),
-                   all = triangle_heat(frame.events, topology, 0, HeatOf::volumes);
+        const TreeShape shape = tree_shape(mesh.topology());
+        const auto heat = triangle_heat(frame.events, shape, 0, HeatOf::wasted, wasted),
+                   all = triangle_heat(frame.events, shape, 0, HeatOf::volumes);
         for (std::size_t t = 0; t < heat.size(); ++t) EXPECT_LT(heat[t], all[t]);
         if (stop_level >= 0) continue;
         const AnyHierarchy& hierarchy = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];

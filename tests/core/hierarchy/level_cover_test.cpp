@@ -15,7 +15,10 @@ TEST(LevelCover, HoldsEveryTriangleOnceAtEveryLevel) {
     const Mesh mesh = random_soup(71, 300, 0.2);
     const Topology topology = build_topology(mesh);
     const int deepest = depth(topology);
+    const TreeShape shape = tree_shape(topology);
+    EXPECT_EQ(depth(shape), deepest);
     for (int level = leaf_level; level <= deepest + 2; ++level) {
+        EXPECT_EQ(level_cover(shape, level), level_cover(topology, level)) << level;
         std::uint32_t next = 0, triangles = 0;
         for (const std::uint32_t node : level_cover(topology, level)) {
             EXPECT_GE(node, next);  // in the order of the nodes
@@ -32,7 +35,8 @@ TEST(LevelCover, HoldsEveryTriangleOnceAtEveryLevel) {
 TEST(LevelCover, StatisticsAreThoseOfTheLevelWhereItHasNoLeavesAbove) {
     const auto h = build_hierarchy<Scb>(height_field(16));
     const LevelStatistics level = level_statistics(h)[4];
-    const VolumeStatistics cover = cover_statistics(h, level_cover(*h.topology, 4));
+    const AnyHierarchy any = h;
+    const VolumeStatistics cover = cover_statistics(*volume_tree(any), level_cover(*h.topology, 4));
     EXPECT_EQ(cover.volumes, level.volumes);
     EXPECT_DOUBLE_EQ(cover.mean_diameter(), level.mean_diameter());
     EXPECT_DOUBLE_EQ(cover.mean_thickness(), level.mean_thickness());

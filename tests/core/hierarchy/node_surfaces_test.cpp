@@ -18,7 +18,7 @@ TEST(NodeSurfaces, ANodeHasWhatItsChildrenHaveTogether) {
         mesh.triangles.push_back({first, first + 1, first + 2});
     }
     const Topology topology = build_topology(mesh);
-    const std::vector<double> surfaces = node_surfaces(topology, mesh);
+    const std::vector<double> surfaces = node_surfaces(tree_shape(topology), mesh);
     ASSERT_EQ(surfaces.size(), 7u);
     EXPECT_DOUBLE_EQ(surfaces[0], 7);
     constexpr double areas[] = {0.5, 2, 4.5, 0};

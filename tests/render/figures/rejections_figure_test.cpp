@@ -20,6 +20,8 @@ namespace {
 struct Query {
     BuiltMesh mesh{height_field(9)};
     TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
+    std::unique_ptr<VolumeTree> tree_of_mesh =
+        volume_tree(mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)]);
     TraceFrame frame;
     TraversalTree tree;
     QueryBodies bodies;
@@ -31,13 +33,13 @@ struct Query {
         tree = traversal_tree(header, frame);
         for (QueryBody& body : bodies) {
             body.mesh = &mesh.mesh;
-            body.hierarchy = &mesh.hierarchies[static_cast<std::size_t>(header.volume)];
+            body.tree = tree_of_mesh.get();
         }
         bodies[0].name = "A";
         bodies[1].name = "lid";
         bodies[1].pose = pose;
     }
-    const Topology& topology() const { return topology_of(*bodies[0].hierarchy); }
+    const Topology& topology() const { return mesh.topology(); }
     bool at_triangle(const EndedPaths& node) const {
         return topology().nodes[node.node].is_leaf() && !is_rejection(node.dominant);
     }

@@ -20,7 +20,7 @@ TEST(VolumeColors, NamesAreReadBack) {
 }
 
 TEST(VolumeColors, MagnitudesFollowTheirScales) {
-    const auto ball = [](double d) { return Ball{Vec3::Zero(), d / 2}; };
+    const auto ball = [](double d) { return VolumeLengths{d, d}; };
     const ColorScale depth{ColorBy::depth, 20, 1}, radius{ColorBy::radius, 20, 4},
         thickness{ColorBy::thickness, 20, 1};
     EXPECT_DOUBLE_EQ(color_magnitude(depth, ball(1), 5), 0.25);
@@ -33,8 +33,9 @@ TEST(VolumeColors, MagnitudesFollowTheirScales) {
                     1e-15);
     EXPECT_DOUBLE_EQ(color_magnitude(thickness, ball(3), 0), 1);
     EXPECT_DOUBLE_EQ(
-        color_magnitude(thickness, Scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.25}, 0), 0.5);
-    EXPECT_EQ(color_magnitude(thickness, Scb{}, 0), 0);
+        color_magnitude(thickness, lengths_of(Scb{Vec3::Zero(), 1, Vec3::UnitZ(), 0.25, -0.25}), 0),
+        0.5);
+    EXPECT_EQ(color_magnitude(thickness, lengths_of(Scb{}), 0), 0);
 }
 
 TEST(VolumeColors, AnEqualShareOfTheSurfaceIsInTheMiddle) {
@@ -49,7 +50,7 @@ TEST(VolumeColors, AnEqualShareOfTheSurfaceIsInTheMiddle) {
 
 TEST(VolumeColors, BodiesKeepTheirHueAndNeighborsDiffer) {
     const ColorScale scale;
-    const Ball ball{Vec3::Zero(), 1};
+    const VolumeLengths ball{2, 2};
     EXPECT_FALSE(volume_color(scale, ball, 0, 0, 1) == volume_color(scale, ball, 0, 0, 2));
     EXPECT_EQ(volume_color(scale, ball, 0, 0, 1), volume_color(scale, ball, 3, 0, 1));
     const Rgba8 a = volume_color(scale, ball, 0, 0, 7), b = volume_color(scale, ball, 0, 1, 7);
@@ -73,7 +74,7 @@ TEST(VolumeColors, LegendsHaveRisingTicks) {
 
 TEST(VolumeColors, ASubtreeKeepsItsCategory) {
     const Topology topology = *build_hierarchy<Ball>(random_soup(3, 400, 0.1)).topology;
-    const std::vector<std::uint8_t> subtrees = subtrees_of(topology);
+    const std::vector<std::uint8_t> subtrees = subtrees_of(tree_shape(topology));
     const std::vector<std::uint16_t> depths = node_depths(topology);
     std::vector<std::set<int>> of_level(depths.size());
     for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
@@ -86,7 +87,7 @@ TEST(VolumeColors, ASubtreeKeepsItsCategory) {
     for (std::size_t level = 0; level < 6; ++level)
         EXPECT_EQ(of_level[level].size(), std::size_t{1} << std::min<std::size_t>(level, 3));
     const ColorScale scale{ColorBy::subtree, 0, 1};
-    const Ball ball{Vec3::Zero(), 1};
+    const VolumeLengths ball{2, 2};
     EXPECT_FALSE(volume_color(scale, ball, 0, 2, 7) == volume_color(scale, ball, 0, 3, 7));
 }
 

@@ -1,0 +1,110 @@
+#include "core/judge/engine_trace.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "core/judge/test_links.h"
+
+namespace scb {
+namespace {
+
+using Kind = EngineEvent::Kind;
+
+std::uint16_t depth_of(const EngineSide& side, std::uint32_t node) {
+    const std::uint32_t depth = side.shape->depths[node];
+    // No root leads to it.
+    if (depth == no_index) return 0;
+    return static_cast<std::uint16_t>(
+        std::min<std::uint32_t>(depth, std::numeric_limits<std::uint16_t>::max()));
+}
+
+/// Per object the node that holds it.
+std::unordered_map<std::uint32_t, std::uint32_t> holders_of(const EngineSide& side) {
+    std::unordered_map<std::uint32_t, std::uint32_t> holders;  // lookups only
+    for (const std::uint32_t node : side.shape->order)
+        for (const std::uint32_t object : side.tree->items(node)) holders.try_emplace(object, node);
+    return holders;
+}
+
+/// The pairs of objects as pairs of the nodes that hold them.
+std::vector<IndexPair> pairs_of_holders(const EngineQuery& query, std::vector<IndexPair> pairs) {
+    const auto of_a = holders_of(query.sides[0]), of_b = holders_of(query.sides[1]);
+    std::vector<IndexPair> nodes;
+    for (const IndexPair pair : pairs) {
+        const auto a = of_a.find(pair.a), b = of_b.find(pair.b);
+        if (a != of_a.end() && b != of_b.end()) nodes.push_back({a->second, b->second});
+    }
+    return nodes;
+}
+
+bool are_objects(const EngineQuery& query) { return !query.sides[0].mesh || !query.sides[1].mesh; }
+
+/// Of triangles that exist: others are for the judgement.
+bool exist(const EngineQuery& query, IndexPair items) {
+    return are_objects(query) || (items.a < query.sides[0].mesh->triangles.size() &&
+                                  items.b < query.sides[1].mesh->triangles.size());
+}
+
+}  // namespace
+
+Stage stage_of_engine(std::uint8_t number, std::string_view name) {
+    const std::optional<Stage> own = stage_of(name);
+    return own && *own != Stage::overlapping ? *own : foreign_stage(number);
+}
+
+TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages) {
+    const auto stage_at = [&stages](std::uint8_t number) {
+        const auto told = stages.find(number);
+        return number == 0            ? Stage::overlapping
+               : told != stages.end() ? told->second
+                                      : foreign_stage(number);
+    };
+    TraceFrame frame{query.frame, query.b_to_a, {}, {}, {}};
+    Collision& found = frame.found;
+    TestLinks links(query);
+    std::vector<std::uint32_t> place;  // per test of volumes where it is in the frame, or no_index
+    for (const EngineEvent& event : query.events) {
+        if (event.kind == Kind::pair) {
+            if (exist(query, {event.a, event.b})) found.pairs.push_back({event.a, event.b});
+            continue;
+        }
+        if (event.kind != Kind::volumes) {
+            ++found.n_p;
+            const IndexPair items{event.a, event.b};
+            const bool meet = event.kind == Kind::items_meet;
+            if (!exist(query, items)) continue;
+            if (meet && !query.tells_pairs) found.pairs.push_back(items);
+            const std::uint32_t led_by = links.led_to_items(items);
+            if (!are_objects(query) && led_by != no_index && place[led_by] != no_index)
+                frame.events.triangle_tests.push_back({items, place[led_by], meet});
+            continue;
+        }
+        const IndexPair nodes = nodes_of(query, event);
+        const std::uint32_t led_by = links.take_volumes(nodes, event.stage == 0).led_by;
+        if (nodes.a == no_index || nodes.b == no_index) {
+            place.push_back(no_index);
+            continue;
+        }
+        const Stage stage = stage_at(event.stage);
+        place.push_back(static_cast<std::uint32_t>(frame.events.volume_tests.size()));
+        frame.parents.push_back(led_by == no_index ? TraversalTree::no_parent : place[led_by]);
+        frame.events.volume_tests.push_back(
+            {nodes, depth_of(query.sides[0], nodes.a), depth_of(query.sides[1], nodes.b), stage});
+        if (!is_foreign(stage)) ++found.stages[static_cast<std::size_t>(stage)];
+        const VolumeTest& test = frame.events.volume_tests.back();
+        found.depth = std::max(found.depth, test.depth_a + test.depth_b);
+    }
+    std::stable_sort(
+        frame.events.triangle_tests.begin(), frame.events.triangle_tests.end(),
+        [](const TriangleTest& x, const TriangleTest& y) { return x.after < y.after; });
+    found.n_v = frame.events.volume_tests.size();
+    found.complete = query.complete;
+    if (are_objects(query)) found.pairs = pairs_of_holders(query, std::move(found.pairs));
+    std::sort(found.pairs.begin(), found.pairs.end());
+    found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());
+    return frame;
+}
+
+}  // namespace scb

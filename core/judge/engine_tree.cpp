@@ -1,0 +1,143 @@
+#include "core/judge/engine_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace scb {
+namespace {
+
+using SharedPolytope = std::shared_ptr<const Polytope>;
+
+class EngineTree final : public VolumeTree {
+  public:
+    EngineTree(const NodeTree& tree, const TreeShape& shape) : VolumeTree(shape), tree_(tree) {}
+
+    bool has_volume(std::uint32_t node) const override {
+        return scb::has_volume(tree_[node].volume);
+    }
+
+    AnyVolume volume(std::uint32_t node) const override {
+        const NodeVolume& told = tree_[node].volume;
+        return std::visit(
+            [&]<class V>(const V& v) -> AnyVolume {
+                if constexpr (std::is_same_v<V, std::monostate> ||
+                              std::is_same_v<V, SharedPolytope>)
+                    return convex_shape(told);
+                else
+                    return shape_of(v);
+            },
+            told);
+    }
+
+    VolumeLengths lengths(std::uint32_t node) const override { return volume_size(node); }
+
+    VolumeSize volume_size(std::uint32_t node) const override {
+        const NodeVolume& told = tree_[node].volume;
+        return std::visit(
+            [&]<class V>(const V& v) -> VolumeSize {
+                if constexpr (std::is_same_v<V, std::monostate>)
+                    return {};
+                else if constexpr (std::is_same_v<V, SharedPolytope>)
+                    return size_of_shape(convex_shape(told));
+                else
+                    return size_of(v);
+            },
+            told);
+    }
+
+    VolumeFamily family() const override {
+        std::optional<VolumeFamily> family;
+        for (std::uint32_t node = 0; node < tree_.size(); ++node) {
+            if (!has_volume(node)) continue;
+            const VolumeFamily of_node = family_of(tree_[node].volume);
+            if (family && *family != of_node) return VolumeFamily::convex;
+            family = of_node;
+        }
+        return family.value_or(VolumeFamily::convex);
+    }
+
+    std::span<const std::uint32_t> items(std::uint32_t node) const override {
+        return tree_.items(node);
+    }
+    std::string node_words(std::uint32_t node) const override { return tree_.words(node); }
+
+  private:
+    static VolumeSize size_of_shape(const ConvexShape& shape) {
+        VolumeSize size;
+        double least = HUGE_VAL;
+        for (int i = 0; i < 3; ++i)
+            least = std::min(least,
+                             support(shape, Vec3::Unit(i)) + support(shape, Vec3(-Vec3::Unit(i))));
+        size.diameter = diameter(shape);
+        size.thickness = least;
+        const std::vector<FacePlane> planes = planes_about(shape, touching_directions());
+        const SurfaceMeasures measures = polytope_measures(planes, size.diameter);
+        size.area = measures.area;
+        size.volume = measures.volume;
+        return size;
+    }
+
+    static VolumeFamily family_of(const NodeVolume& volume) {
+        return std::holds_alternative<Scb>(volume)    ? VolumeFamily::slab_cut
+               : std::holds_alternative<Scb2>(volume) ? VolumeFamily::two_slabs
+               : std::holds_alternative<Ball>(volume) ? VolumeFamily::ball
+               : std::holds_alternative<Obb>(volume)  ? VolumeFamily::box
+                                                      : VolumeFamily::convex;
+    }
+
+    NodeTree tree_;
+};
+
+std::string title_of(const NodeVolume& volume) {
+    struct Title {
+        std::string operator()(const std::monostate&) const { return ""; }
+        std::string operator()(const Obb& box) const {
+            return box.axes == Mat3::Identity() ? "AABB" : "OBB";
+        }
+        std::string operator()(const Ball&) const { return "ball"; }
+        std::string operator()(const Capsule&) const { return "capsule"; }
+        std::string operator()(const Rss&) const { return "RSS"; }
+        std::string operator()(const Scb&) const { return "SCB"; }
+        std::string operator()(const Scb2&) const { return "SCB2"; }
+        std::string operator()(const SharedPolytope&) const { return "polytope"; }
+    };
+    return std::visit(Title{}, volume);
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& shape) {
+    return std::make_unique<EngineTree>(tree, shape);
+}
+
+std::uint64_t tree_hash(const VolumeTree& tree) {
+    std::uint64_t hash = 0xcbf29ce484222325;  // as of FNV-1a
+    const auto add = [&hash](std::uint64_t word) {
+        hash = (hash ^ word) * 0x100000001b3;
+        hash ^= hash >> 29;
+    };
+    for (std::uint32_t node = 0; node < tree.size(); ++node) {
+        add(tree.shape().parents[node]);
+        for (const std::uint32_t item : tree.items(node)) add(item);
+    }
+    return hash;
+}
+
+std::string volumes_title(const NodeTree& tree) {
+    std::string title;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const std::string of_node = title_of(tree[i].volume);
+        if (of_node.empty() || of_node == title) continue;
+        // An oriented box may have the axes of its body.
+        const bool boxes =
+            (of_node == "AABB" || of_node == "OBB") && (title == "AABB" || title == "OBB");
+        if (!title.empty() && !boxes) return "mixed volumes";
+        title = boxes ? "OBB" : of_node;
+    }
+    return title.empty() ? "no volumes" : title;
+}
+
+}  // namespace scb

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/hierarchy/volume_tree.h"
+#include "core/judge/node_tree.h"
+
+namespace scb {
+
+/// What an engine told of a tree, as pictures, files and reports read it: a copy. `shape` is
+/// tree_shape of it.
+std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& shape);
+
+/// Tells trees from each other by what hangs where and holds which items; not by their volumes.
+std::uint64_t tree_hash(const VolumeTree& tree);
+
+/// What its volumes are called in titles: "OBB", "AABB", "mixed volumes", "no volumes".
+std::string volumes_title(const NodeTree& tree);
+
+}  // namespace scb

@@ -1,0 +1,56 @@
+#include "core/judge/test_links.h"
+
+namespace scb {
+namespace {
+
+std::uint64_t key_of(IndexPair nodes) { return std::uint64_t{nodes.a} << 32 | nodes.b; }
+
+std::uint32_t holder_of(const EngineSide& side, std::uint32_t item) {
+    return item < side.shape->holder.size() ? side.shape->holder[item] : no_index;
+}
+
+}  // namespace
+
+IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
+    return {query.sides[0].tree->index_of(event.a), query.sides[1].tree->index_of(event.b)};
+}
+
+TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
+    const std::uint32_t index = taken_++;
+    Link link;
+    if (nodes.a != no_index && nodes.b != no_index) {
+        link.led_by = led_to(nodes);
+        const auto [known, added] = tests_.try_emplace(key_of(nodes), index);
+        link.repeated = !added;
+        known->second = index;
+    }
+    if (overlap) last_overlap_ = index;
+    return link;
+}
+
+/// The test of the parents, or of one node and the parent of the other: the latest.
+std::uint32_t TestLinks::led_to(IndexPair nodes) const {
+    const std::uint32_t above_a = query_.sides[0].shape->parents[nodes.a],
+                        above_b = query_.sides[1].shape->parents[nodes.b];
+    std::uint32_t latest = no_index;
+    for (const IndexPair above :
+         {IndexPair{above_a, nodes.b}, IndexPair{nodes.a, above_b}, IndexPair{above_a, above_b}}) {
+        if (above.a == no_index || above.b == no_index) continue;
+        const std::optional<std::uint32_t> found = test_of(above);
+        if (found && (latest == no_index || *found > latest)) latest = *found;
+    }
+    return latest;
+}
+
+std::uint32_t TestLinks::led_to_items(IndexPair items) const {
+    return test_of({holder_of(query_.sides[0], items.a), holder_of(query_.sides[1], items.b)})
+        .value_or(last_overlap_);
+}
+
+std::optional<std::uint32_t> TestLinks::test_of(IndexPair nodes) const {
+    const auto found = tests_.find(key_of(nodes));
+    if (found == tests_.end()) return std::nullopt;
+    return found->second;
+}
+
+}  // namespace scb

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "core/judge/engine_query.h"
+
+namespace scb {
+
+/// The indices of the nodes that a test of volumes names; no_index: there is none.
+IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event);
+
+/// Which test of a query led to which, restored from their order and the trees: engines need not
+/// tell it. Tests are numbered in order.
+class TestLinks {
+  public:
+    /// The query must outlive this.
+    explicit TestLinks(const EngineQuery& query) : query_(query) {}
+
+    struct Link {
+        std::uint32_t led_by = no_index;  ///< as far as one can tell
+        bool repeated = false;            ///< the query made the test before
+    };
+    /// Takes the next test of two volumes: of nodes by their indices, perhaps no_index.
+    Link take_volumes(IndexPair nodes, bool overlap);
+    /// The test of volumes that led to a test of two items: the latest of the nodes that have them;
+    /// where there was none, the latest that passed.
+    std::uint32_t led_to_items(IndexPair items) const;
+    /// The latest test of these nodes.
+    std::optional<std::uint32_t> test_of(IndexPair nodes) const;
+
+  private:
+    std::uint32_t led_to(IndexPair nodes) const;
+
+    const EngineQuery& query_;
+    std::unordered_map<std::uint64_t, std::uint32_t> tests_;  ///< by nodes: lookups only
+    std::uint32_t taken_ = 0, last_overlap_ = no_index;
+};
+
+}  // namespace scb

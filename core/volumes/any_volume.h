@@ -1,0 +1,35 @@
+#pragma once
+
+#include <variant>
+
+#include "core/volumes/convex_shape.h"
+#include "core/volumes/placed_volume.h"
+#include "core/volumes/shape.h"
+
+namespace scb {
+
+/// A volume of any type, for pictures, files and reports that mix them: what shape_of makes of it.
+using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
+
+/// How large a volume is across: the diameter and the thickness of Section 3.1 of the paper, d = 2r
+/// and tau = e - f; of an OBB the diagonal and the shortest side.
+struct VolumeLengths {
+    double diameter = 0, thickness = 0;
+};
+
+template <class V>
+VolumeLengths lengths_of(const V& volume) {
+    return {diameter(volume), thickness(volume)};
+}
+
+/// The same with area and volume.
+struct VolumeSize : VolumeLengths {
+    double area = 0, volume = 0;
+};
+
+template <class V>
+VolumeSize size_of(const V& v) {
+    return {lengths_of(v), surface_area(v), volume(v)};
+}
+
+}  // namespace scb

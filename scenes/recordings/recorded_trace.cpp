@@ -1,0 +1,305 @@
+#include "scenes/recordings/recorded_trace.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include "core/judge/engine_trace.h"
+#include "core/judge/engine_tree.h"
+#include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/text/input_files.h"
+#include "scenes/text/number_list.h"
+#include "scenes/text/utf8.h"
+
+namespace scb::scenes {
+namespace {
+
+using Step = RecordedQueries::Step;
+
+std::string setting_of(const RecordedQueries& queries, const std::string& key) {
+    std::string value;
+    for (const RecordedSetting& setting : queries.settings())
+        if (setting.key == key) value = setting.value;
+    return value;
+}
+
+/// The names of bodies, each told from the others.
+std::map<std::uint32_t, std::string> names_of(const RecordedQueries& queries) {
+    std::map<std::uint32_t, std::string> names;
+    std::set<std::string> taken;
+    for (const auto& [number, body] : queries.bodies()) {
+        std::string name =
+            body.name.empty() ? "body " + std::to_string(number) : printable(body.name);
+        if (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
+        taken.insert(name);
+        names[number] = name;
+    }
+    return names;
+}
+
+bool is_same(const Pose& a, const Pose& b) {
+    return a.rotation == b.rotation && a.translation == b.translation;
+}
+
+/// Which two bodies were queried, and at which frames, in the order of the first time.
+struct QueriedPair {
+    std::array<std::uint32_t, 2> bodies{};
+    std::vector<int> frames;
+};
+
+}  // namespace
+
+namespace {
+
+/// Where a tree has no mesh, its items are objects: one mesh without triangles stands for all.
+std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {
+    static const auto none = std::make_shared<const Mesh>();
+    const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
+    return told == queries.meshes().end() ? none : told->second.mesh;
+}
+
+std::string engine_of(const RecordedQueries& queries, const std::string& path) {
+    const std::string told = setting_of(queries, "engine");
+    return told.empty() ? std::filesystem::path(path).stem().string() : told;
+}
+
+std::string volumes_of(const std::vector<std::string>& titles) {
+    std::string text;
+    std::set<std::string> taken;
+    for (const std::string& title : titles)
+        if (taken.insert(title).second) text += (text.empty() ? "" : ", ") + title;
+    return text;
+}
+
+/// Fills a scene with what a recording tells, frame after frame.
+class SceneOfRecording {
+  public:
+    explicit SceneOfRecording(const std::string& path) : path_(path) {}
+
+    /// At the end of a frame.
+    void take(const RecordedQueries& queries) {
+        for (const auto& [number, body] : queries.bodies()) {
+            std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
+            if (poses.empty() || !is_same(poses.back().pose, body.pose))
+                poses.push_back({queries.frame(), body.pose});
+        }
+        scene_.frames = std::max(scene_.frames, queries.frame() + 1);
+    }
+
+    Scene finish(const RecordedQueries& queries) {
+        // Trees alone stand where they are.
+        if (scene_.bodies.empty())
+            for (const auto& [number, tree] : queries.trees())
+                body_of(queries, number, number).name =
+                    tree.name.empty() ? "tree " + std::to_string(number) : tree.name;
+        if (scene_.bodies.empty())
+            throw InputError(path_ + ": it has no tree; record one with scb_record_tree.");
+        for (const auto& [number, name] : names_of(queries))
+            scene_.bodies[places_.at(number)].name = name;
+        const std::string told = setting_of(queries, "scene");
+        scene_.name =
+            file_name_of(told.empty() ? std::filesystem::path(path_).stem().string() : told);
+        scene_.file = path_;
+        return std::move(scene_);
+    }
+
+  private:
+    Body& body_of(const RecordedQueries& queries, std::uint32_t number, std::uint32_t tree) {
+        const auto [place, added] = places_.try_emplace(number, scene_.bodies.size());
+        if (added) {
+            const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
+            const bool has_mesh = told != queries.meshes().end();
+            const auto [mesh, is_new] =
+                meshes_.try_emplace(has_mesh ? told->first : record_none, scene_.meshes.size());
+            if (is_new)
+                scene_.meshes.push_back(
+                    {has_mesh ? told->second.name : "objects", *mesh_of(queries, tree), path_});
+            scene_.bodies.push_back({"", mesh->second, {}});
+        }
+        return scene_.bodies[place->second];
+    }
+
+    std::string path_;
+    Scene scene_;
+    std::map<std::uint32_t, std::size_t> places_, meshes_;  ///< by number
+};
+
+}  // namespace
+
+Scene scene_of_recording(std::string_view bytes, const std::string& path) {
+    RecordedQueries queries(bytes, path, summary_of(bytes, path));
+    SceneOfRecording scene(path);
+    for (Step step = queries.next(); step != Step::end; step = queries.next())
+        if (step == Step::frame) scene.take(queries);
+    return scene.finish(queries);
+}
+
+RecordedBodies bodies_of_recording(const std::string& path, const std::string& frames) {
+    const std::string bytes = recording_bytes(path);
+    const RecordingSummary summary = summary_of(bytes, path);
+    RecordedBodies result;
+    result.scene = scene_of_recording(bytes, path);
+    result.frame = summary.frames.front();
+    if (!frames.empty()) {
+        const std::vector<int> wanted =
+            frames_among(summary.frames, frames, path, "a recording may have");
+        if (wanted.size() != 1)
+            throw InputError("--frames " + frames + ": this command takes one frame; give one.");
+        result.frame = wanted[0];
+    }
+    RecordedQueries queries(bytes, path, summary);
+    std::vector<std::string> titles;
+    std::map<std::uint32_t, std::shared_ptr<const VolumeTree>> trees;
+    const auto add = [&](const std::string& name, std::uint32_t tree, const Pose& pose) {
+        std::shared_ptr<const VolumeTree>& known = trees[tree];
+        if (!known) {
+            const EngineSide told = queries.side_of(tree);
+            known = volume_tree(*told.tree, *told.shape);
+            titles.push_back(volumes_title(*told.tree));
+        }
+        result.bodies.push_back({name, mesh_of(queries, tree), known, pose});
+    };
+    for (Step step = queries.next(); step != Step::end; step = queries.next())
+        if (step == Step::frame && queries.frame() == result.frame) break;
+    const std::map<std::uint32_t, std::string> names = names_of(queries);
+    for (const auto& [number, body] : queries.bodies()) add(names.at(number), body.tree, body.pose);
+    if (result.bodies.empty())
+        for (const auto& [number, tree] : queries.trees())
+            add(tree.name.empty() ? "tree " + std::to_string(number) : tree.name, number, {});
+    if (result.bodies.empty())
+        throw InputError(path + ": at frame " + std::to_string(result.frame) +
+                         " it has no tree yet; name a later one with --frames.");
+    result.engine = engine_of(queries, path);
+    result.volumes = volumes_of(titles);
+    return result;
+}
+
+RecordedTrace::RecordedTrace(const std::string& path, const std::string& bodies,
+                             const std::string& frames)
+    : path_(path), bytes_(recording_bytes(path)), summary_(summary_of(bytes_, path)) {
+    scene_ = scene_of_recording(bytes_, path);
+    choose(bodies, frames);
+    read_bodies();
+    queries_ = std::make_unique<RecordedQueries>(bytes_, path_, summary_);
+}
+
+void RecordedTrace::choose(const std::string& bodies, const std::string& frames) {
+    std::vector<QueriedPair> pairs;
+    RecordedQueries queries(bytes_, path_, summary_);
+    for (Step step = queries.next(); step != Step::end; step = queries.next()) {
+        if (step != Step::query) continue;
+        const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const QueriedPair& pair) {
+            return pair.bodies == queries.query_bodies();
+        });
+        QueriedPair& pair = known != pairs.end()
+                                ? *known
+                                : pairs.emplace_back(QueriedPair{queries.query_bodies(), {}});
+        if (pair.frames.empty() || pair.frames.back() != queries.frame())
+            pair.frames.push_back(queries.frame());
+    }
+    if (pairs.empty())
+        throw InputError(path_ +
+                         ": it has no query; record one with scb_record_query, or see its "
+                         "trees with `scb render levels`.");
+    const std::map<std::uint32_t, std::string> names = names_of(queries);
+    const auto words = [&names](const QueriedPair& pair) {
+        return names.at(pair.bodies[0]) + "," + names.at(pair.bodies[1]);
+    };
+    auto chosen = pairs.begin();
+    if (!bodies.empty()) {
+        chosen = std::find_if(pairs.begin(), pairs.end(),
+                              [&](const QueriedPair& pair) { return words(pair) == bodies; });
+        if (chosen == pairs.end() && bodies == "A,B" && pairs.size() == 1) chosen = pairs.begin();
+    }
+    if (chosen == pairs.end() || (bodies.empty() && pairs.size() > 1)) {
+        constexpr std::size_t most = 5;
+        std::string known;
+        for (std::size_t i = 0; i < std::min(pairs.size(), most); ++i)
+            known += (i == 0 ? "" : "; ") + words(pairs[i]);
+        if (pairs.size() > most)
+            known += "; and " + std::to_string(pairs.size() - most) + " other pairs";
+        throw InputError((bodies.empty() ? path_ + ": it has queries of several pairs of bodies"
+                                         : "--bodies " + bodies + ": " + path_ +
+                                               " has no query of these bodies") +
+                         "; name one of its pairs with --bodies (" + known + ").");
+    }
+    numbers_ = chosen->bodies;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+            if (scene_.bodies[i].name == names.at(numbers_[side])) sides_[side] = i;
+    frames_ = frames == auto_frames
+                  ? std::vector{chosen->frames.front()}
+                  : frames_among(chosen->frames, frames, path_, "a recording may have");
+}
+
+bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {
+    return queries.query_bodies() == numbers_ &&
+           std::binary_search(frames_.begin(), frames_.end(), queries.frame());
+}
+
+void RecordedTrace::read_bodies() {
+    RecordedQueries queries(bytes_, path_, summary_);
+    // By tree and what was told of it.
+    std::map<std::tuple<std::uint32_t, int>, std::shared_ptr<const VolumeTree>> trees;
+    std::vector<std::string> titles;
+    for (Step step = queries.next(); step != Step::end; step = queries.next()) {
+        if (step != Step::query || !is_wanted(queries) || bodies_.contains(queries.frame()))
+            continue;
+        const std::vector<EngineEvent>& events = queries.query().events;
+        test_counts_[queries.frame()] = static_cast<std::uint64_t>(std::count_if(
+            events.begin(), events.end(),
+            [](const EngineEvent& event) { return event.kind == EngineEvent::Kind::volumes; }));
+        std::array<BodyAtFrame, 2>& at = bodies_[queries.frame()];
+        for (std::size_t side = 0; side < 2; ++side) {
+            const BodyState& body = queries.bodies().at(numbers_[side]);
+            const TreeState& tree = queries.trees().at(body.tree);
+            std::shared_ptr<const VolumeTree>& known = trees[{body.tree, tree.volume_version}];
+            if (!known) {
+                const EngineSide told = queries.side_of(body.tree);
+                known = volume_tree(*told.tree, *told.shape);
+                titles.push_back(volumes_title(*told.tree));
+            }
+            at[side] = {scene_.bodies[sides_[side]].name, mesh_of(queries, body.tree), known,
+                        body.pose};
+        }
+    }
+    const std::array<BodyAtFrame, 2>& first = bodies_.at(frames_.front());
+    header_.source = {path_};
+    header_.scene = scene_.name;
+    for (std::size_t side = 0; side < 2; ++side)
+        header_.bodies[side] = {first[side].name, fingerprint(*first[side].mesh)};
+    TraceEngine& engine = header_.engine.emplace();
+    engine.name = engine_of(queries, path_);
+    engine.volumes = volumes_of(titles);
+    for (std::size_t side = 0; side < 2; ++side) engine.trees[side] = tree_hash(*first[side].tree);
+    engine.objects = first[0].mesh->triangles.empty() || first[1].mesh->triangles.empty();
+    for (const RecordedSetting& setting : queries.settings())
+        if (setting.key != "engine" && setting.key != "scene" && setting.key != "results")
+            engine.settings.push_back({setting.key, setting.value});
+    std::map<std::uint8_t, std::string> named = queries.stages();
+    for (const std::uint8_t number : summary_.stages)
+        named.try_emplace(number, "stage " + std::to_string(number));
+    for (const auto& [number, name] : named) {
+        stages_[number] = stage_of_engine(number, name);
+        engine.stages.push_back({stages_[number], name});
+    }
+}
+
+const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {
+    return bodies_.at(frame)[side];
+}
+
+const TraceFrame& RecordedTrace::frame(int number) {
+    while (true) {
+        const Step step = queries_->next();
+        if (step == Step::end)
+            throw InputError(path_ + ": it has no frame " + std::to_string(number) + " any more.");
+        if (step == Step::query && queries_->frame() == number && is_wanted(*queries_)) break;
+    }
+    frame_ = trace_frame(queries_->query(), stages_);
+    return frame_;
+}
+
+}  // namespace scb::scenes
