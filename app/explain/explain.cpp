@@ -28,7 +28,7 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     const bool trace = options.scene.names.size() == 1 && scenes::names_trace(name);
     if (trace) refuse_for_trace(options.recording, name);
     if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
-    QuerySource source(options.scene, options.hierarchy, query, {});
+    QuerySource source(options.scene, options.hierarchy, query, {}, false);
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
     if (trace) source.frame(frame);  // refuses bodies that are elsewhere by now
     return {std::move(source), frame};

@@ -285,7 +285,7 @@ int run(InspectOptions& options, const Console& console) {
         return run_recording(options, console);
     options.check();
     QuerySources sources;
-    sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits);
+    sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits, false);
     QuerySource& source = sources.front();
     const SceneQuery& query = source.query();
     note_doubts(options.hierarchy, {query.kind}, console);

@@ -5,18 +5,11 @@
 #include "app/query/count_table.h"
 #include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
-#include "core/analysis/ending.h"
 
 namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json stages_json(const TraceHeader& header, const TraceFrame& frame) {
-    Json json = Json::object();
-    for (const auto& [name, count] : tests_by_stage(header, frame)) json[name] = count;
-    return json;
-}
 
 void add_ids(Json& list, const QueryView& view, const char* what,
              const std::array<IdRange, 2>& ranges) {
@@ -67,12 +60,7 @@ Json query_index_entry(const QueryView& view, const QueryFrames& frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const TraceHeader& header = view.sources()[i].header();
         const TraceFrame& frame = *frames[i];
-        counts.push_back(count_json(frame.frame, frame.b_to_a, frame.found,
-                                    counted_stages(header.volume, header.options.overlap)));
-        if (header.engine) {
-            counts.back().erase("n_u");
-            counts.back()["stages"] = stages_json(header, frame);
-        }
+        counts.push_back(count_json(header, frame));
     }
     if (!view.compares()) return counts[0];
     return {{"frame", frames[0]->frame}, {"queries", std::move(counts)}};

@@ -2,7 +2,6 @@
 
 #include "app/query/output_guard.h"
 #include "scb/error.h"
-#include "scenes/recordings/recording_input.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
@@ -14,10 +13,7 @@ void QueryViewOptions::check() {
     hierarchy.build();
     query.collide();
     for (const std::string& name : scene.names)
-        if (scenes::names_trace(name))
-            refuse_for_trace(recording, name);
-        else if (scenes::names_recording(name))
-            refuse_for_recording(recording, name);
+        if (scenes::names_trace(name)) refuse_for_trace(recording, name);
     picture.video.check(picture.output);
     if (pick.empty()) return;
     const std::vector<std::string> parts = scenes::split_list(pick);

@@ -9,16 +9,12 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_run.h"
 #include "app/pictures/scene_camera.h"
-#include "app/query/level_list.h"
+#include "app/query/level_trees.h"
 #include "app/query/query_options.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/level_sheet.h"
-#include "render/figures/volume_titles.h"
 #include "scb/error.h"
-#include "scenes/recordings/recorded_trace.h"
-#include "scenes/recordings/recording_input.h"
-#include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {
 namespace {
@@ -60,12 +56,11 @@ std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
 
 // The frame, and every option that changes what is drawn but cannot be seen.
 std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene, int frame,
-                        int deepest_level, bool orthographic) {
+                        int deepest_level, bool recorded, bool orthographic) {
     std::string text = "of levels 0 to " + std::to_string(deepest_level);
     if (scene.frames > 1)
         text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
-    if (!scenes::names_recording(scene.file.string()))
-        text += build_text(options.hierarchy.build());
+    if (!recorded) text += build_text(options.hierarchy.build());
     if (orthographic) text += ", orthographic";
     const std::string up = up_words(options.camera, scene);
     if (!up.empty()) text += ", " + up;
@@ -104,92 +99,13 @@ std::vector<render::LevelBody> bodies_of(const std::vector<scenes::BodyAtFrame>&
     return result;
 }
 
-// The deepest node of which a volume is drawn or counted.
-int deepest_drawn(const std::vector<int>& levels) {
-    if (std::find(levels.begin(), levels.end(), leaf_level) != levels.end())
-        return FittedNodes{}.deepest;
-    return *std::max_element(levels.begin(), levels.end());
-}
-
 // Its volumes are too large for a view to be shared with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
-
-/// Trees of one kind, one per body.
-struct LevelTrees {
-    std::string title, name;  ///< for readers, and for files
-    std::vector<scenes::BodyAtFrame> bodies;
-};
-
-/// What is to be drawn: bodies at a frame with trees of one or several kinds.
-struct LevelSubject {
-    scenes::Scene scene;
-    int frame = 0;
-    int deepest = 0;
-    std::vector<int> levels;
-    std::vector<LevelTrees> trees;
-    std::vector<std::vector<AnyHierarchy>> hierarchies;  ///< that trees are of, per kind and mesh
-};
-
-LevelSubject own_subject(const LevelOptions& options, const Console& console) {
-    LevelSubject subject;
-    subject.scene = options.scene.load();
-    const scenes::Scene& scene = subject.scene;
-    subject.frame = options.scene.frame_of(scene);
-    const std::vector<MeshTopology> topologies =
-        scenes::build_topologies(scene, options.hierarchy.build().topology());
-    subject.deepest = scenes::deepest(topologies);
-    subject.levels =
-        parse_levels(options.levels, subject.deepest, scenes::telling_levels(topologies));
-    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    if (scene.bodies.size() == 2 && options.scene.names.size() == 2 && options.scene.pose.empty())
-        console.note("scb: both bodies are at the same pose; --pose moves the second.");
-    note_doubts(options.hierarchy, kinds, console);
-    subject.hierarchies.reserve(kinds.size());  // trees refer to them
-    for (const VolumeKind kind : kinds) {
-        LevelTrees of_kind{
-            std::string(render::volume_title(kind)), std::string(volume_kind_name(kind)), {}};
-        std::vector<std::shared_ptr<const VolumeTree>> of_mesh;
-        for (AnyHierarchy& fitted : subject.hierarchies.emplace_back(scenes::fit_meshes(
-                 topologies, kind, options.hierarchy.build(), deepest_drawn(subject.levels)))) {
-            mutate(options.hierarchy.mutation, fitted);
-            of_mesh.push_back(volume_tree(fitted));
-        }
-        // The scene owns the meshes.
-        for (const scenes::Body& body : scene.bodies)
-            of_kind.bodies.push_back(
-                {body.name,
-                 {std::shared_ptr<const Mesh>(), &scene.meshes[body.mesh].mesh},
-                 of_mesh[body.mesh],
-                 pose_at(body.motion, subject.frame)});
-        subject.trees.push_back(std::move(of_kind));
-    }
-    return subject;
-}
-
-LevelSubject recorded_subject(const LevelOptions& options) {
-    refuse_for_recording(options.recording, options.scene.names[0]);
-    scenes::RecordedBodies recorded =
-        scenes::bodies_of_recording(options.scene.names[0], options.scene.frames);
-    LevelSubject subject;
-    std::vector<const TreeShape*> shapes;
-    for (const scenes::BodyAtFrame& body : recorded.bodies) {
-        shapes.push_back(&body.tree->shape());
-        subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
-    }
-    subject.levels = parse_levels(options.levels, subject.deepest, scenes::telling_levels(shapes));
-    subject.frame = recorded.frame;
-    subject.scene = std::move(recorded.scene);
-    subject.trees.push_back({recorded.engine + ", " + recorded.volumes,
-                             scenes::file_name_of(recorded.engine), std::move(recorded.bodies)});
-    return subject;
-}
 
 int run(const LevelOptions& options, const Console& console) {
     options.check();
     const LevelSubject subject =
-        options.scene.names.size() == 1 && scenes::names_recording(options.scene.names[0])
-            ? recorded_subject(options)
-            : own_subject(options, console);
+        level_subject(options.scene, options.hierarchy, options.levels, options.recording, console);
     const scenes::Scene& scene = subject.scene;
     const int frame = subject.frame;
     const std::vector<int>& levels = subject.levels;
@@ -227,8 +143,8 @@ int run(const LevelOptions& options, const Console& console) {
                                        wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
     figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
-    figure.subtitle =
-        subtitle_of(options, scene, frame, subject.deepest, figure.camera.orthographic);
+    figure.subtitle = subtitle_of(options, scene, frame, subject.deepest, subject.recorded,
+                                  figure.camera.orthographic);
 
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();

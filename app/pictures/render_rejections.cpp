@@ -178,6 +178,8 @@ struct Shot {
         figure.with_panel = !options.picture.no_panel;
         if (step) {
             show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
+        } else if (frame.found.n_v == 0) {
+            figure.remark = "no tests of volumes were recorded";
         } else if (ended[0].empty() && ended[1].empty()) {
             figure.remark = "no such node";
         } else if (!frame.found.complete) {

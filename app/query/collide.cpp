@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
@@ -17,6 +20,7 @@
 #include "core/geometry/placed_box.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {
 namespace {
@@ -154,11 +158,47 @@ std::string nothing_text(const SceneQuery& query) {
            query.scene.bodies[query.a].name + ").\n";
 }
 
-int run(const CollideCommandOptions& options, const Console& console) {
+/// What a recording has of a query beside the exact pairs.
+struct RecordedCounts {
+    std::size_t pairs = 0, missed = 0, wrong = 0;
+
+    RecordedCounts(const std::vector<IndexPair>& recorded, const std::vector<IndexPair>& exact)
+        : pairs(recorded.size()) {
+        std::vector<IndexPair> both;
+        std::set_intersection(recorded.begin(), recorded.end(), exact.begin(), exact.end(),
+                              std::back_inserter(both));
+        missed = exact.size() - both.size();
+        wrong = recorded.size() - both.size();
+    }
+};
+
+constexpr const char* recorded_header = " recorded   missed    false";
+
+std::string recorded_row(const RecordedCounts& counts) {
+    return format("%9zu %8zu %8zu", counts.pairs, counts.missed, counts.wrong);
+}
+
+/// The row with more columns before its end.
+std::string with_columns(std::string row, const std::string& columns) {
+    return row.insert(row.rfind('\n'), columns);
+}
+
+int run(CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
+    std::optional<scenes::RecordedTrace> recorded;
+    if (options.scene.is_recording()) {
+        recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames);
+        if (recorded->header().engine->objects)
+            throw InputError(options.scene.names[0] +
+                             ": its items are objects without triangles, of which there are no "
+                             "exact pairs; see `scb trace` for what it recorded.");
+        options.query.bodies =
+            recorded->header().bodies[0].name + "," + recorded->header().bodies[1].name;
+    }
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    if (recorded) query.frames = recorded->frames();
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
     note_doubts(options.hierarchy, {query.kind}, console);
@@ -175,17 +215,29 @@ int run(const CollideCommandOptions& options, const Console& console) {
         text = csv_header(stages);
     else if (!options.json)
         text = title_of(options, query) + count_table_header(stages);
+    if (recorded && !options.json)
+        text = with_columns(text, options.csv ? ",recorded,missed,false" : recorded_header);
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
         if (watch.signal() != 0) break;
         const Collision found = query.collide(frame);
         sums.add(found);
-        if (options.json)
+        std::optional<RecordedCounts> there;
+        if (recorded) there.emplace(recorded->frame(frame).found.pairs, found.pairs);
+        if (options.json) {
             json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
-        else
-            text +=
+            if (there)
+                json_frames.back()["recorded"] = {
+                    {"pairs", there->pairs}, {"missed", there->missed}, {"false", there->wrong}};
+        } else {
+            const std::string row =
                 options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
+            text += !there        ? row
+                    : options.csv ? with_columns(row, format(",%zu,%zu,%zu", there->pairs,
+                                                             there->missed, there->wrong))
+                                  : with_columns(row, recorded_row(*there));
+        }
         if (!options.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)
                 pairs += format("%d,%u,%u\n", frame, pair.a, pair.b);
@@ -197,6 +249,9 @@ int run(const CollideCommandOptions& options, const Console& console) {
                "\n";
     else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
+    if (recorded && !options.json && !options.csv)
+        text += "\nrecorded: pairs that " + recorded->header().engine->name +
+                " reported; missed and false: against the exact ones. `scb inspect` says why.\n";
     const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
     if (!options.json && !options.csv && all && sums.pairs == 0) text += nothing_text(query);
     if (!options.pairs_out.empty() && sums.frames > 0)

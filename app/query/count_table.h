@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/trace.h"
 #include "scb/any_collide.h"
 
 namespace scb::app {
@@ -23,5 +24,11 @@ std::string count_table_row(int frame, const Collision& found, const std::vector
 /// and the hash of the pairs.
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
+
+// The same of a trace or a recording. Of another engine there is no N_u, and the stages are its
+// own.
+std::string count_table_header(const TraceHeader& header);
+std::string count_table_row(const TraceHeader& header, const TraceFrame& frame);
+nlohmann::ordered_json count_json(const TraceHeader& header, const TraceFrame& frame);
 
 }  // namespace scb::app

@@ -5,9 +5,9 @@
 #include "app/cli/commands.h"
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
+#include "scenes/recordings/test_input.h"
 #include "scenes/text/utf8.h"
 #include "scenes/traces/trace_diff_text.h"
-#include "scenes/traces/trace_input.h"
 
 namespace scb::app {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct DiffOptions {
-    std::string a, b;
+    std::string a, b, bodies;
     bool json = false;
 };
 
@@ -70,10 +70,9 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
 }
 
 int run(const DiffOptions& options) {
-    scenes::TraceInput a(options.a), b(options.b);
+    scenes::TestInput a(options.a, "all", options.bodies), b(options.b, "all", options.bodies);
     const TraceDiff d = diff(
-        a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
-        [&] { return b.reader.next(); });
+        a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
     print_result(options.json
                      ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n"
@@ -88,8 +87,11 @@ void add_diff(const Command& program, Action& action) {
     const Command command = program.add_subcommand(
         "diff", "Compare two traces: equal, or the first test at which they part");
     const auto options = std::make_shared<DiffOptions>();
-    command.add_option("A", options->a, "A trace, see `scb trace`").required().type_name("");
-    command.add_option("B", options->b, "Another trace").required().type_name("");
+    command.add_option("A", options->a, "A trace, see `scb trace`, or another engine's recording")
+        .required()
+        .type_name("");
+    command.add_option("B", options->b, "Another one").required().type_name("");
+    command.add_option("--bodies", options->bodies, "Of recordings, which two bodies: A,B");
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(
         "Compares what was asked, then the frames that are in both, in the order of the tests. "

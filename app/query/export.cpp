@@ -2,11 +2,10 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/validators.h"
-#include "app/query/level_list.h"
+#include "app/query/level_trees.h"
 #include "app/query/output_guard.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/base/exit_status.h"
-#include "core/volumes/shape.h"
 #include "render/files/output_file.h"
 #include "render/view/any_volume.h"
 #include "render/view/palette.h"
@@ -14,7 +13,6 @@
 #include "scb/level_cover.h"
 #include "scenes/meshes/mesh_export.h"
 #include "scenes/meshes/volume_mesh.h"
-#include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {
 namespace {
@@ -28,6 +26,7 @@ struct ExportOptions {
     std::string levels;
     int segments = 32;
     std::string output;
+    std::vector<std::string> recording;  ///< see given_hierarchy_options
 };
 
 void append(Mesh& mesh, const Mesh& part) {
@@ -44,39 +43,34 @@ int run(const ExportOptions& options, const Console& console) {
     if (options.segments < 3 || options.segments > 1024)
         throw InputError("--segments " + std::to_string(options.segments) +
                          ": give 3 to 1024 corners per circle.");
-    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    if (kinds.size() != 1)
+    if (options.hierarchy.kinds().size() != 1)
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
     check_output(options.output, "-o");
-    note_doubts(options.hierarchy, kinds, console);
-    const scenes::Scene scene = options.scene.load();
+    const LevelSubject subject =
+        level_subject(options.scene, options.hierarchy, options.levels, options.recording, console);
     check_output(options.output, "-o");
-    const int frame = options.scene.frame_of(scene);
-    const std::vector<MeshTopology> topologies =
-        scenes::build_topologies(scene, options.hierarchy.build().topology());
-    const int level = parse_level(options.levels, scenes::deepest(topologies));
-    const std::vector<AnyHierarchy> hierarchies =
-        scenes::fit_meshes(topologies, kinds[0], options.hierarchy.build());
+    if (subject.levels.size() != 1)
+        throw InputError("--levels " + options.levels +
+                         ": this command takes one level; give one.");
 
     std::vector<scenes::ExportPart> parts;
     std::size_t nodes = 0, left_out = 0;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const scenes::Body& body = scene.bodies[b];
-        const AnyHierarchy& hierarchy = hierarchies[body.mesh];
-        const Pose pose = scenes::pose_at(body.motion, frame);
+    const std::vector<scenes::BodyAtFrame>& bodies = subject.trees[0].bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const VolumeTree& tree = *bodies[b].tree;
         const render::Rgba8 color = render::category_color(b);
         scenes::ExportPart part{
-            body.name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};
-        for (const std::uint32_t node : level_cover(topology_of(hierarchy), level)) {
-            std::visit(
-                [&](const auto& h) {
-                    const Mesh volume = scenes::volume_mesh(placed(shape_of(h.volumes[node]), pose),
-                                                            options.segments);
-                    left_out += volume.triangles.empty();
-                    append(part.mesh, volume);
+            bodies[b].name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};
+        for (const std::uint32_t node : level_cover(tree.shape(), subject.levels[0])) {
+            if (!tree.has_volume(node)) continue;
+            const Mesh volume = std::visit(
+                [&](const auto& v) {
+                    return scenes::volume_mesh(placed(v, bodies[b].pose), options.segments);
                 },
-                hierarchy);
+                tree.volume(node));
+            left_out += volume.triangles.empty();
+            append(part.mesh, volume);
             ++nodes;
         }
         if (!part.mesh.triangles.empty()) parts.push_back(std::move(part));
@@ -112,7 +106,8 @@ void add_export(const Command& program, const Console& console, Action& action) 
         .required()
         .type_name("FILE");
     command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");
-    command.callback([&action, &console, options] {
+    command.callback([&action, &console, command, options] {
+        options->recording = given_hierarchy_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -153,10 +153,9 @@ void refuse_for_trace(const std::vector<std::string>& given, const std::string& 
         ".");
 }
 
-void refuse_for_recording(std::vector<std::string> given, const std::string& recording,
-                          const std::string& choosing) {
-    std::erase(given, choosing);
-    refuse_for_trace(given, recording);
+bool asks_for_recorded(const std::vector<std::string>& given) {
+    return std::all_of(given.begin(), given.end(),
+                       [](const std::string& option) { return option == "--bodies"; });
 }
 
 }  // namespace scb::app

@@ -54,8 +54,8 @@ std::vector<std::string> given_recording_options(const Command& command);
 std::vector<std::string> given_hierarchy_options(const Command& command);
 /// Throws InputError where there are any.
 void refuse_for_trace(const std::vector<std::string>& given, const std::string& trace);
-/// The same of another engine's recording, but for options that choose what of it is wanted.
-void refuse_for_recording(std::vector<std::string> given, const std::string& recording,
-                          const std::string& choosing = "--bodies");
+/// Whether a recording is meant as it was recorded: nothing was given that says how hierarchies are
+/// built or tested. Else its meshes and poses are a scene like any other.
+bool asks_for_recorded(const std::vector<std::string>& given);
 
 }  // namespace scb::app

@@ -77,12 +77,12 @@ std::string plain_reason(const InputError& error, const SceneOptions& scene) {
 }  // namespace
 
 QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                         const QueryOptions& query, const QueryLimits& limits) {
+                         const QueryOptions& query, const QueryLimits& limits, bool recorded) {
     if (scene.names.size() == 1 && scenes::names_trace(scene.names[0])) {
         open_trace(scene, query.frames);
         return;
     }
-    if (scene.names.size() == 1 && scenes::names_recording(scene.names[0])) {
+    if (recorded && scene.is_recording()) {
         recorded_ =
             std::make_unique<scenes::RecordedTrace>(scene.names[0], query.bodies, query.frames);
         return;

@@ -14,9 +14,10 @@ namespace scb::app {
 class QuerySource {
   public:
     /// Of a scene; or, where the one name is that of a trace, of the scene that it names, which
-    /// must still have the same meshes; or of a recording. Throws InputError.
+    /// must still have the same meshes; or of a recording, where `recorded` says so, and else of
+    /// its meshes and poses. Throws InputError.
     QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                const QueryOptions& query, const QueryLimits& limits);
+                const QueryOptions& query, const QueryLimits& limits, bool recorded);
 
     /// What this project builds and asks itself: not of a recording.
     const SceneQuery& query() const { return query_; }

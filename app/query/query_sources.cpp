@@ -10,6 +10,9 @@
 namespace scb::app {
 namespace {
 
+/// In --compare, the query that a recording has.
+constexpr const char* recorded_name = "recorded";
+
 /// The options of one of two queries that are compared.
 struct Side {
     HierarchyOptions hierarchy;
@@ -56,7 +59,7 @@ void check_comparable(const QuerySources& sources) {
     const bool are_named = (a.source.size() != 2 || b.source.size() != 2) && !a.engine && !b.engine;
     for (std::size_t side = 0; side < 2; ++side)
         if ((are_named && (a.scene != b.scene || a.bodies[side].name != b.bodies[side].name)) ||
-            a.bodies[side].mesh != b.bodies[side].mesh)
+            !same_meshes(a, b))
             throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
                              "; " + text_of(b) + "); give two of one scene.");
     if (pairs_are_nodes(a) != pairs_are_nodes(b) || a.options.stop_level != b.options.stop_level)
@@ -87,6 +90,38 @@ std::string volume_caption(const TraceHeader& header) {
                : title;
 }
 
+/// A recording as it is beside the query that this project makes of its meshes and poses.
+QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                              const QueryOptions& query, const QueryLimits& limits,
+                              const CompareOptions& compare) {
+    const std::string option = "--compare " + compare.names;
+    std::vector<std::string> names = scenes::split_list(compare.names);
+    const bool has_two =
+        names.size() == 2 && std::count(names.begin(), names.end(), recorded_name) == 1;
+    HierarchyOptions own = hierarchy;
+    if (has_two) own.volumes = names[names[0] == recorded_name ? 1 : 0];
+    if (!has_two || !volume_kind_of(own.volumes))
+        throw InputError(option +
+                         ": give what was recorded and one of this project's volumes, such "
+                         "as recorded,scb2.");
+    if (std::find(compare.given.begin(), compare.given.end(), "--volume") != compare.given.end())
+        throw InputError(option + ": it says the volume; leave out --volume.");
+    QuerySources sources;
+    QueryOptions of_both = query;
+    for (const std::string& name : names) {
+        const bool recorded = name == recorded_name;
+        sources.emplace_back(scene, own, of_both, limits, recorded);
+        // What the recording has of these bodies.
+        if (!recorded) continue;
+        of_both.frames.clear();
+        for (const int frame : sources.back().frames())
+            of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
+        of_both.bodies =
+            sources.back().header().bodies[0].name + "," + sources.back().header().bodies[1].name;
+    }
+    return sources;
+}
+
 }  // namespace
 
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
@@ -96,17 +131,20 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         return static_cast<std::size_t>(
             std::count_if(scene.names.begin(), scene.names.end(), names));
     };
-    const std::size_t recordings = count(scenes::names_recording),
-                      traces = count(scenes::names_trace) + recordings;
+    const std::size_t traces = count(scenes::names_trace),
+                      files = traces + count(scenes::names_recording);
     if (traces > 0 && !compare.names.empty())
         throw InputError("--compare " + compare.names +
                          ": a trace is of one query; give two traces, or a scene.");
     QuerySources sources;
-    if (traces == 2 && scene.names.size() == 2) {
+    if (files == 2 && scene.names.size() == 2) {
+        if (!compare.names.empty())
+            throw InputError("--compare " + compare.names +
+                             ": these are two queries already; leave it out.");
         for (const std::string& name : scene.names) {
             SceneOptions one = scene;
             one.names = {name};
-            sources.emplace_back(one, hierarchy, query, limits);
+            sources.emplace_back(one, hierarchy, query, limits, true);
         }
         check_comparable(sources);
         for (const QuerySource& source : sources) {
@@ -115,14 +153,16 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
             recorded.test = overlap_test_name(source.header().options.overlap.test);
             note_doubts(recorded, {source.query().kind}, console);
         }
+    } else if (scene.is_recording() && compare.names.find(recorded_name) != std::string::npos) {
+        sources = beside_recording(scene, hierarchy, query, limits, compare);
     } else if (compare.names.empty()) {
-        sources.emplace_back(scene, hierarchy, query, limits);
+        sources.emplace_back(scene, hierarchy, query, limits, asks_for_recorded(compare.given));
         if (sources[0].is_recording()) return sources;
         note_doubts(hierarchy, {sources[0].query().kind}, console);
         note_doubts(scene, query, {sources[0].query().kind}, console);
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
-            sources.emplace_back(scene, side.hierarchy, side.query, limits);
+            sources.emplace_back(scene, side.hierarchy, side.query, limits, false);
             note_doubts(scene, side.query, {sources.back().query().kind}, console);
         }
         note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, console);

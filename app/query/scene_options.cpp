@@ -8,6 +8,8 @@
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 #include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"
@@ -23,6 +25,13 @@ scenes::Scene SceneOptions::load() const {
                 ": this is a trace, and a scene or meshes are needed here; give a trace "
                 "alone to `scb trace`, `render`, `inspect` or `explain`, or two to "
                 "`scb diff`, `render pairs` or `render rejections`.");
+    if (is_recording()) {
+        if (!pose.empty())
+            throw InputError("--pose: " + names[0] +
+                             " is recorded, and has its poses; leave out --pose.");
+        return scenes::scene_of_recording(scenes::recording_bytes(names[0]), names[0],
+                                          scenes::ChangingMeshes::refused);
+    }
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
@@ -38,9 +47,19 @@ scenes::Scene SceneOptions::load() const {
     return scenes::load_scene(names, load_options);
 }
 
+bool SceneOptions::is_recording() const {
+    return names.size() == 1 && scenes::names_recording(names[0]);
+}
+
+std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {
+    return scene.listed.empty()
+               ? scenes::parse_frames(list, scene.frames, scene.name)
+               : scenes::frames_among(scene.listed, list, scene.file.string(), "it may have");
+}
+
 int SceneOptions::frame_of(const scenes::Scene& scene) const {
     if (frames.empty()) return scene.default_frame;
-    const std::vector<int> wanted = scenes::parse_frames(frames, scene.frames, scene.name);
+    const std::vector<int> wanted = frames_of(scene, frames);
     if (wanted.size() != 1)
         throw InputError("--frames " + frames + ": this command takes one frame; give one.");
     return wanted[0];

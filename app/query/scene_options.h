@@ -18,11 +18,17 @@ struct SceneOptions {
     std::string models_dir;
     std::string frames;  ///< of commands that take one; empty: the scene's own
 
+    /// Whether the one name is that of another engine's recording. As a scene it has the meshes and
+    /// poses that were recorded.
+    bool is_recording() const;
     scenes::Scene load() const;
     /// The one frame asked for, or the scene's own. Throws InputError where the scene has no such
     /// frame, or where several were asked for.
     int frame_of(const scenes::Scene& scene) const;
 };
+
+/// The frames of a scene that a list names. Throws InputError.
+std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list);
 
 /// The names as UTF-8, for JSON and headers.
 std::vector<std::string> utf8_names(const std::vector<std::string>& names);

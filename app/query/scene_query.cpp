@@ -87,7 +87,7 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     if (query.frames == scenes::auto_frames)
         result.frames = {result.scene.default_frame};
     else
-        result.frames = scenes::parse_frames(query.frames, result.scene.frames, result.scene.name);
+        result.frames = frames_of(result.scene, query.frames);
     result.hierarchies = scenes::fit_meshes(result.topologies, kind, result.build);
     for (AnyHierarchy& fitted : result.hierarchies) mutate(result.mutation, fitted);
     return result;

@@ -15,6 +15,8 @@
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
 #include "scenes/text/number_list.h"
 #include "scenes/traces/trace_input.h"
@@ -95,30 +97,26 @@ int record(const TraceOptions& options, const Console& console) {
 /// `given`: options on the command line that only recording has a use for.
 int print(const TraceOptions& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
-    refuse_for_trace(given, path);
+    if (!options.scene.is_recording() || !asks_for_recorded(given)) refuse_for_trace(given, path);
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
     // Reads all frames once before anything is printed, so that a bad file gives no half answer.
-    const std::vector<int> wanted = scenes::frames_in_trace(path, options.query.frames);
-    scenes::TraceInput input(path);
-    const TraceHeader& header = input.reader.header();
-    std::vector<Stage> stages = counted_stages(header.volume, header.options.overlap);
-    // The sixteen of boxes make no table.
-    if (!options.json && stages.size() > 8) stages.clear();
-    const std::string table_header = count_table_header(stages);
+    scenes::TestInput input(path, options.query.frames, options.query.bodies);
+    const TraceHeader& header = input.header();
     if (options.json) {
         std::string start = trace_header_json(header).dump(
             2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
         start.erase(start.size() - 2);  // the brace that closes it
         print_result(start + ",\n  \"frames\": [");
     } else {
-        print_result(trace_header_text(header) + "\n" + (options.events ? "" : table_header));
+        print_result(trace_header_text(header) + "\n" +
+                     (options.events ? "" : count_table_header(header)));
     }
     std::size_t printed = 0;
-    while (const TraceFrame* frame = input.reader.next()) {
-        if (!std::binary_search(wanted.begin(), wanted.end(), frame->frame)) continue;
+    while (const TraceFrame* frame = input.next()) {
+        const std::string table_header = count_table_header(header);
         if (options.json) {
-            std::string row = count_json(frame->frame, frame->b_to_a, frame->found, stages).dump();
+            std::string row = count_json(header, *frame).dump();
             if (options.events) row.back() = ',';  // the brace that closes it
             print_result((printed == 0 ? "\n    " : ",\n    ") + row);
             if (options.events) {
@@ -127,7 +125,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
                 print_result("\n    ]}");
             }
         } else {
-            const std::string row = count_table_row(frame->frame, frame->found, stages);
+            const std::string row = count_table_row(header, *frame);
             print_result(options.events ? (printed == 0 ? "" : "\n") + table_header + row + "\n"
                                         : row);
             if (options.events) print_events(header, *frame);
@@ -169,8 +167,10 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         const std::vector<std::string> given = given_recording_options(command);
         action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
-            return names.size() == 1 && scenes::names_trace(names[0]) ? print(*options, given)
-                                                                      : record(*options, console);
+            const bool recorded = names.size() == 1 &&
+                                  (scenes::names_trace(names[0]) ||
+                                   (scenes::names_recording(names[0]) && options->output.empty()));
+            return recorded ? print(*options, given) : record(*options, console);
         };
     });
 }

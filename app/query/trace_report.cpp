@@ -30,6 +30,7 @@ std::string trace_header_text(const TraceHeader& header) {
     std::string files;
     for (const std::string& name : header.source) files += (files.empty() ? "" : " ") + name;
     text += format("%-10s ", "named") + scenes::printable(files) + "\n";
+    if (header.engine) return text;
     return text + "recorded by scb " + scenes::printable(header.scb_version) + "\n";
 }
 

@@ -43,7 +43,7 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     Entry entry;
     entry.scene = scene.load();
     std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
-    entry.frames = scenes::parse_frames(query.frames, entry.scene.frames, entry.scene.name);
+    entry.frames = frames_of(entry.scene, query.frames);
     return entry;
 }
 

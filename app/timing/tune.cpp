@@ -41,10 +41,11 @@ struct TuneCommandOptions {
 
 /// Some fifty frames from the whole scene.
 std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& scene) {
-    if (text != scenes::auto_frames) return scenes::parse_frames(text, scene.frames, scene.name);
-    const int step = std::max(1, (scene.frames + 49) / 50);
+    if (text != scenes::auto_frames) return frames_of(scene, text);
+    const std::vector<int> all = frames_of(scene, "all");
+    const std::size_t step = std::max<std::size_t>(1, (all.size() + 49) / 50);
     std::vector<int> frames;
-    for (int frame = 0; frame < scene.frames; frame += step) frames.push_back(frame);
+    for (std::size_t i = 0; i < all.size(); i += step) frames.push_back(all[i]);
     return frames;
 }
 

@@ -78,6 +78,17 @@ TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame)
                          : traversal_tree(frame.events, nodes);
 }
 
+bool same_meshes(const TraceHeader& a, const TraceHeader& b) {
+    const bool roughly = a.engine || b.engine;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const MeshFingerprint &of_a = a.bodies[side].mesh, &of_b = b.bodies[side].mesh;
+        if (roughly ? of_a.triangles != of_b.triangles || of_a.vertices != of_b.vertices
+                    : of_a != of_b)
+            return false;
+    }
+    return true;
+}
+
 std::vector<TraceField> fields_of(const TraceHeader& header) {
     const CollideOptions& options = header.options;
     std::vector<TraceField> fields = {{"scene", header.scene},

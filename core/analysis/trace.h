@@ -99,6 +99,10 @@ struct Trace {
 /// The tree of a frame's tests.
 TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame);
 
+/// Whether the meshes of A, and those of B, are the same; of another engine, which may have its
+/// coordinates in 32 bits, whether they have as many vertices and triangles.
+bool same_meshes(const TraceHeader& a, const TraceHeader& b);
+
 /// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, test and
 /// threshold where they mean anything to the volume; descent, pairs at most, level. Of another
 /// engine scene, bodies, meshes, engine, volume and its settings. Neither version nor source.

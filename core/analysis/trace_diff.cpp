@@ -168,8 +168,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
                const TraceFrames& frames_b) {
     TraceDiff result;
     result.asked = asked_differently(a, b);
-    result.nodes_comparable =
-        a.bodies[0].mesh == b.bodies[0].mesh && a.bodies[1].mesh == b.bodies[1].mesh;
+    result.nodes_comparable = same_meshes(a, b);
     result.meshes_differ = !result.nodes_comparable;
     // Other trees: the number of a node is another node's there.
     result.nodes_comparable &= a.engine && b.engine ? a.engine->trees == b.engine->trees

@@ -102,7 +102,9 @@ std::string title_of(const NodeVolume& volume) {
         std::string operator()(const Rss&) const { return "RSS"; }
         std::string operator()(const Scb&) const { return "SCB"; }
         std::string operator()(const Scb2&) const { return "SCB2"; }
-        std::string operator()(const SharedPolytope&) const { return "polytope"; }
+        std::string operator()(const SharedPolytope& p) const {
+            return p->faces.empty() ? "hull" : "k-DOP";
+        }
     };
     return std::visit(Title{}, volume);
 }
@@ -126,18 +128,16 @@ std::uint64_t tree_hash(const VolumeTree& tree) {
     return hash;
 }
 
-std::string volumes_title(const NodeTree& tree) {
-    std::string title;
+std::vector<std::string> volumes_titles(const NodeTree& tree) {
+    std::vector<std::string> titles;
     for (std::size_t i = 0; i < tree.size(); ++i) {
-        const std::string of_node = title_of(tree[i].volume);
-        if (of_node.empty() || of_node == title) continue;
-        // An oriented box may have the axes of its body.
-        const bool boxes =
-            (of_node == "AABB" || of_node == "OBB") && (title == "AABB" || title == "OBB");
-        if (!title.empty() && !boxes) return "mixed volumes";
-        title = boxes ? "OBB" : of_node;
+        const std::string title = title_of(tree[i].volume);
+        if (!title.empty() && std::find(titles.begin(), titles.end(), title) == titles.end())
+            titles.push_back(title);
     }
-    return title.empty() ? "no volumes" : title;
+    // An oriented box may have the axes of its body.
+    if (std::find(titles.begin(), titles.end(), "OBB") != titles.end()) std::erase(titles, "AABB");
+    return titles;
 }
 
 }  // namespace scb

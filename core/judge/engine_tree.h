@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/hierarchy/volume_tree.h"
 #include "core/judge/node_tree.h"
@@ -15,7 +16,7 @@ std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& s
 /// Tells trees from each other by what hangs where and holds which items; not by their volumes.
 std::uint64_t tree_hash(const VolumeTree& tree);
 
-/// What its volumes are called in titles: "OBB", "AABB", "mixed volumes", "no volumes".
-std::string volumes_title(const NodeTree& tree);
+/// What its volumes are called in titles: "OBB", "AABB", "hull". Empty where it has none.
+std::vector<std::string> volumes_titles(const NodeTree& tree);
 
 }  // namespace scb

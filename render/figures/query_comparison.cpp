@@ -34,7 +34,8 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
     };
     const std::array<std::uint64_t, 4> first = counts(0), second = counts(1);
     constexpr std::array<const char*, 4> names = {"pairs", "N_v", "N_p", "N_u"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool counts_transforms = !queries[0].header->engine && !queries[1].header->engine;
+    for (std::size_t i = 0; i < names.size() - (counts_transforms ? 0 : 1); ++i) {
         views[0].numbers.emplace_back(PanelRow{names[i], {count_text(first[i]), ""}, {}, i == 0});
         views[1].numbers.emplace_back(PanelRow{
             names[i], {count_text(second[i]), difference_text(first[i], second[i])}, {}, i == 0});

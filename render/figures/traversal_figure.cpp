@@ -18,6 +18,7 @@ constexpr int least_body = 14;
 /// What a reader would otherwise miss; empty where there is nothing.
 std::string remark_of(const TraceHeader& header, const Collision& found, bool part) {
     if (part) return found.pairs.empty() ? "no pairs below it" : "";
+    if (found.n_v == 0) return "no tests of volumes were recorded";
     if (!found.complete)
         return "stopped at " + count_text(found.pairs.size()) +
                (found.pairs.size() == 1 ? " pair" : " pairs");

@@ -65,12 +65,13 @@ std::string engine_of(const RecordedQueries& queries, const std::string& path) {
     return told.empty() ? std::filesystem::path(path).stem().string() : told;
 }
 
+/// "OBB", "AABB and hull".
 std::string volumes_of(const std::vector<std::string>& titles) {
     std::string text;
     std::set<std::string> taken;
     for (const std::string& title : titles)
-        if (taken.insert(title).second) text += (text.empty() ? "" : ", ") + title;
-    return text;
+        if (taken.insert(title).second) text += (text.empty() ? "" : " and ") + title;
+    return text.empty() ? "no volumes" : text;
 }
 
 /// Fills a scene with what a recording tells, frame after frame.
@@ -86,9 +87,11 @@ class SceneOfRecording {
                 poses.push_back({queries.frame(), body.pose});
         }
         scene_.frames = std::max(scene_.frames, queries.frame() + 1);
+        for (const auto& [number, mesh] : queries.meshes())
+            if (mesh.version > 1 && !changed_) changed_ = {mesh.name, queries.frame()};
     }
 
-    Scene finish(const RecordedQueries& queries) {
+    Scene finish(const RecordedQueries& queries, const RecordingSummary& summary) {
         // Trees alone stand where they are.
         if (scene_.bodies.empty())
             for (const auto& [number, tree] : queries.trees())
@@ -102,8 +105,13 @@ class SceneOfRecording {
         scene_.name =
             file_name_of(told.empty() ? std::filesystem::path(path_).stem().string() : told);
         scene_.file = path_;
+        scene_.listed = summary.frames;
+        scene_.default_frame = summary.frames.front();
         return std::move(scene_);
     }
+
+    /// A mesh that was told anew, and the frame: hierarchies of one's own are of one mesh.
+    const std::optional<std::pair<std::string, int>>& changed() const { return changed_; }
 
   private:
     Body& body_of(const RecordedQueries& queries, std::uint32_t number, std::uint32_t tree) {
@@ -123,24 +131,31 @@ class SceneOfRecording {
 
     std::string path_;
     Scene scene_;
+    std::optional<std::pair<std::string, int>> changed_;    ///< a mesh, and the frame
     std::map<std::uint32_t, std::size_t> places_, meshes_;  ///< by number
 };
 
 }  // namespace
 
-Scene scene_of_recording(std::string_view bytes, const std::string& path) {
-    RecordedQueries queries(bytes, path, summary_of(bytes, path));
+Scene scene_of_recording(std::string_view bytes, const std::string& path, ChangingMeshes changing) {
+    const RecordingSummary summary = summary_of(bytes, path);
+    RecordedQueries queries(bytes, path, summary);
     SceneOfRecording scene(path);
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         if (step == Step::frame) scene.take(queries);
-    return scene.finish(queries);
+    if (scene.changed() && changing == ChangingMeshes::refused)
+        throw InputError(path + ": its mesh '" + printable(scene.changed()->first) +
+                         "' changes at frame " + std::to_string(scene.changed()->second) +
+                         ", and hierarchies of this project are of one mesh; leave out what asks "
+                         "for them, or record frames of one mesh.");
+    return scene.finish(queries, summary);
 }
 
 RecordedBodies bodies_of_recording(const std::string& path, const std::string& frames) {
     const std::string bytes = recording_bytes(path);
     const RecordingSummary summary = summary_of(bytes, path);
     RecordedBodies result;
-    result.scene = scene_of_recording(bytes, path);
+    result.scene = scene_of_recording(bytes, path, ChangingMeshes::allowed);
     result.frame = summary.frames.front();
     if (!frames.empty()) {
         const std::vector<int> wanted =
@@ -157,7 +172,8 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
         if (!known) {
             const EngineSide told = queries.side_of(tree);
             known = volume_tree(*told.tree, *told.shape);
-            titles.push_back(volumes_title(*told.tree));
+            for (std::string& title : volumes_titles(*told.tree))
+                titles.push_back(std::move(title));
         }
         result.bodies.push_back({name, mesh_of(queries, tree), known, pose});
     };
@@ -179,7 +195,7 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
 RecordedTrace::RecordedTrace(const std::string& path, const std::string& bodies,
                              const std::string& frames)
     : path_(path), bytes_(recording_bytes(path)), summary_(summary_of(bytes_, path)) {
-    scene_ = scene_of_recording(bytes_, path);
+    scene_ = scene_of_recording(bytes_, path, ChangingMeshes::allowed);
     choose(bodies, frames);
     read_bodies();
     queries_ = std::make_unique<RecordedQueries>(bytes_, path_, summary_);
@@ -259,7 +275,8 @@ void RecordedTrace::read_bodies() {
             if (!known) {
                 const EngineSide told = queries.side_of(body.tree);
                 known = volume_tree(*told.tree, *told.shape);
-                titles.push_back(volumes_title(*told.tree));
+                for (std::string& title : volumes_titles(*told.tree))
+                    titles.push_back(std::move(title));
             }
             at[side] = {scene_.bodies[sides_[side]].name, mesh_of(queries, body.tree), known,
                         body.pose};

@@ -23,9 +23,10 @@ struct BodyAtFrame {
 
 /// What a recording has of meshes, bodies and poses, as a scene: of meshes that change, the first.
 /// Bodies of trees without a mesh have one without triangles; where there are no bodies, the trees
-/// are. Its file is the recording. Throws InputError as RecordedQueries does, and where it has no
-/// tree.
-Scene scene_of_recording(std::string_view bytes, const std::string& path);
+/// are. Its file is the recording. Throws InputError as RecordedQueries does, where it has no tree,
+/// and where a mesh changes though that is refused.
+enum class ChangingMeshes { allowed, refused };
+Scene scene_of_recording(std::string_view bytes, const std::string& path, ChangingMeshes changing);
 
 /// All bodies of a recording at a frame.
 struct RecordedBodies {

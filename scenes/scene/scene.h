@@ -37,6 +37,7 @@ struct Scene {
     std::vector<NamedMesh> meshes;
     std::vector<Body> bodies;
     int frames = 1;
+    std::vector<int> listed{};  ///< of these the frames that were told, ascending; empty: all
     std::optional<CameraView> camera;
     int default_frame = 0;         ///< the frame to show where none is asked for
     std::filesystem::path file{};  ///< that it was read from: a scene or its only mesh, else empty

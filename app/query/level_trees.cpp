@@ -1,0 +1,79 @@
+#include "app/query/level_trees.h"
+
+#include <algorithm>
+
+#include "app/query/level_list.h"
+#include "app/query/mutation.h"
+#include "app/query/query_options.h"
+#include "render/figures/volume_titles.h"
+#include "scenes/scene/scene_hierarchies.h"
+
+namespace scb::app {
+namespace {
+
+/// The deepest node of which a volume is drawn or counted.
+int deepest_of(const std::vector<int>& levels) {
+    if (std::find(levels.begin(), levels.end(), leaf_level) != levels.end())
+        return FittedNodes{}.deepest;
+    return *std::max_element(levels.begin(), levels.end());
+}
+
+LevelSubject recorded_subject(const SceneOptions& scene, const std::string& levels) {
+    scenes::RecordedBodies recorded = scenes::bodies_of_recording(scene.names[0], scene.frames);
+    LevelSubject subject;
+    subject.recorded = true;
+    std::vector<const TreeShape*> shapes;
+    for (const scenes::BodyAtFrame& body : recorded.bodies) {
+        shapes.push_back(&body.tree->shape());
+        subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
+    }
+    subject.levels = parse_levels(levels, subject.deepest, scenes::telling_levels(shapes));
+    subject.frame = recorded.frame;
+    subject.scene = std::move(recorded.scene);
+    subject.trees.push_back({recorded.engine + ", " + recorded.volumes,
+                             scenes::file_name_of(recorded.engine), std::move(recorded.bodies)});
+    return subject;
+}
+
+}  // namespace
+
+LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions& hierarchy,
+                           const std::string& levels, const std::vector<std::string>& given,
+                           const Console& console) {
+    if (of_scene.is_recording() && asks_for_recorded(given))
+        return recorded_subject(of_scene, levels);
+    LevelSubject subject;
+    subject.scene = of_scene.load();
+    const scenes::Scene& scene = subject.scene;
+    subject.frame = of_scene.frame_of(scene);
+    const std::vector<MeshTopology> topologies =
+        scenes::build_topologies(scene, hierarchy.build().topology());
+    subject.deepest = scenes::deepest(topologies);
+    subject.levels = parse_levels(levels, subject.deepest, scenes::telling_levels(topologies));
+    const std::vector<VolumeKind> kinds = hierarchy.kinds();
+    if (scene.bodies.size() == 2 && of_scene.names.size() == 2 && of_scene.pose.empty())
+        console.note("scb: both bodies are at the same pose; --pose moves the second.");
+    note_doubts(hierarchy, kinds, console);
+    subject.hierarchies.reserve(kinds.size());  // trees refer to them
+    for (const VolumeKind kind : kinds) {
+        LevelTrees of_kind{
+            std::string(render::volume_title(kind)), std::string(volume_kind_name(kind)), {}};
+        std::vector<std::shared_ptr<const VolumeTree>> of_mesh;
+        for (AnyHierarchy& fitted : subject.hierarchies.emplace_back(scenes::fit_meshes(
+                 topologies, kind, hierarchy.build(), deepest_of(subject.levels)))) {
+            mutate(hierarchy.mutation, fitted);
+            of_mesh.push_back(volume_tree(fitted));
+        }
+        // The scene owns the meshes.
+        for (const scenes::Body& body : scene.bodies)
+            of_kind.bodies.push_back(
+                {body.name,
+                 {std::shared_ptr<const Mesh>(), &scene.meshes[body.mesh].mesh},
+                 of_mesh[body.mesh],
+                 pose_at(body.motion, subject.frame)});
+        subject.trees.push_back(std::move(of_kind));
+    }
+    return subject;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scenes/recordings/recorded_trace.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb::scenes {
+
+/// Queries with all their tests from a file, frame after frame: of a trace, or of a recording.
+class TestInput {
+  public:
+    /// `frames` is a list, see frames_among; `bodies` as of RecordedTrace. Reads all of the file
+    /// once, so that a bad one gives no half answer. Throws InputError.
+    TestInput(const std::string& path, const std::string& frames, const std::string& bodies = {});
+
+    const TraceHeader& header() const;
+    /// The next of the frames, valid until the next call; nullptr at the end.
+    const TraceFrame* next();
+
+  private:
+    std::vector<int> frames_;
+    std::size_t next_ = 0;
+    std::unique_ptr<TraceInput> trace_;
+    std::unique_ptr<RecordedTrace> recorded_;  ///< one of the two
+};
+
+}  // namespace scb::scenes
