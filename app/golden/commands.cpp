@@ -25,8 +25,9 @@ std::string gl_words(const GoldenOptions& options) {
 std::string reproducing(const golden::GoldenCase& golden, const GoldenOptions& options) {
     std::string command = golden::typed(golden::command_of(golden, "out")) + models_words(options);
     if (golden::has_picture(golden.run)) command += gl_words(options);
-    if (options.runner.empty()) return command;
-    return options.runner + " \"$(command -v scb)\"" + command.substr(command.find(' '));
+    const std::string maker = golden::typed_maker(golden);
+    if (options.runner.empty()) return maker + command;
+    return maker + options.runner + " \"$(command -v scb)\"" + command.substr(command.find(' '));
 }
 
 std::string updating(const golden::GoldenCase& golden, const GoldenOptions& options) {

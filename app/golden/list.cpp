@@ -35,7 +35,7 @@ int run(const GoldenOptions& options) {
     for (const golden::GoldenCase& golden : options.chosen(suite))
         text += format("%-36s %-18s %-9s ", golden.name.c_str(), compared(golden).c_str(),
                        has_baseline(golden, folder) ? "" : "MISSING") +
-                golden::plain_text(golden::typed(golden::command_of(golden, "DIR"))) + "\n";
+                golden::plain_text(golden::typed(golden, "DIR")) + "\n";
     for (const std::string& file : golden::stray_files(folder, suite))
         text += golden::plain_text((folder / file).string()) + " belongs to no case.\n";
     for (const std::string& file : golden::uncompared_images(folder, suite))

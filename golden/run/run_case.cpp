@@ -10,6 +10,7 @@
 #include "render/files/child_process.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"
@@ -45,12 +46,11 @@ class Running {
     pid_t group_;
 };
 
-ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
+/// Runs a program in the suite's folder.
+ChildEnd run_program(const GoldenRunSettings& settings, const std::vector<std::string>& program) {
     // Held until `work` knows of it: else nobody would end it if this program is killed by then.
     std::vector<std::string> words = {"/bin/sh", "-c", "read -r _ && exec \"$@\"", "scb"};
-    words.insert(words.end(), settings.runner.begin(), settings.runner.end());
-    words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
-    words.insert(words.end(), command.begin(), command.end());
+    words.insert(words.end(), program.begin(), program.end());
     const render::UnnamedFile inputs;
     render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
     const Running running(settings.work, child.id());
@@ -64,6 +64,13 @@ ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::str
     const std::vector<std::uint8_t> noted = inputs.bytes();
     scenes::note_inputs({reinterpret_cast<const char*>(noted.data()), noted.size()});
     return result;
+}
+
+ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
+    std::vector<std::string> words = settings.runner;
+    words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
+    words.insert(words.end(), command.begin(), command.end());
+    return run_program(settings, words);
 }
 
 std::string ended_with(int status) { return "It ended with status " + std::to_string(status); }
@@ -113,6 +120,11 @@ const Json& only_picture(const GoldenCase& golden, const Json& index) {
     return drawn.at(0);
 }
 
+/// Whether it is of another engine's tests, of which there is no trace of one's own.
+bool of_recording(const GoldenCase& golden) {
+    return golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
+}
+
 /// Takes over what the command has left in `made`.
 void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& made,
                const fs::path& folder) {
@@ -131,7 +143,7 @@ void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& 
         document = scenes::parse_json(child.printed, "the output of the case");
     }
     render::write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
-    const std::string command = typed(command_of(in_own_folder(golden), "DIR"));
+    const std::string command = typed(in_own_folder(golden), "DIR");
     render::write_file_whole(files.meta, record_json(command, document).dump(2) + "\n");
 }
 
@@ -156,9 +168,21 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
                          " are not here; name their folder with --models or SCB_MODELS.";
         return result;
     }
-    const fs::path made = fs::absolute(folder) / (golden.name + ".made");
+    const fs::path made = fs::absolute(folder) / (golden.name + ".made"),
+                   recording = fs::absolute(folder) / (golden.name + ".scbrec");
     try {
-        std::vector<std::string> command = command_of(in_own_folder(golden), made);
+        GoldenCase in_folder = in_own_folder(golden);
+        if (!golden.command.empty()) {
+            const ChildEnd maker = run_program(settings, maker_of(golden, recording));
+            std::string why = trouble(maker, settings, false);
+            if (why.empty() && !render::is_there(recording))
+                why = "It has not written the file that " + std::string(recording_here) +
+                      " stands for.";
+            if (!why.empty())
+                throw InputError("Its command " + shell_word(golden.command[0]) + ": " + why);
+            in_folder.scene = {recording.string()};
+        }
+        std::vector<std::string> command = command_of(in_folder, made);
         add_models(command, settings);
         if (has_picture(golden.run)) command.insert(command.end(), {"--gl", settings.gl});
         if (has_picture(golden.run) || !settings.mutation.of_pictures)
@@ -179,13 +203,14 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
     }
     std::error_code ignored;
     fs::remove_all(made, ignored);
+    if (!golden.command.empty()) fs::remove(recording, ignored);
     result.seconds = seconds_since(start);
     return result;
 }
 
 std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
                          const fs::path& folder) {
-    if (golden.run == GoldenRun::levels) return "";
+    if (golden.run == GoldenRun::levels || of_recording(golden)) return "";
     const CaseFiles files = case_files(folder, golden.name);
     const std::string counts = files.counts.string(),
                       frame =
@@ -201,6 +226,20 @@ std::string typed(const std::vector<std::string>& command) {
     std::string text = "scb";
     for (const std::string& word : command) text += " " + shell_word(word);
     return text;
+}
+
+std::string typed_maker(const GoldenCase& golden) {
+    if (golden.command.empty()) return "";
+    const fs::path recording = golden.scene[0];
+    std::string maker;
+    for (const std::string& word : maker_of(golden, recording.filename()))
+        maker += (maker.empty() ? "" : " ") + shell_word(word);
+    const std::string where = recording.parent_path().string();
+    return (where.empty() ? maker : "(cd " + shell_word(where) + " && " + maker + ")") + " && ";
+}
+
+std::string typed(const GoldenCase& golden, const fs::path& folder) {
+    return typed_maker(golden) + typed(command_of(golden, folder));
 }
 
 }  // namespace scb::golden

@@ -56,5 +56,10 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
 
 /// The command line of a case as a user would type it.
 std::string typed(const std::vector<std::string>& command);
+/// The command that makes the case's recording, and "&&" behind it; empty where there is none.
+std::string typed_maker(const GoldenCase& golden);
+/// The same of the case whose files go to that folder, behind the command that makes its recording,
+/// if there is one.
+std::string typed(const GoldenCase& golden, const std::filesystem::path& folder);
 
 }  // namespace scb::golden

@@ -49,10 +49,10 @@ std::string argument_from_here(const std::string& word, const fs::path& folder) 
 }  // namespace
 
 std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& folder) {
-    const std::string name(golden_run_names[golden.run]);
+    const std::string name(golden.run == GoldenRun::external ? "trace"
+                                                             : golden_run_names[golden.run]);
     std::vector<std::string> command;
-    if (golden.run != GoldenRun::inspect && golden.run != GoldenRun::collide)
-        command.emplace_back("render");
+    if (has_picture(golden.run) && golden.run != GoldenRun::inspect) command.emplace_back("render");
     command.push_back(name);
     command.insert(command.end(), golden.scene.begin(), golden.scene.end());
     add_option(command, "--frames", golden.frames);
@@ -74,6 +74,15 @@ std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& fo
     add_option(command, "--jobs", "1");
     add_option(command, "-o", folder.string());
     return command;
+}
+
+std::vector<std::string> maker_of(const GoldenCase& golden, const fs::path& file) {
+    std::vector<std::string> words = golden.command;
+    for (std::string& word : words)
+        for (std::size_t at = word.find(recording_here); at != std::string::npos;
+             at = word.find(recording_here, at + file.string().size()))
+            word.replace(at, std::string_view(recording_here).size(), file.string());
+    return words;
 }
 
 std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::string& frame,

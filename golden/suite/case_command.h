@@ -12,6 +12,9 @@ namespace scb::golden {
 /// picture.
 std::vector<std::string> command_of(const GoldenCase& golden, const std::filesystem::path& folder);
 
+/// The words of GoldenCase::command for this file.
+std::vector<std::string> maker_of(const GoldenCase& golden, const std::filesystem::path& file);
+
 /// The command line that records the trace of that frame of the case's query.
 std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::string& frame,
                                           const std::filesystem::path& file);

@@ -86,6 +86,19 @@ std::vector<std::string> read_arguments(const scenes::JsonPlace& place) {
     return arguments;
 }
 
+std::vector<std::string> read_command(const scenes::JsonPlace& place) {
+    const char* expected = "the words of a command, one of which has {} for the recording";
+    std::vector<std::string> words;
+    const std::size_t count = scenes::array_size(place, expected);
+    for (std::size_t i = 0; i < count; ++i)
+        words.push_back(scenes::read_plain_text(scenes::element(place, i)));
+    if (std::none_of(words.begin(), words.end(), [](const std::string& word) {
+            return word.find(recording_here) != std::string::npos;
+        }))
+        scenes::refuse_value(place, expected);
+    return words;
+}
+
 void read_compare(const scenes::JsonPlace& place, GoldenCase& golden) {
     const char* expected = "a list of some of counts, ids, colors";
     golden.counts = golden.ids = golden.colors = false;
@@ -149,8 +162,9 @@ class Reader {
     }
 
     static void check_case_fields(const scenes::JsonPlace& place) {
-        scenes::check_fields(place, {"name", "preset", "note", "run", "scene", "frames", "volume",
-                                     "test", "size", "panel", "arguments", "compare", "tolerance"});
+        scenes::check_fields(
+            place, {"name", "preset", "note", "run", "scene", "frames", "volume", "test", "size",
+                    "panel", "arguments", "command", "compare", "tolerance"});
     }
 
     void add(const scenes::JsonPlace& place) {
@@ -158,8 +172,12 @@ class Reader {
         std::set<std::string> seen;
         Given given;
         apply(place, golden, seen, given);
-        for (const char* needed : {"name", "run", "scene"})
+        for (const char* needed : {"name", "run"})
             if (!given.contains(needed)) scenes::field(place, needed);
+        if (given.contains("command") && given.contains("scene"))
+            scenes::refuse(place,
+                           "`command` makes the recording that is the scene; leave out `scene`.");
+        if (!given.contains("command") && !given.contains("scene")) scenes::field(place, "scene");
         if (golden.name != scenes::file_name_of(golden.name))
             scenes::refuse_value(
                 scenes::field(place, "name"),
@@ -173,6 +191,7 @@ class Reader {
             scenes::refuse(
                 scenes::field(place, "name"),
                 "there is a case " + golden.name + " already; give each a name of its own.");
+        if (!golden.command.empty()) golden.own_scene = {golden.name + ".scbrec"};
         check_what_is_made(place, golden, given);
         set_size(golden, given);
         suite_.cases.push_back(
@@ -254,6 +273,8 @@ class Reader {
             golden.panel = scenes::read_bool(scenes::field(place, "panel"));
         if (scenes::has(place, "arguments"))
             golden.own_arguments = read_arguments(scenes::field(place, "arguments"));
+        if (scenes::has(place, "command"))
+            golden.command = read_command(scenes::field(place, "command"));
         if (scenes::has(place, "compare")) read_compare(scenes::field(place, "compare"), golden);
         if (scenes::has(place, "tolerance"))
             golden.tolerance = read_tolerance(scenes::field(place, "tolerance"));
@@ -268,7 +289,7 @@ class Reader {
 
 }  // namespace
 
-bool has_picture(GoldenRun run) { return run != GoldenRun::collide; }
+bool has_picture(GoldenRun run) { return run != GoldenRun::collide && run != GoldenRun::external; }
 
 bool has_ids(GoldenRun run) {
     return run == GoldenRun::levels || run == GoldenRun::pairs || run == GoldenRun::rejections;

@@ -10,11 +10,12 @@
 
 namespace scb::golden {
 
-/// What a case makes: the commands of scb.
-enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide };
+/// What a case makes: the commands of scb; `external` the counts of another engine's recording, of
+/// `scb trace`.
+enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide, external };
 
-inline constexpr EnumNames<GoldenRun, 6> golden_run_names = {"levels",    "pairs",   "rejections",
-                                                             "traversal", "inspect", "collide"};
+inline constexpr EnumNames<GoldenRun, 7> golden_run_names = {
+    "levels", "pairs", "rejections", "traversal", "inspect", "collide", "external"};
 
 /// Whether it makes a picture; whether that has ids.
 bool has_picture(GoldenRun run);
@@ -24,7 +25,11 @@ bool has_ids(GoldenRun run);
 struct GoldenCase {
     std::string name;  ///< letters, digits, '_' and '-'; baselines are named after it
     GoldenRun run = GoldenRun::levels;
-    std::vector<std::string> scene;      ///< a built-in scene, a scene file, or two mesh files
+    std::vector<std::string> scene;  ///< a built-in scene, a scene file, two mesh files, or a
+                                     ///< recording
+    /// Words of a command that makes the recording which is the scene, see recording_here; empty:
+    /// none. It runs in the suite's folder.
+    std::vector<std::string> command;
     std::string frames;                  ///< --frames; empty: none
     std::string volume, test;            ///< --volume, --test; empty: none
     std::string size = "320x240";        ///< of pictures, WIDTHxHEIGHT
@@ -36,6 +41,9 @@ struct GoldenCase {
     bool counts = true, ids = true, colors = true;  ///< what is compared
     ColorTolerance tolerance;
 };
+
+/// Stands in GoldenCase::command for the file to be written.
+inline constexpr const char* recording_here = "{}";
 
 /// The cases of a file, in its order.
 struct Suite {
