@@ -14,7 +14,9 @@
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
+#include "app/inspect/recording_pictures.h"
 #include "app/inspect/recording_report.h"
+#include "app/inspect/recording_settings.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
 #include "app/timing/tune_layout_report.h"
@@ -251,10 +253,7 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 
 int run_recording(InspectOptions& options, const Console& console) {
     const std::string& path = options.scene.names[0];
-    refuse_for_trace(options.recording, path);
     options.check();
-    if (options.draws())
-        throw InputError("-o: what is said of a recording is text, or JSON; leave out -o.");
     const std::string bytes = scenes::recording_bytes(path);
     const std::vector<int> all = scenes::summary_of(bytes, path).frames;
     const std::vector<int> frames =
@@ -268,9 +267,45 @@ int run_recording(InspectOptions& options, const Console& console) {
             progress.step("frames");
             return watch.signal() == 0;
         });
-    print_result(options.picture.json
-                     ? json_text(recording_json(judged, path), 2) + "\n"
-                     : recording_text(judged, path, static_cast<std::size_t>(options.top)));
+    // What is wrong comes first: queries that miss contacts are no measure of others.
+    std::optional<RecordingSettings> settings;
+    std::string no_settings;
+    if (watch.signal() == 0 && !judged.wrong()) {
+        try {
+            settings = recording_settings(path, options.query.bodies, options.query.frames, console,
+                                          watch);
+        } catch (const InputError& error) {
+            no_settings = error.what();
+        }
+    }
+    std::vector<ProblemPicture> drawn;
+    std::optional<PictureRun> pictures;
+    if (options.draws() && watch.signal() == 0) {
+        pictures.emplace(options.picture, scenes::file_name_of(judged.engine));
+        drawn = draw_problems(*pictures, options.picture, path, judged);
+    }
+    std::string text;
+    if (options.picture.json) {
+        nlohmann::ordered_json json = recording_json(judged, path);
+        if (settings) json["settings"] = recording_settings_json(*settings);
+        text = json_text(json, 2) + "\n";
+    } else {
+        text = recording_text(judged, path, static_cast<std::size_t>(options.top));
+        if (settings) text += recording_settings_text(*settings);
+        if (!drawn.empty()) text += "\nPictures\n";
+        for (const ProblemPicture& picture : drawn)
+            text += "  " + picture.file + ": " + picture.what + "\n";
+    }
+    if (pictures) {
+        if (options.picture.json)
+            pictures->print_instead(text);
+        else
+            pictures->say(text);
+        pictures->finish({{"command", "inspect"}, {"recording", path}}, console);
+    } else {
+        print_result(text);
+    }
+    if (judged.wrong() && !pictures) console.note("scb: -o DIR draws the first of each of these.");
     if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
     if (watch.signal() != 0) {
         console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
@@ -281,7 +316,7 @@ int run_recording(InspectOptions& options, const Console& console) {
 }
 
 int run(InspectOptions& options, const Console& console) {
-    if (options.scene.names.size() == 1 && scenes::names_recording(options.scene.names[0]))
+    if (options.scene.is_recording() && asks_for_recorded(options.recording))
         return run_recording(options, console);
     options.check();
     QuerySources sources;

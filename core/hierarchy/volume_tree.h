@@ -34,6 +34,10 @@ class VolumeTree {
     virtual VolumeFamily family() const = 0;
     /// The triangles, or objects, of the node itself.
     virtual std::span<const std::uint32_t> items(std::uint32_t node) const = 0;
+    /// The node of a number of its builder's; no_index where there is none.
+    virtual std::uint32_t node_of(std::uint32_t number) const {
+        return number < size() ? number : no_index;
+    }
     /// What its builder calls the node: "node 412".
     virtual std::string node_words(std::uint32_t node) const;
 

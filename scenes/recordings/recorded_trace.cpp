@@ -175,7 +175,7 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
             for (std::string& title : volumes_titles(*told.tree))
                 titles.push_back(std::move(title));
         }
-        result.bodies.push_back({name, mesh_of(queries, tree), known, pose});
+        result.bodies.push_back({name, mesh_of(queries, tree), known, pose, tree});
     };
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         if (step == Step::frame && queries.frame() == result.frame) break;
@@ -279,7 +279,7 @@ void RecordedTrace::read_bodies() {
                     titles.push_back(std::move(title));
             }
             at[side] = {scene_.bodies[sides_[side]].name, mesh_of(queries, body.tree), known,
-                        body.pose};
+                        body.pose, body.tree};
         }
     }
     const std::array<BodyAtFrame, 2>& first = bodies_.at(frames_.front());

@@ -19,6 +19,7 @@ struct BodyAtFrame {
     std::shared_ptr<const Mesh> mesh;  ///< without triangles where items are objects
     std::shared_ptr<const VolumeTree> tree;
     Pose pose;
+    std::uint32_t number = 0;  ///< of the tree, in a recording
 };
 
 /// What a recording has of meshes, bodies and poses, as a scene: of meshes that change, the first.

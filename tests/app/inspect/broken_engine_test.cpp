@@ -18,7 +18,7 @@ ProgramRun inspected(int bug) {
     const TemporaryFolder folder;
     const std::string name = std::string(bug_names[bug]) + ".scbrec";
     record_small_engine(static_cast<Bug>(bug), folder / name);
-    ProgramRun run = run_scb("inspect " + folder / name);
+    ProgramRun run = run_scb("--quiet inspect " + folder / name);
     EXPECT_EQ(run.err, "");
     if (run.out.starts_with(folder / name)) run.out.replace(0, (folder / name).size(), name);
     return run;

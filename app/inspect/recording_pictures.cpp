@@ -1,0 +1,170 @@
+#include "app/inspect/recording_pictures.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/pictures/picture_name.h"
+#include "app/pictures/scene_camera.h"
+#include "render/figures/problem_figure.h"
+#include "render/figures/volume_colors.h"
+#include "scenes/recordings/recorded_trace.h"
+
+namespace scb::app {
+namespace {
+
+using scenes::BodyAtFrame;
+
+/// Something that went wrong, by the engine's numbers; no_index: nothing.
+struct Problem {
+    std::string title, name, what, first;
+    std::uint64_t count = 0;
+    int frame = 0;
+    std::vector<std::string> bodies;
+    std::vector<std::uint32_t> nodes, triangles;  ///< of the first body, and of the second
+    std::uint32_t tree = no_index;                ///< in place of bodies
+};
+
+Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
+                 const std::string& name) {
+    return {title,
+            name,
+            group.what,
+            group.first,
+            group.count,
+            group.query.frame,
+            {group.query.a, group.query.b},
+            {group.nodes.a, group.nodes.b},
+            {group.items.a, group.items.b},
+            no_index};
+}
+
+std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
+    std::vector<Problem> problems;
+    for (const scenes::TreeJudgement& tree : judged.trees) {
+        std::set<TreeFault> seen;
+        for (const WatchedProblem& watched : tree.problems) {
+            const TreeProblem& p = watched.problem;
+            const bool shows = p.node != no_index || p.item != no_index;
+            if (!shows || !seen.insert(p.fault).second) continue;
+            const auto count = static_cast<std::uint64_t>(std::count_if(
+                tree.problems.begin(), tree.problems.end(),
+                [&p](const WatchedProblem& other) { return other.problem.fault == p.fault; }));
+            problems.push_back({"a fault of the tree",
+                                "tree-" + std::to_string(tree.number),
+                                "",
+                                watched.words,
+                                count,
+                                watched.since,
+                                {},
+                                {p.node, p.other},
+                                {p.item},
+                                tree.number});
+        }
+    }
+    for (const scenes::ProblemGroup& group : judged.test_problems)
+        problems.push_back(of_group(group, "a test that went wrong", "test"));
+    for (const scenes::ProblemGroup& group : judged.missed)
+        problems.push_back(of_group(group, "a missed pair", "missed"));
+    for (const scenes::ProblemGroup& group : judged.false_pairs)
+        problems.push_back(of_group(group, "a false pair", "false"));
+    return problems;
+}
+
+/// The bodies of a problem at its frame; of a tree the first that has it.
+std::vector<BodyAtFrame> bodies_of(const Problem& problem, const scenes::RecordedBodies& all) {
+    std::vector<BodyAtFrame> bodies;
+    if (problem.tree != no_index) {
+        for (const BodyAtFrame& body : all.bodies)
+            if (body.number == problem.tree && bodies.empty()) bodies.push_back(body);
+        return bodies;
+    }
+    for (const std::string& name : problem.bodies)
+        for (const BodyAtFrame& body : all.bodies)
+            if (body.name == name) bodies.push_back(body);
+    return bodies;
+}
+
+render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFrame>& bodies,
+                              render::Renderer& renderer) {
+    render::ProblemParts parts;
+    std::uint32_t next = 1;
+    for (const BodyAtFrame& body : bodies) {
+        render::QueryBody& b = parts.bodies.emplace_back();
+        b.name = body.name;
+        b.mesh = body.mesh.get();
+        b.tree = body.tree.get();
+        b.handle = renderer.upload(*body.mesh);
+        b.pose = body.pose;
+        b.first_node_id = next;
+        b.first_triangle_id = next + static_cast<std::uint32_t>(body.tree->size());
+        next = b.first_triangle_id + static_cast<std::uint32_t>(body.mesh->triangles.size());
+    }
+    // Of a tree, both nodes are its own.
+    const bool one = problem.tree != no_index;
+    for (std::size_t i = 0; i < problem.nodes.size(); ++i) {
+        const std::size_t body = one ? 0 : i;
+        if (body >= bodies.size()) continue;
+        const std::uint32_t node = bodies[body].tree->node_of(problem.nodes[i]);
+        if (node != no_index && bodies[body].tree->has_volume(node))
+            parts.nodes.push_back({body, node});
+    }
+    for (std::size_t i = 0; i < std::min(problem.triangles.size(), bodies.size()); ++i)
+        if (problem.triangles[i] < bodies[i].mesh->triangles.size())
+            parts.triangles.push_back({i, problem.triangles[i]});
+    return parts;
+}
+
+}  // namespace
+
+std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
+                                          const std::string& path,
+                                          const scenes::RecordingJudgement& judged) {
+    std::vector<ProblemPicture> drawn;
+    for (const Problem& problem : problems_of(judged)) {
+        const scenes::RecordedBodies all =
+            scenes::bodies_of_recording(path, std::to_string(problem.frame));
+        const std::vector<BodyAtFrame> bodies = bodies_of(problem, all);
+        render::ProblemParts parts = parts_of(problem, bodies, pictures.renderer());
+        if (problem.tree != no_index && all.bodies.size() > 1 &&
+            problem.tree == all.bodies[1].number && problem.tree != all.bodies[0].number)
+            parts.first_side = 1;
+        const std::vector<render::AnyVolume> region = render::problem_region(parts);
+        if (region.empty()) continue;
+        render::SceneFigure figure;
+        figure.title =
+            all.scene.name + " · " + all.engine + ", " + all.volumes + " · " + problem.title;
+        figure.subtitle = "frame " + std::to_string(problem.frame);
+        figure.theme = options.theme();
+        figure.pane = render::problem_pane(parts, *figure.theme);
+        const render::Support support = render::support_of(region);
+        figure.pane.camera = camera_for(camera_view_for({}, all.scene), support,
+                                        render::aspect_of(options.layout().view));
+        std::vector<render::Support> whole = {support};
+        for (const render::QueryBody& body : parts.bodies)
+            whole.push_back(render::support_of(*body.mesh, body.pose));
+        render::set_depth_range(figure.pane.camera, render::support_of_all(std::move(whole)));
+        figure.center = render::center_of(support);
+        figure.panel = render::problem_keys(parts, *figure.theme);
+        figure.panel.emplace_back(render::PanelHeading{""});
+        if (!problem.what.empty()) figure.panel.emplace_back(render::PanelNote{problem.what});
+        figure.panel.emplace_back(render::PanelNote{problem.first});
+        if (problem.count > 1)
+            figure.panel.emplace_back(render::PanelNote{
+                "the first of " + render::count_text(problem.count) + " of the kind"});
+        const std::string name =
+            picture_name(all.scene.name,
+                         scenes::file_name_of(all.engine) + "_problem-" +
+                             std::to_string(drawn.size() + 1) + "-" + problem.name,
+                         {}, frame_part(problem.frame));
+        const render::Picture picture =
+            render::compose(std::move(figure), options.width(), options.height(), options.samples,
+                            pictures.overlay());
+        pictures.draw(name, picture,
+                      {{"frame", problem.frame}, {"what", problem.what}, {"first", problem.first}});
+        drawn.push_back({problem.what.empty() ? problem.first : problem.what, name + ".png"});
+        for (const render::QueryBody& body : parts.bodies) pictures.renderer().release(body.handle);
+    }
+    return drawn;
+}
+
+}  // namespace scb::app

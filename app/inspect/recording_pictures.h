@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/pictures/picture_run.h"
+#include "scenes/recordings/recording_judgement.h"
+
+namespace scb::app {
+
+/// A picture of something that went wrong in a recording.
+struct ProblemPicture {
+    std::string what;  ///< what the report calls it
+    std::string file;
+};
+
+/// Draws the first of each kind of problem: of trees, of tests, missed pairs and false pairs.
+/// Throws InputError, OutputError.
+std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
+                                          const std::string& path,
+                                          const scenes::RecordingJudgement& judged);
+
+}  // namespace scb::app
