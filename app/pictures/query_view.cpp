@@ -229,13 +229,8 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     };
     if (frame && scene.frames > 1)
         add("frame " + std::to_string(*frame) + " of 0 to " + std::to_string(scene.frames - 1));
-    if (header.engine || other.engine) {
-        if (header.engine && !compares())
-            for (const TraceField& setting : header.engine->settings)
-                add(setting.name + " " + setting.value);
-    } else {
+    if (!header.engine && !other.engine)
         for (const std::string& setting : settings_in_common(header, other, common)) add(setting);
-    }
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
     if (camera_view_.orthographic.value_or(false)) add("orthographic");

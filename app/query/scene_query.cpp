@@ -14,9 +14,14 @@ const AnyHierarchy& SceneQuery::hierarchy(std::size_t body) const {
     return hierarchies[scene.bodies[body].mesh];
 }
 
+std::array<Pose, 2> SceneQuery::poses(int frame) const {
+    return {scenes::pose_at(scene.bodies[a].motion, frame),
+            scenes::pose_at(scene.bodies[b].motion, frame)};
+}
+
 Pose SceneQuery::b_to_a(int frame) const {
-    return relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
-                         scenes::pose_at(scene.bodies[b].motion, frame));
+    const auto [of_a, of_b] = poses(frame);
+    return relative_pose(of_a, of_b);
 }
 
 CollideOptions SceneQuery::mutated_options() const {

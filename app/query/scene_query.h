@@ -21,6 +21,8 @@ struct SceneQuery {
 
     const Mesh& mesh(std::size_t body) const;
     const AnyHierarchy& hierarchy(std::size_t body) const;
+    /// Where A and B are.
+    std::array<Pose, 2> poses(int frame) const;
     /// The pose of B as A sees it.
     Pose b_to_a(int frame) const;
     Collision collide(int frame) const;

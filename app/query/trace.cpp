@@ -67,7 +67,7 @@ int record(const TraceOptions& options, const Console& console) {
         frame.found = query.collide(frame.frame, recorder);
         std::swap(frame.events, recorder.events);
         if (recording)
-            recording->add(frame);
+            recording->add(frame, query.poses(frame.frame));
         else
             trace->add(frame);
         tests += frame.found.n_v;

@@ -1,5 +1,6 @@
 #include "core/analysis/trace.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 
@@ -101,7 +102,12 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
         fields.push_back({"volume", header.engine->volumes});
         fields.push_back({"tree of A", hexadecimal(header.engine->trees[0])});
         fields.push_back({"tree of B", hexadecimal(header.engine->trees[1])});
-        fields.insert(fields.end(), header.engine->settings.begin(), header.engine->settings.end());
+        // Of what an engine calls as one of these, they tell.
+        for (const TraceField& setting : header.engine->settings)
+            if (std::none_of(fields.begin(), fields.end(), [&setting](const TraceField& field) {
+                    return field.name == setting.name;
+                }))
+                fields.push_back(setting);
         return fields;
     }
     fields.push_back({"split", std::string(split_method_name(header.split))});

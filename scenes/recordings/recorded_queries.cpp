@@ -20,6 +20,8 @@ constexpr std::size_t most_oddities = 20;
 /// Shares of the lengths in question, by how exact the engine's numbers are: some units in the last
 /// place of products of a few.
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
+/// A pose that is nearer to rigid is one, of 64 bits.
+constexpr double double_defect = 1e-12;
 /// A pose that is farther from rigid is none: see rigidity_defect.
 constexpr double most_defect = 1e-4;
 
@@ -102,6 +104,7 @@ void RecordedQueries::changed(TreeState& tree) {
 }
 
 void RecordedQueries::take(const RecordedStage& stage) {
+    if (!stages_.contains(stage.stage)) stage_order_.push_back(stage.stage);
     stages_[stage.stage] = printable(stage.name);
 }
 
@@ -220,7 +223,8 @@ void RecordedQueries::take(const RecordedPose& pose) {
     const Pose told = pose_of(pose.rows);
     body.defect =
         told.translation.cwiseAbs().maxCoeff() <= max_coordinate ? rigidity_defect(told) : HUGE_VAL;
-    body.pose = body.defect <= most_defect ? made_rigid(told) : told;
+    const bool is_nearly_rigid = body.defect > double_defect && body.defect <= most_defect;
+    body.pose = is_nearly_rigid ? made_rigid(told) : told;
 }
 
 void RecordedQueries::take(const RecordedQuery& query) {

@@ -88,6 +88,8 @@ class RecordedQueries {
     const std::map<std::uint32_t, TreeState>& trees() const { return trees_; }
     const std::map<std::uint32_t, BodyState>& bodies() const { return bodies_; }
     const std::map<std::uint8_t, std::string>& stages() const { return stages_; }
+    /// Their numbers in the order in which they were named.
+    const std::vector<std::uint8_t>& stage_order() const { return stage_order_; }
     /// Those told so far, in order.
     const std::vector<RecordedSetting>& settings() const { return settings_; }
     /// See EngineQuery::tolerance: of this tree alone. By how exact its numbers are, or what the
@@ -131,6 +133,7 @@ class RecordedQueries {
     std::map<std::uint32_t, TreeState> trees_;
     std::map<std::uint32_t, BodyState> bodies_;
     std::map<std::uint8_t, std::string> stages_;
+    std::vector<std::uint8_t> stage_order_;
     std::vector<RecordedSetting> settings_;
     double told_tolerance_ = 0;
     EngineQuery query_;

@@ -295,10 +295,13 @@ void RecordedTrace::read_bodies() {
     for (const RecordedSetting& setting : queries.settings())
         if (setting.key != "engine" && setting.key != "scene" && setting.key != "results")
             engine.settings.push_back({setting.key, setting.value});
-    std::map<std::uint8_t, std::string> named = queries.stages();
+    std::vector<std::uint8_t> order = queries.stage_order();
     for (const std::uint8_t number : summary_.stages)
-        named.try_emplace(number, "stage " + std::to_string(number));
-    for (const auto& [number, name] : named) {
+        if (!queries.stages().contains(number)) order.push_back(number);
+    for (const std::uint8_t number : order) {
+        const auto told = queries.stages().find(number);
+        const std::string name =
+            told != queries.stages().end() ? told->second : "stage " + std::to_string(number);
         stages_[number] = stage_of_engine(number, name);
         engine.stages.push_back({stages_[number], name});
     }

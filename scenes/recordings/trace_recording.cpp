@@ -142,10 +142,10 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
     }
 }
 
-void TraceRecording::add(const TraceFrame& frame) {
+void TraceRecording::add(const TraceFrame& frame, const std::array<Pose, 2>& poses) {
     writer_.add(RecordedFrame{static_cast<std::uint32_t>(frame.frame)});
-    writer_.add(RecordedPose{0, rows_of({})});
-    writer_.add(RecordedPose{1, rows_of(frame.b_to_a)});
+    for (std::uint32_t side = 0; side < 2; ++side)
+        writer_.add(RecordedPose{side, rows_of(poses[side])});
     writer_.add(RecordedQuery{0, 1});
     const auto event = [&](RecordTag tag, IndexPair pair) {
         writer_.add(RecordedEvent{static_cast<std::uint8_t>(tag), pair.a, pair.b});

@@ -9,14 +9,14 @@
 namespace scb::scenes {
 
 /// Writes queries of this project as a recording, as another engine would record its own: meshes,
-/// hierarchies, and frame by frame poses, tests and pairs. A stays where its frame is.
+/// hierarchies, and frame by frame poses, tests and pairs.
 class TraceRecording {
   public:
     TraceRecording(const TraceHeader& header, std::array<const Mesh*, 2> meshes,
                    std::array<const AnyHierarchy*, 2> hierarchies);
 
-    /// Frames must be added ascending.
-    void add(const TraceFrame& frame);
+    /// Frames must be added ascending. `poses` are those of A and B.
+    void add(const TraceFrame& frame, const std::array<Pose, 2>& poses);
     /// The whole file. Nothing may be added after it.
     std::string finish();
 

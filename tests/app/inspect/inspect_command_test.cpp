@@ -256,11 +256,46 @@ TEST(InspectCommand, JudgesARecording) {
     folder.write("cut.scbrec", bytes.substr(0, bytes.size() - 5));
     const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
     EXPECT_NE(cut.err.find("cut.scbrec"), std::string::npos) << cut.err;
-    for (const char* arguments : {" --volume scb", " --frame 7", " -o out"}) {
-        const ProgramRun run = run_scb("inspect " + file + arguments);
-        EXPECT_EQ(run.status, 2) << arguments;
-        EXPECT_EQ(run.out, "") << arguments;
-    }
+    const ProgramRun no_frame = run_scb("inspect " + file + " --frames 7");
+    EXPECT_EQ(no_frame.status, 2);
+    EXPECT_EQ(no_frame.out, "");
+
+    // With options of hierarchies, the recorded meshes and poses are a scene.
+    const ProgramRun own = run_scb("inspect --json --volume obb " + file);
+    EXPECT_EQ(own.status, 0) << own.err;
+    EXPECT_EQ(nlohmann::json::parse(own.out)["frames"],
+              nlohmann::json::parse(
+                  run_scb("inspect --json --volume obb --frames 40 line-8").out)["frames"]);
+}
+
+TEST(InspectCommand, DrawsWhatWentWrongInARecording) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "q.scbrec", out = folder / "out";
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed -o " + file).status, 0);
+    const ProgramRun run = run_scb("inspect " + file + " --size 320x240 -o " + out);
+    EXPECT_EQ(run.status, 1) << run.err;
+    const auto index = nlohmann::json::parse(file_text(out + "/index.json"));
+    ASSERT_EQ(index["files"].size(), 2u);
+    for (const auto& picture : index["files"])
+        EXPECT_NE(run.out.find(picture["file"].get<std::string>()), std::string::npos);
+    EXPECT_EQ(index["files"][1]["what"], "rejected although the volumes overlap");
+}
+
+TEST(InspectCommand, TellsWhatWouldHaveHelpedARecording) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "q.scbrec";
+    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb -o " + file).status, 0);
+    const auto judged = nlohmann::json::parse(run_scb("inspect --json " + file).out);
+    const auto& settings = judged["settings"];
+    EXPECT_EQ(settings["settings"].size(), 12u);
+    EXPECT_EQ(settings["frames"], nlohmann::json({100}));
+    // The command gives the counts of the first row.
+    const std::string command = settings["command"];
+    const auto counts = nlohmann::json::parse(run_scb(command.substr(4) + " --json").out);
+    EXPECT_EQ(counts["frames"][0]["n_v"], settings["settings"][0]["n_v"]);
+    EXPECT_EQ(
+        counts["frames"][0]["recorded"],
+        (nlohmann::json{{"pairs", counts["frames"][0]["pairs"]}, {"missed", 0}, {"false", 0}}));
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+#include "scenes/recordings/recorded_trace.h"
+
+#include <gtest/gtest.h>
+
+#include "core/analysis/ending.h"
+#include "scb/error.h"
+#include "scenes/recordings/test_input.h"
+#include "scenes/recordings/trace_recording.h"
+#include "scenes/text/number_list.h"
+#include "tests/core/analysis/traces.h"
+#include "tests/core/fit/point_sets.h"
+#include "tests/temporary_folder.h"
+#include "tests/unless_sanitized.h"
+
+namespace scb::scenes {
+namespace {
+
+const BuiltMesh& body_a() {
+    static const BuiltMesh built(random_soup(1, 120, 0.15));
+    return built;
+}
+const BuiltMesh& body_b() {
+    static const BuiltMesh built(random_soup(2, 100, 0.15));
+    return built;
+}
+
+/// Queries of this project, and the recording of them.
+struct RecordedAndOwn {
+    TemporaryFolder folder;
+    std::string path = folder / "own.scbrec";
+    Trace trace;
+
+    explicit RecordedAndOwn(VolumeKind volume)
+        : trace(
+              record_trace(body_a(), body_b(), asking(volume, OverlapTest::symmetric), {0, 3, 6})) {
+        const auto kind = static_cast<std::size_t>(volume);
+        TraceRecording recording(trace.header, {&body_a().mesh, &body_b().mesh},
+                                 {&body_a().hierarchies[kind], &body_b().hierarchies[kind]});
+        for (const TraceFrame& frame : trace.frames) recording.add(frame, {Pose{}, frame.b_to_a});
+        folder.write("own.scbrec", recording.finish());
+    }
+};
+
+/// How far it reaches from the origin.
+double reach_of(const AnyVolume& volume, const Vec3& d) {
+    return std::visit(
+        [&d](const auto& v) {
+            if constexpr (requires { v.center; })
+                return dot(v.center, d) + support(v, d);
+            else
+                return dot(v.c, d) + support(v, d);
+        },
+        volume);
+}
+
+TEST(RecordedTrace, HasWhatTheTraceOfOwnQueriesHas) {
+    for (std::size_t k = 0; k < all_volume_kinds().size();
+         k += unless_sanitized<std::size_t>(1, 5)) {
+        const VolumeKind volume = all_volume_kinds()[k];
+        const RecordedAndOwn both(volume);
+        RecordedTrace recorded(both.path, "", "all");
+        EXPECT_EQ(recorded.frames(), (std::vector{0, 3, 6}));
+        EXPECT_TRUE(same_meshes(recorded.header(), both.trace.header));
+        EXPECT_EQ(endings_of(recorded.header()), endings_of(both.trace.header));
+        for (const TraceFrame& own : both.trace.frames) {
+            const TraceFrame& frame = recorded.frame(own.frame);
+            EXPECT_EQ(frame.events, own.events) << own.frame;
+            EXPECT_EQ(frame.found.pairs, own.found.pairs);
+            EXPECT_EQ(frame.found.stages, own.found.stages);
+            EXPECT_EQ(frame.found.n_p, own.found.n_p);
+            EXPECT_EQ(frame.found.depth, own.found.depth);
+            const TraversalTree tree = traversal_tree(recorded.header(), frame),
+                                of_own = traversal_tree(both.trace.header, own);
+            EXPECT_EQ(tree.parents, of_own.parents) << volume_kind_name(volume);
+            EXPECT_EQ(tree.outcomes, of_own.outcomes);
+        }
+    }
+}
+
+TEST(RecordedTrace, HasTheTreesOfOwnHierarchies) {
+    for (std::size_t k = 0; k < all_volume_kinds().size();
+         k += unless_sanitized<std::size_t>(1, 5)) {
+        const RecordedAndOwn both(all_volume_kinds()[k]);
+        const RecordedTrace recorded(both.path, "", "3");
+        const std::unique_ptr<VolumeTree> own = volume_tree(body_b().hierarchies[k]);
+        const BodyAtFrame body = recorded.body(1, 3);
+        EXPECT_EQ(body.pose.translation, both.trace.frames[1].b_to_a.translation);
+        EXPECT_EQ(body.mesh->triangles, body_b().mesh.triangles);
+        const TreeShape &shape = body.tree->shape(), &of_own = own->shape();
+        EXPECT_EQ(shape.parents, of_own.parents);
+        EXPECT_EQ(shape.depths, of_own.depths);
+        EXPECT_EQ(shape.holder, of_own.holder);
+        EXPECT_EQ(items_below(shape), items_below(of_own));
+        for (std::uint32_t node = 0; node < own->size(); ++node) {
+            ASSERT_TRUE(body.tree->has_volume(node));
+            const VolumeSize size = body.tree->volume_size(node), of = own->volume_size(node);
+            EXPECT_NEAR(size.diameter, of.diameter, 1e-9)
+                << volume_kind_name(all_volume_kinds()[k]);
+            EXPECT_NEAR(size.thickness, of.thickness, 1e-9);
+            EXPECT_NEAR(size.area, of.area, 1e-9);
+            EXPECT_NEAR(size.volume, of.volume, 1e-9);
+            const AnyVolume volume = body.tree->volume(node), own_volume = own->volume(node);
+            for (const Vec3& d : touching_directions())
+                ASSERT_NEAR(reach_of(volume, d), reach_of(own_volume, d), 1e-9);
+        }
+    }
+}
+
+TEST(RecordedTrace, SaysWhatItCannotOpen) {
+    const RecordedAndOwn both(VolumeKind::scb);
+    const auto refusal_of = [&](const std::string& bodies, const std::string& frames) {
+        try {
+            const RecordedTrace recorded(both.path, bodies, frames);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal_of("A,B", auto_frames), "");
+    EXPECT_NE(refusal_of("A,C", "all").find("no query of these bodies"), std::string::npos);
+    EXPECT_NE(refusal_of("", "1").find("has no frame 1"), std::string::npos);
+}
+
+/// A tree of three children, objects in place of triangles, and no name of a stage.
+TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
+    RecordingWriter writer;
+    for (std::uint32_t tree = 0; tree < 2; ++tree) {
+        writer.add(RecordedTree{tree, record_none, "", {}});
+        const auto box = [](double from, double to) {
+            return RecordedVolume{RecordedKind::aabb, {from, 0, 0, to, 1, 1}};
+        };
+        writer.add(RecordedNode{tree, 10, record_none, 0, "", {11, 12, 13}, {}, box(0, 3)});
+        for (std::uint32_t i = 0; i < 3; ++i)
+            writer.add(RecordedNode{tree, 11 + i, 10, 0, "", {}, {100 + i}, box(i, i + 1)});
+        writer.add(RecordedBody{tree, tree, tree == 0 ? "world" : "robot"});
+    }
+    writer.add(RecordedFrame{5});
+    writer.add(RecordedQuery{0, 1});
+    writer.add(RecordedEvent{0, 10, 10});
+    writer.add(RecordedEvent{0, 11, 11});
+    writer.add(RecordedEvent{7, 11, 12});
+    writer.add(RecordedEvent{static_cast<std::uint8_t>(RecordTag::pair), 100, 100});
+    writer.add(RecordedQueryEnd{true, 0});
+    writer.add(RecordedEnd{});
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", writer.finish());
+    RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    const TraceHeader& header = recorded.header();
+    EXPECT_TRUE(pairs_are_nodes(header));
+    EXPECT_EQ(header.engine->volumes, "AABB");
+    ASSERT_EQ(header.engine->stages.size(), 1u);
+    EXPECT_EQ(header.engine->stages[0].name, "stage 7");
+    const TraceFrame& frame = recorded.frame(5);
+    EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{1, 1}}));
+    const TraversalTree tree = traversal_tree(header, frame);
+    EXPECT_EQ(tree.parents, (std::vector<std::uint32_t>{TraversalTree::no_parent, 0, 0}));
+    EXPECT_EQ(tree.outcomes, (std::vector<Outcome>{Outcome::divided_a, Outcome::found,
+                                                   rejected_at(foreign_stage(7))}));
+    EXPECT_EQ(ending_words(header, tree.outcomes[2]), "stage 7");
+    const BodyAtFrame body = recorded.body(0, 5);
+    EXPECT_TRUE(body.mesh->triangles.empty());
+    EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
+    EXPECT_EQ(body.tree->node_of(12), 2u);
+    EXPECT_EQ(body.tree->node_of(2), no_index);
+}
+
+TEST(TestInput, GivesTheFramesOfEither) {
+    const RecordedAndOwn both(VolumeKind::obb);
+    TestInput input(both.path, "0,6");
+    ASSERT_EQ(input.next()->frame, 0);
+    ASSERT_EQ(input.next()->frame, 6);
+    EXPECT_EQ(input.next(), nullptr);
+}
+
+}  // namespace
+}  // namespace scb::scenes
