@@ -75,7 +75,8 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
     command
         .add_option(
             "SCENE", options.names,
-            "A built-in scene (see `scb scenes`), a scene file, a mesh file, or two mesh files")
+            "A built-in scene (see `scb scenes`), a scene file, a mesh file, two mesh files, or "
+            "another engine's recording")
         .required()
         .expected(1, 2)
         .type_name("[SCENE]");

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/query/layout_options.h"
+#include "app/query/query_options.h"
 #include "app/query/scene_options.h"
 #include "app/query/stats_report.h"
+#include "core/analysis/tree_measures.h"
 #include "core/base/exit_status.h"
 #include "core/geometry/mesh_facts.h"
 #include "core/hierarchy/fit_volumes.h"
@@ -14,6 +17,7 @@
 #include "core/hierarchy/mesh_topology.h"
 #include "scb/any_packed.h"
 #include "scb/error.h"
+#include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {
 namespace {
@@ -31,6 +35,7 @@ struct StatsOptions {
     std::string layouts = layout_names(",");
     int leaf_triangles = most_leaf_triangles, threads = 1;
     bool measures = false, json = false, csv = false;
+    std::vector<std::string> recording;  ///< see given_hierarchy_options
 };
 
 /// Those of --layout.
@@ -109,22 +114,7 @@ std::vector<HierarchyStats> measure(const StatsOptions& options) {
     return result;
 }
 
-int run(const StatsOptions& options, const Console& console) {
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
-    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    note_doubts(options.hierarchy, kinds, console);
-    const StatsOptions defaults;
-    const bool packs = std::any_of(kinds.begin(), kinds.end(), can_pack);
-    if (options.csv || !packs)
-        for (const auto& [option, given] :
-             {std::pair("--layout", options.layouts != defaults.layouts),
-              std::pair("--leaf", options.leaf_triangles != defaults.leaf_triangles)})
-            if (given)
-                console.note("scb: " + std::string(option) + " has no effect: " +
-                             (packs ? "CSV has the levels alone."
-                                    : "only slab cut balls have packed layouts."));
-    const std::vector<HierarchyStats> all = measure(options);
+void print_stats(const StatsOptions& options, const std::vector<HierarchyStats>& all) {
     std::string text;
     if (options.json) {
         Json list = Json::array();
@@ -138,6 +128,60 @@ int run(const StatsOptions& options, const Console& console) {
         for (const HierarchyStats& m : all) text += (text.empty() ? "" : "\n") + stats_table(m);
     }
     print_result(text);
+}
+
+/// The trees that a recording has, each once, at its first frame.
+std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
+    check_threads(options.threads);
+    const scenes::RecordedBodies recorded =
+        scenes::bodies_of_recording(options.scene.names[0], options.scene.frames);
+    std::vector<HierarchyStats> result;
+    std::map<std::uint32_t, std::size_t> places;  // of trees, by number
+    for (const scenes::BodyAtFrame& body : recorded.bodies) {
+        const auto [place, added] = places.try_emplace(body.number, result.size());
+        if (!added) {
+            result[place->second].bodies.push_back(body.name);
+            continue;
+        }
+        HierarchyStats& measured = result.emplace_back();
+        measured.mesh = body.name;
+        measured.bodies = {body.name};
+        measured.engine = recorded.engine;
+        measured.volumes = recorded.volumes;
+        measured.nodes = body.tree->size();
+        measured.levels = level_statistics(*body.tree);
+        measured.triangles = body.mesh->triangles.size();
+        if (measured.triangles == 0) continue;  // objects
+        const std::vector<std::uint32_t> welded = weld(*body.mesh);
+        for (std::uint32_t i = 0; i < welded.size(); ++i) measured.points += welded[i] == i;
+        measured.facts = mesh_facts(*body.mesh);
+        if (options.measures)
+            measured.measures = tree_measures(*body.tree, *body.mesh, options.threads);
+    }
+    return result;
+}
+
+int run(const StatsOptions& options, const Console& console) {
+    if (options.json && options.csv)
+        throw InputError("--json and --csv exclude each other; give one of them.");
+    const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
+    if (recorded) {
+        print_stats(options, measure_recorded(options));
+        return exit_done;
+    }
+    const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
+    note_doubts(options.hierarchy, kinds, console);
+    const StatsOptions defaults;
+    const bool packs = std::any_of(kinds.begin(), kinds.end(), can_pack);
+    if (options.csv || !packs)
+        for (const auto& [option, given] :
+             {std::pair("--layout", options.layouts != defaults.layouts),
+              std::pair("--leaf", options.leaf_triangles != defaults.leaf_triangles)})
+            if (given)
+                console.note("scb: " + std::string(option) + " has no effect: " +
+                             (packs ? "CSV has the levels alone."
+                                    : "only slab cut balls have packed layouts."));
+    print_stats(options, measure(options));
     return exit_done;
 }
 
@@ -188,7 +232,8 @@ void add_stats(const Command& program, const Console& console, Action& action) {
         "nodes (Aila, Karras and Laine 2013).\n\n"
         "Examples:\n  scb stats spheres-l1 --volume scb,ball\n"
         "  scb stats knots-l1 --volume scb,obb --measures");
-    command.callback([&action, &console, options] {
+    command.callback([&action, &console, command, options] {
+        options->recording = given_hierarchy_options(command);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -91,11 +91,13 @@ std::string stats_table(const HierarchyStats& m) {
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
     std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
                        format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
-                       std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build) +
-                       "\n" + facts_text(m.facts) + "\n" +
+                       (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + " hierarchy" +
+                                               build_text(m.build)
+                                         : m.volumes + " tree of " + m.engine) +
+                       "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" +
                        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
                        "max tau tau ratio  "
-                       "     area     volume  split by\n";
+                       "     area     volume" + (m.engine.empty() ? "  split by" : "") + "\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
@@ -107,8 +109,12 @@ std::string stats_table(const HierarchyStats& m) {
                 ratio_text(l.mean_diameter(), above.mean_diameter()) +
                 format(" %9.4g %9.4g", l.mean_thickness(), l.max_thickness) +
                 ratio_text(l.mean_thickness(), above.mean_thickness()) +
-                format("   %10.4g %10.4g  ", l.area, l.volume) + rules_text(l) + "\n";
+                format("   %10.4g %10.4g", l.area, l.volume) +
+                (m.engine.empty() ? "  " + rules_text(l) : "") + "\n";
     }
+    if (!m.engine.empty())
+        return text + format("\ndepth %zu, %zu nodes\n", m.levels.size() - 1, m.nodes) +
+               (m.measures ? "\n" + measures_table(*m.measures) : "");
     LevelStatistics total;
     for (const LevelStatistics& l : m.levels)
         for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
@@ -148,7 +154,7 @@ Json stats_json(const HierarchyStats& m) {
         if (m.measures)
             for (const LevelMeasure& field : level_measures())
                 level[field.name] = field.of(m.measures->levels[i]);
-        for (std::size_t r = 0; r < split_rule_count; ++r)
+        for (std::size_t r = 0; r < split_rule_count && m.engine.empty(); ++r)
             level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
         levels.push_back(std::move(level));
     }
@@ -178,6 +184,14 @@ Json stats_json(const HierarchyStats& m) {
                    {"levels", levels},
                    {"time", {{"topology_ms", m.topology_ms}, {"fit_ms", m.fit_ms}}}};
     if (m.measures) result["measures"] = measures_json(*m.measures);
+    if (!m.engine.empty()) {
+        result["engine"] = m.engine;
+        result["volume"] = m.volumes;
+        for (const char* own :
+             {"growth", "margin", "split", "bytes_per_node", "bytes_per_triangle", "time"})
+            result.erase(own);
+        return result;
+    }
     if (can_pack(m.kind)) result["packed"] = std::move(packed);
     return result;
 }
@@ -206,8 +220,10 @@ std::string stats_csv(const HierarchyStats& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : " ") + body;
     const std::string start = csv_field(m.mesh) + "," + csv_field(bodies) + "," +
-                              std::string(volume_kind_name(m.kind)) + "," +
-                              std::string(split_method_name(m.build.split)) + ",";
+                              (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + "," +
+                                                      std::string(split_method_name(m.build.split))
+                                                : csv_field(m.engine + ", " + m.volumes) + ",-") +
+                              ",";
     const auto row = [](const VolumeStatistics& l) {
         return format("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", l.mean_diameter(), l.max_diameter,
                       l.mean_thickness(), l.max_thickness, l.area, l.volume);

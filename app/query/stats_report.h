@@ -31,6 +31,9 @@ struct HierarchyStats {
     double topology_ms = 0, fit_ms = 0;
     std::vector<PackedStats> packed;            ///< of slab cut balls
     std::optional<HierarchyMeasures> measures;  ///< where asked for
+    /// Of another engine's tree its name and its volumes; then there is no kind, no build, no
+    /// memory, no time and nothing packed.
+    std::string engine, volumes;
 
     double per_triangle(std::size_t amount) const {
         return static_cast<double>(amount) / static_cast<double>(triangles);

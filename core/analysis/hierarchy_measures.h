@@ -62,6 +62,10 @@ struct MeasuredMesh {
 };
 MeasuredMesh measured_mesh(const Mesh& mesh, const Topology& topology, const LeafOrder& points,
                            int threads = 1);
+/// The same of any tree whose items are the mesh's triangles; `corners` and `points` as of
+/// node_hulls.
+MeasuredMesh measured_mesh(const Mesh& mesh, const TreeShape& shape, const ItemCorners& corners,
+                           const PointArrays& points, int threads = 1);
 
 /// A node counts for EPO where the point is also in the volumes of all nodes above it: only there a
 /// query comes upon it. (Volumes that lie within their parent's need no such rule.) Points count as
@@ -69,7 +73,9 @@ MeasuredMesh measured_mesh(const Mesh& mesh, const Topology& topology, const Lea
 /// 1e-9 of their diameter share nothing with their siblings.
 ///
 /// Areas and volumes are in closed form and hulls are exact, both but for rounding. Of two siblings
-/// `2^18 / nodes of the level` points are drawn from a box about the smaller one, 64 to 4096.
+/// `2^18 / nodes of the level` points are drawn from a box about the smaller one, 64 to 4096. Of
+/// trees with more children per node, all pairs of children are siblings, but not those of more than
+/// 16.
 HierarchyMeasures hierarchy_measures(const AnyHierarchy& hierarchy, const MeasuredMesh& mesh,
                                      int threads = 1);
 

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/hierarchy/leaf_order.h"
-#include "scb/topology.h"
+#include "core/hierarchy/tree_shape.h"
 
 namespace scb {
 
-/// Per node of a topology the volume of the convex hull of its points: no convex bounding volume
+/// Per node of a tree the volume of the convex hull of its points: no convex bounding volume
 /// can be smaller.
 struct NodeHulls {
     std::vector<double> volumes;
@@ -17,8 +18,12 @@ struct NodeHulls {
     std::vector<std::uint8_t> solid;
 };
 
+/// Per item of a tree, a triangle, the ids of its corners: equal positions have one id.
+using ItemCorners = std::vector<std::array<std::uint32_t, 3>>;
+
 /// From the leaves up, since the vertices of a hull are among those of its children's. The same for
 /// any number of threads. O(n log^2 n) where all vertices are on hulls, as of a sphere; else less.
-NodeHulls node_hulls(const Topology& topology, const LeafOrder& points, int threads = 1);
+NodeHulls node_hulls(const TreeShape& shape, const ItemCorners& corners, const PointArrays& points,
+                     int threads = 1);
 
 }  // namespace scb

@@ -3,6 +3,17 @@
 #include <algorithm>
 
 namespace scb {
+namespace {
+
+void count_covers(std::vector<LevelStatistics>& levels) {
+    std::uint32_t leaves_above = 0;
+    for (LevelStatistics& level : levels) {
+        level.cover = level.volumes + leaves_above;
+        leaves_above += level.leaves;
+    }
+}
+
+}  // namespace
 
 template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
@@ -14,11 +25,17 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
         level.add(size_of(hierarchy.volumes[i]), hierarchy.topology->nodes[i].is_leaf());
         ++level.rules[static_cast<std::size_t>(hierarchy.topology->rules[i])];
     }
-    std::uint32_t leaves_above = 0;
-    for (LevelStatistics& level : levels) {
-        level.cover = level.volumes + leaves_above;
-        leaves_above += level.leaves;
-    }
+    count_covers(levels);
+    return levels;
+}
+
+std::vector<LevelStatistics> level_statistics(const VolumeTree& tree) {
+    std::vector<LevelStatistics> levels(static_cast<std::size_t>(depth(tree.shape())) + 1);
+    for (std::uint32_t node = 0; node < tree.size(); ++node)
+        if (tree.shape().hangs(node))
+            levels[tree.shape().depths[node]].add(
+                tree.has_volume(node) ? tree.volume_size(node) : VolumeSize{}, tree.is_leaf(node));
+    count_covers(levels);
     return levels;
 }
 

@@ -60,5 +60,7 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
 VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover);
 
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
+/// The same of any tree: without rules.
+std::vector<LevelStatistics> level_statistics(const VolumeTree& tree);
 
 }  // namespace scb

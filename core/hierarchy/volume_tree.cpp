@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "core/volumes/measured_shape.h"
+
 namespace scb {
 namespace {
 
@@ -15,6 +17,9 @@ class OwnTree final : public VolumeTree {
     AnyVolume volume(std::uint32_t node) const override { return shape_of(of(node)); }
     VolumeLengths lengths(std::uint32_t node) const override { return lengths_of(of(node)); }
     VolumeSize volume_size(std::uint32_t node) const override { return size_of(of(node)); }
+    bool contains(std::uint32_t node, const Vec3& point, double slack) const override {
+        return scb::contains(enlarged(of(node), slack), point);
+    }
 
     VolumeFamily family() const override {
         using Shape = std::decay_t<decltype(shape_of(std::declval<V>()))>;

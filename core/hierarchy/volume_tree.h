@@ -26,10 +26,12 @@ class VolumeTree {
 
     /// Whether a node has one: those of other engines need not.
     virtual bool has_volume(std::uint32_t node) const = 0;
-    /// The three of a node that has one.
+    /// Those of a node that has one.
     virtual AnyVolume volume(std::uint32_t node) const = 0;
     virtual VolumeLengths lengths(std::uint32_t node) const = 0;
     virtual VolumeSize volume_size(std::uint32_t node) const = 0;
+    /// Whether it contains a point, with all its faces moved outward by `slack`.
+    virtual bool contains(std::uint32_t node, const Vec3& point, double slack) const = 0;
 
     virtual VolumeFamily family() const = 0;
     /// The triangles, or objects, of the node itself.

@@ -47,6 +47,9 @@ class EngineTree final : public VolumeTree {
             },
             told);
     }
+    bool contains(std::uint32_t node, const Vec3& point, double slack) const override {
+        return excess(tree_[node].volume, point) <= slack;
+    }
 
     VolumeFamily family() const override {
         std::optional<VolumeFamily> family;
