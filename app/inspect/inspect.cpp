@@ -283,6 +283,9 @@ int run_recording(InspectOptions& options, const Console& console) {
     if (options.draws() && watch.signal() == 0) {
         pictures.emplace(options.picture, scenes::file_name_of(judged.engine));
         drawn = draw_problems(*pictures, options.picture, path, judged);
+        for (ProblemPicture& picture :
+             draw_waste(*pictures, options.picture, path, options.query.bodies, judged))
+            drawn.push_back(std::move(picture));
     }
     std::string text;
     if (options.picture.json) {

@@ -20,4 +20,10 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
                                           const std::string& path,
                                           const scenes::RecordingJudgement& judged);
 
+/// Draws where the tests were wasted in the frame with the most waste. Nothing where the recording
+/// has queries of several pairs of bodies of which `bodies` names none, objects, or no tests.
+std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOptions& options,
+                                       const std::string& path, const std::string& bodies,
+                                       const scenes::RecordingJudgement& judged);
+
 }  // namespace scb::app

@@ -122,11 +122,37 @@ std::uint64_t sum(const RecordingJudgement& judged, std::uint64_t FrameJudgement
     return result;
 }
 
+bool has_results(const RecordingJudgement& judged) {
+    return judged.summary.pairs + judged.summary.item_tests > 0 || judged.summary.tells_pairs;
+}
+
+/// "Sound.", or what is wrong in one line.
+std::string verdict_text(const RecordingJudgement& judged) {
+    std::vector<std::string> parts;
+    const auto add = [&parts](std::uint64_t count, const char* one, const char* several) {
+        if (count > 0) parts.push_back(counted(count, one, several));
+    };
+    std::uint64_t faults = 0, tests = 0;
+    for (const TreeJudgement& tree : judged.trees) faults += tree.problems.size();
+    for (const ProblemGroup& group : judged.test_problems) tests += group.count;
+    add(faults, "fault of trees", "faults of trees");
+    add(judged.poses.size(), "query with another pose", "queries with another pose");
+    add(tests, "test that went wrong", "tests that went wrong");
+    add(sum(judged, &FrameJudgement::missed), "pair missed", "pairs missed");
+    add(sum(judged, &FrameJudgement::false_pairs), "false pair", "false pairs");
+    add(judged.odd.size() + judged.more_odd, "oddity", "oddities");
+    if (parts.empty()) return judged.wrong() ? "Wrong.\n\n" : "Sound.\n\n";
+    std::string text = "Wrong: ";
+    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
+    return text + ".\n\n";
+}
+
 std::string results_text(const RecordingJudgement& judged) {
-    if (judged.summary.pairs + judged.summary.item_tests == 0 && !judged.summary.tells_pairs)
-        return "Results: none were recorded.\n\n";
+    if (!has_results(judged)) return "Results: none were recorded.\n\n";
+    const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
     std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
-                       " reported, " + count_text(judged.exact_pairs) + " intersect; " +
+                       (told ? " reported, " : " met by the tests of triangles, ") +
+                       count_text(judged.exact_pairs) + " intersect; " +
                        count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
                        count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
     if (judged.grazing > 0)
@@ -146,6 +172,10 @@ std::string waste_text(const RecordingJudgement& judged) {
         sum(judged, &FrameJudgement::volume_tests) + sum(judged, &FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
+    if (!has_results(judged))
+        return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
+               " tests are below volumes that do not even meet; what else led to nothing, only "
+               "results tell.\n";
     return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
            " tests: " + count_text(judged.wasted_loose) +
            " below volumes that meet though no triangles do, " + count_text(judged.wasted_weak) +
@@ -206,7 +236,7 @@ std::string recording_text(const RecordingJudgement& judged, const std::string& 
                        counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
                        counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
                        " of volumes, " + count_text(sum(judged, &FrameJudgement::item_tests)) +
-                       " of triangles\n\n";
+                       " of triangles\n" + verdict_text(judged);
     for (const auto& pose : judged.poses)
         text += "Pose: the tests at " + query_words(pose.query) + " fit " + pose.pose + ": " +
                 count_text(pose.told.wrong) + " are wrong with the one that was told, none with " +

@@ -123,6 +123,9 @@ void note_same_pose(const SceneOptions& scene, const Console& console) {
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Console& console) {
     note_same_pose(scene, console);
+    if (scene.is_recording())
+        console.note("scb: of " + scene.names[0] +
+                     " the meshes and poses are taken; the hierarchies are this project's own.");
     note_doubts(query, kinds, console);
 }
 

@@ -452,10 +452,10 @@ static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t b
 }
 
 /* A test of two volumes, of a node of A and one of B. `stage`: 0 where they overlap, else which
- * part of the test rejected them, see scb_record_stage. */
+ * part of the test rejected them, 1 to 127, see scb_record_stage; what is above counts as 127. */
 static inline void scb_record_test(scb_recorder* r, uint32_t node_a, uint32_t node_b,
                                    uint8_t stage) {
-    scb_rec_event(r, (unsigned char)(stage & 127), node_a, node_b);
+    scb_rec_event(r, (unsigned char)(stage < 128 ? stage : 127), node_a, node_b);
 }
 
 /* A test of two triangles, or of two objects: items of leaves. */

@@ -8,8 +8,8 @@
 
 namespace scb {
 
-/// A stage of an engine by the number and the name that it gives it: this project's own where it
-/// has the name of one, so that it has its color too.
+/// A stage of an engine by a number, 1 to 127, and the name that it gives it: this project's own
+/// where it has the name of one, so that it has its color too.
 Stage stage_of_engine(std::uint8_t number, std::string_view name);
 
 /// An engine's query as traces have it: tests of nodes by their indices, those of nodes that there

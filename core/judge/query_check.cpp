@@ -107,7 +107,8 @@ class Judge {
                 ++result_.item_tests;
                 item_tests_.try_emplace(key(event.a, event.b), i);
                 if (const auto margin = error_of(query_, query_.b_to_a, event))
-                    result_.wrong_item_tests.push_back({i, *margin});
+                    result_.wrong_item_tests.push_back(
+                        {i, *margin, !links_.tested_nodes_of({event.a, event.b})});
                 item_parent_.push_back(links_.led_to_items({event.a, event.b}));
                 if (event.kind == Kind::items_meet)
                     for (std::uint32_t t = item_parent_.back();

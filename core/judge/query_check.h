@@ -68,6 +68,7 @@ struct PairProblem {
 struct WrongItemTest {
     std::uint32_t event = 0;  ///< index into EngineQuery::events
     double margin = 0;        ///< gap or depth of the two triangles, at least
+    bool strayed = false;     ///< no test of the nodes that have them came before it
 };
 
 /// A query, judged.

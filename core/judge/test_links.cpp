@@ -47,6 +47,11 @@ std::uint32_t TestLinks::led_to_items(IndexPair items) const {
         .value_or(last_overlap_);
 }
 
+bool TestLinks::tested_nodes_of(IndexPair items) const {
+    return test_of({holder_of(query_.sides[0], items.a), holder_of(query_.sides[1], items.b)})
+        .has_value();
+}
+
 std::optional<std::uint32_t> TestLinks::test_of(IndexPair nodes) const {
     const auto found = tests_.find(key_of(nodes));
     if (found == tests_.end()) return std::nullopt;

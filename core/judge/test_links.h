@@ -27,6 +27,8 @@ class TestLinks {
     /// The test of volumes that led to a test of two items: the latest of the nodes that have them;
     /// where there was none, the latest that passed.
     std::uint32_t led_to_items(IndexPair items) const;
+    /// Whether the nodes that have them were tested.
+    bool tested_nodes_of(IndexPair items) const;
     /// The latest test of these nodes.
     std::optional<std::uint32_t> test_of(IndexPair nodes) const;
 

@@ -286,6 +286,10 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
     for (PanelItem& item : endings_legend(header, frame, tree, style))
         items.push_back(std::move(item));
+    if (const auto leaves = counts[static_cast<std::size_t>(Outcome::triangles_apart)] +
+                            counts[static_cast<std::size_t>(Outcome::triangles_meet)];
+        header.engine && leaves > 0 && frame.found.n_p > leaves)
+        items.emplace_back(PanelNote{"triangles: pairs of leaves, which have several"});
     items.emplace_back(PanelHeading{"nodes drawn"});
     for (PanelItem& item : drawn_keys(bodies, ended, style)) items.push_back(std::move(item));
     for (PanelItem& key : node_color_keys(style)) items.push_back(std::move(key));

@@ -153,6 +153,10 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
     check_mesh(*made, name_ + ": mesh " + std::to_string(mesh.mesh));
     const Box box = bounding_box(*made);
     state.name = printable(mesh.name);
+    const bool is_same = state.mesh && state.mesh->vertices == made->vertices &&
+                         state.mesh->triangles == made->triangles &&
+                         state.coordinate_bytes == mesh.coordinate_bytes;
+    if (is_same) return;
     state.mesh = std::move(made);
     state.coordinate_bytes = mesh.coordinate_bytes;
     state.reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
@@ -231,7 +235,13 @@ void RecordedQueries::take(const RecordedQuery& query) {
     if (in_query_) fail("a query begins within a query");
     in_query_ = true;
     bodies_of_query_ = {query.body_a, query.body_b};
-    for (const std::uint32_t body : bodies_of_query_) known(bodies_, body, "body");
+    for (const std::uint32_t number : bodies_of_query_) {
+        const std::uint32_t of = known(bodies_, number, "body").tree;
+        const std::uint32_t mesh = trees_.at(of).mesh;
+        if (mesh != record_none && !meshes_.contains(mesh) && without_mesh_.insert(of).second)
+            note_odd("tree " + std::to_string(of) + " is of mesh " + std::to_string(mesh) +
+                     ", which was not told, so that results are not judged");
+    }
     query_.events.clear();
 }
 

@@ -140,6 +140,7 @@ class RecordedQueries {
     std::array<std::uint32_t, 2> bodies_of_query_{};
     std::vector<std::string> oddities_;
     std::size_t more_oddities_ = 0;
+    std::set<std::uint32_t> without_mesh_;  ///< trees of which that was noted
     std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet
     int frame_ = 0;
     bool frame_told_ = false, in_query_ = false, query_done_ = false, ended_ = false;

@@ -47,6 +47,25 @@ bool is_same(const Pose& a, const Pose& b) {
 struct QueriedPair {
     std::array<std::uint32_t, 2> bodies{};
     std::vector<int> frames;
+    /// The frame to show: the first with the most pairs, or, where none has any, tests.
+    int fullest = 0;
+    std::pair<std::size_t, std::size_t> most{};
+
+    void add(int frame, const EngineQuery& query) {
+        if (!frames.empty() && frames.back() == frame) return;
+        std::pair<std::size_t, std::size_t> here{};
+        const auto found =
+            query.tells_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet;
+        for (const EngineEvent& event : query.events) {
+            here.first += event.kind == found;
+            here.second += event.kind == EngineEvent::Kind::volumes;
+        }
+        if (frames.empty() || here > most) {
+            fullest = frame;
+            most = here;
+        }
+        frames.push_back(frame);
+    }
 };
 
 }  // namespace
@@ -209,11 +228,11 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
         const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const QueriedPair& pair) {
             return pair.bodies == queries.query_bodies();
         });
-        QueriedPair& pair = known != pairs.end()
-                                ? *known
-                                : pairs.emplace_back(QueriedPair{queries.query_bodies(), {}});
-        if (pair.frames.empty() || pair.frames.back() != queries.frame())
-            pair.frames.push_back(queries.frame());
+        QueriedPair& pair =
+            known != pairs.end()
+                ? *known
+                : pairs.emplace_back(QueriedPair{queries.query_bodies(), {}, 0, {}});
+        pair.add(queries.frame(), queries.query());
     }
     if (pairs.empty())
         throw InputError(path_ +
@@ -246,7 +265,7 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
             if (scene_.bodies[i].name == names.at(numbers_[side])) sides_[side] = i;
     frames_ = frames == auto_frames
-                  ? std::vector{chosen->frames.front()}
+                  ? std::vector{chosen->fullest}
                   : frames_among(chosen->frames, frames, path_, "a recording may have");
 }
 
@@ -298,11 +317,18 @@ void RecordedTrace::read_bodies() {
     std::vector<std::uint8_t> order = queries.stage_order();
     for (const std::uint8_t number : summary_.stages)
         if (!queries.stages().contains(number)) order.push_back(number);
+    // Colors go by numbers: those at which tests ended have the first.
+    std::vector<std::uint8_t> used_first = order;
+    std::stable_sort(used_first.begin(), used_first.end(), [this](std::uint8_t x, std::uint8_t y) {
+        return summary_.stages.contains(x) > summary_.stages.contains(y);
+    });
     for (const std::uint8_t number : order) {
+        const auto place = std::find(used_first.begin(), used_first.end(), number);
         const auto told = queries.stages().find(number);
         const std::string name =
             told != queries.stages().end() ? told->second : "stage " + std::to_string(number);
-        stages_[number] = stage_of_engine(number, name);
+        stages_[number] =
+            stage_of_engine(static_cast<std::uint8_t>(place - used_first.begin() + 1), name);
         engine.stages.push_back({stages_[number], name});
     }
 }

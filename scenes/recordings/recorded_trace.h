@@ -45,7 +45,7 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
 class RecordedTrace {
   public:
     /// `bodies` names two, "A,B", or is empty where the recording has queries of two only; `frames`
-    /// is a list, see frames_among, or auto_frames: the first at which they were queried. Throws
+    /// is a list, see frames_among, or auto_frames: the first with the most pairs. Throws
     /// InputError.
     RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames);
     RecordedTrace(const RecordedTrace&) = delete;

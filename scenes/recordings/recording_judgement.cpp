@@ -36,34 +36,46 @@ std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
 /// The hierarchies of this project, of the meshes of a recording.
 class OwnQuery {
   public:
-    std::vector<IndexPair> contacts(const EngineQuery& query) {
+    using Meshes = std::map<std::uint32_t, MeshState>;
+
+    /// `meshes`: those that there are now.
+    std::vector<IndexPair> contacts(const EngineQuery& query, const Meshes& meshes) {
         const auto& [a, b] = query.sides;
         if (!a.mesh || !b.mesh || !query.rigid || query.self) return {};
-        // Both first: the second may move the first.
-        hierarchy_of(*a.mesh);
-        hierarchy_of(*b.mesh);
-        return collide(Collider<Obb>{hierarchy_of(*a.mesh), *a.mesh},
-                       Collider<Obb>{hierarchy_of(*b.mesh), *b.mesh}, query.b_to_a)
+        keep(meshes);
+        return collide(Collider<Obb>{*hierarchy_of(*a.mesh, meshes), *a.mesh},
+                       Collider<Obb>{*hierarchy_of(*b.mesh, meshes), *b.mesh}, query.b_to_a)
             .pairs;
-    }
-    /// Forgets meshes that there are no more.
-    void keep(const std::map<std::uint32_t, MeshState>& meshes) {
-        std::erase_if(built_, [&](const auto& built) {
-            return std::none_of(meshes.begin(), meshes.end(), [&](const auto& mesh) {
-                return mesh.second.mesh.get() == built.first;
-            });
-        });
     }
 
   private:
-    const Hierarchy<Obb>& hierarchy_of(const Mesh& mesh) {
-        for (const auto& [of, hierarchy] : built_)
-            if (of == &mesh) return *hierarchy;
-        built_.emplace_back(&mesh, std::make_unique<Hierarchy<Obb>>(build_hierarchy<Obb>(mesh)));
-        return *built_.back().second;
+    /// A mesh that is told anew must not get the address of one that is known here, so these are
+    /// held.
+    struct Built {
+        std::shared_ptr<const Mesh> mesh;
+        std::shared_ptr<const Hierarchy<Obb>> hierarchy;
+    };
+
+    /// Forgets meshes that there are no more.
+    void keep(const Meshes& meshes) {
+        std::erase_if(built_, [&](const Built& built) {
+            return std::none_of(meshes.begin(), meshes.end(),
+                                [&](const auto& mesh) { return mesh.second.mesh == built.mesh; });
+        });
     }
 
-    std::vector<std::pair<const Mesh*, std::unique_ptr<Hierarchy<Obb>>>> built_;
+    std::shared_ptr<const Hierarchy<Obb>> hierarchy_of(const Mesh& mesh, const Meshes& meshes) {
+        for (const Built& built : built_)
+            if (built.mesh.get() == &mesh) return built.hierarchy;
+        const auto told = std::find_if(meshes.begin(), meshes.end(), [&mesh](const auto& state) {
+            return state.second.mesh.get() == &mesh;
+        });
+        built_.push_back({told->second.mesh,
+                          std::make_shared<const Hierarchy<Obb>>(build_hierarchy<Obb>(mesh))});
+        return built_.back().hierarchy;
+    }
+
+    std::vector<Built> built_;
 };
 
 std::string name_of_body(const RecordedQueries& recording, std::uint32_t number) {
@@ -92,7 +104,6 @@ class RecordingJudge {
             if (!want) continue;
             for (const auto& [number, tree] : recording_->trees()) look(number);
             frame();
-            own_.keep(recording_->meshes());
             if (!done()) break;
         }
         finish();
@@ -126,7 +137,7 @@ class RecordingJudge {
             add(tests_, "a query's pose is not rigid", name, "it is not judged");
             return;
         }
-        std::vector<IndexPair> contacts = own_.contacts(query);
+        std::vector<IndexPair> contacts = own_.contacts(query, recording_->meshes());
         const QueryJudgement judged = judge_query(query, contacts);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
@@ -165,7 +176,7 @@ class RecordingJudge {
                  nodes + ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
-        for (const auto& [i, margin] : judged.wrong_item_tests) {
+        for (const auto& [i, margin, strayed] : judged.wrong_item_tests) {
             const EngineEvent& event = query.events[i];
             ++row.wrong;
             const bool meet = event.kind == EngineEvent::Kind::items_meet;
@@ -175,7 +186,10 @@ class RecordingJudge {
                          : "a test said that two triangles are apart which intersect",
                     name,
                     pair_words("triangles", event.a, event.b) + ", " + format("%.6g", margin) +
-                        (meet ? " apart" : " deep in each other"));
+                        (meet ? " apart" : " deep in each other") +
+                        (strayed ? "; the nodes that have them were not tested before, so are "
+                                   "these their numbers?"
+                                 : ""));
             if (group.count == 1) {
                 group.items = {event.a, event.b};
                 group.event = i;
@@ -247,12 +261,18 @@ class RecordingJudge {
         others.emplace_back("the pose without its rotation",
                             Pose{Mat3::Identity(), pose.translation});
         others.emplace_back("the pose without its translation", Pose{pose.rotation, Vec3::Zero()});
-        for (const auto& [what, other] : others) {
-            const PoseFit fits = fit_of_pose(query, other);
-            if (fits.wrong > 0 || fits.false_positive > told.false_positive) continue;
+        const auto fits_all = [&](const EngineQuery& asked, const Pose& with,
+                                  const std::string& what) {
+            const PoseFit fits = fit_of_pose(asked, with);
+            if (fits.wrong > 0 || fits.false_positive > told.false_positive) return false;
             result_.poses.push_back({name, what, told, fits});
-            return;
-        }
+            return true;
+        };
+        for (const auto& [what, other] : others)
+            if (fits_all(query, other, what)) return;
+        EngineQuery swapped = query;
+        for (EngineEvent& event : swapped.events) std::swap(event.a, event.b);
+        fits_all(swapped, query.b_to_a, "the pose, were those of B named before those of A");
     }
 
     std::string stage_name(std::uint8_t stage) const {

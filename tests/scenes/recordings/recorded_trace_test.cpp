@@ -155,7 +155,7 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     const TraversalTree tree = traversal_tree(header, frame);
     EXPECT_EQ(tree.parents, (std::vector<std::uint32_t>{TraversalTree::no_parent, 0, 0}));
     EXPECT_EQ(tree.outcomes, (std::vector<Outcome>{Outcome::divided_a, Outcome::found,
-                                                   rejected_at(foreign_stage(7))}));
+                                                   rejected_at(foreign_stage(1))}));
     EXPECT_EQ(ending_words(header, tree.outcomes[2]), "stage 7");
     const BodyAtFrame body = recorded.body(0, 5);
     EXPECT_TRUE(body.mesh->triangles.empty());

@@ -53,6 +53,47 @@ RecordingJudgement judge(const std::vector<Record>& records) {
     return judge(writer.finish());
 }
 
+/// Both meshes are told anew at each frame, by two frames of which one query is judged.
+TEST(RecordingJudgement, OfMeshesThatAreToldAnewTheNewOnesHold) {
+    std::vector<Record> records, single;
+    std::array<RecordedMesh, 2> meshes;
+    for (const Record& record : records_in(recording_of(trace_of(VolumeKind::obb)))) {
+        if (const auto* mesh = std::get_if<RecordedMesh>(&record)) meshes[mesh->mesh] = *mesh;
+        if (std::holds_alternative<RecordedQuery>(record))
+            for (RecordedMesh& mesh : meshes) {
+                // A vertex that no triangle has changes the mesh, and nothing else.
+                mesh.coordinates.insert(mesh.coordinates.end(), {0, 0, 0});
+                records.push_back(mesh);
+            }
+        records.push_back(record);
+    }
+    const RecordingJudgement judged = judge(records);
+    EXPECT_FALSE(judged.wrong());
+    ASSERT_EQ(judged.frames.size(), 3u);
+    EXPECT_EQ(judged.exact_pairs, judge(recording_of(trace_of(VolumeKind::obb))).exact_pairs);
+}
+
+TEST(RecordingJudgement, AMeshThatWasNotToldIsOdd) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    std::erase_if(records, [](const Record& record) {
+        const auto* mesh = std::get_if<RecordedMesh>(&record);
+        return mesh != nullptr && mesh->mesh == 1;
+    });
+    const RecordingJudgement judged = judge(records);
+    EXPECT_TRUE(judged.wrong());
+    ASSERT_EQ(judged.odd.size(), 1u);
+    EXPECT_NE(judged.odd[0].find("tree 1 is of mesh 1, which was not told"), std::string::npos);
+}
+
+TEST(RecordingJudgement, NamesNodesOfBThatStandBeforeThoseOfA) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    for (Record& record : records)
+        if (auto* event = std::get_if<RecordedEvent>(&record)) std::swap(event->a, event->b);
+    const RecordingJudgement judged = judge(records);
+    ASSERT_FALSE(judged.poses.empty());
+    EXPECT_NE(judged.poses[0].pose.find("those of B named before those of A"), std::string::npos);
+}
+
 TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
     // Sanitized: slab cut balls, boxes along the axes, rectangle swept spheres.
     for (std::size_t k = 0; k < all_volume_kinds().size();
