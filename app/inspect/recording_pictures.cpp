@@ -87,6 +87,12 @@ std::vector<BodyAtFrame> bodies_of(const Problem& problem, const scenes::Recorde
     return bodies;
 }
 
+/// The node that has an object; of triangles none, which are drawn themselves.
+std::uint32_t holder_of(const BodyAtFrame& body, std::uint32_t object) {
+    const std::vector<std::uint32_t>& holder = body.tree->shape().holder;
+    return body.mesh->triangles.empty() && object < holder.size() ? holder[object] : no_index;
+}
+
 render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFrame>& bodies,
                               render::Renderer& renderer) {
     render::ProblemParts parts;
@@ -114,6 +120,9 @@ render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFr
     for (std::size_t i = 0; i < std::min(problem.triangles.size(), bodies.size()); ++i)
         if (problem.triangles[i] < bodies[i].mesh->triangles.size())
             parts.triangles.push_back({i, problem.triangles[i]});
+        else if (const std::uint32_t node = holder_of(bodies[i], problem.triangles[i]);
+                 node != no_index && bodies[i].tree->has_volume(node))
+            parts.nodes.push_back({i, node});
     return parts;
 }
 

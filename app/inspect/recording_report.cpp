@@ -178,8 +178,8 @@ std::string waste_text(const RecordingJudgement& judged) {
                "results tell.\n";
     return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
            " tests: " + count_text(judged.wasted_loose) +
-           " below volumes that meet though no triangles do, " + count_text(judged.wasted_weak) +
-           " below volumes that do not even meet.\n";
+           " below volumes that meet though nothing below them does, " +
+           count_text(judged.wasted_weak) + " below volumes that do not even meet.\n";
 }
 
 std::string frames_text(const RecordingJudgement& judged, std::size_t top) {

@@ -96,18 +96,20 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     ids_ = id_ranges(sources);
     camera_view_ = camera_view_for(options.camera, source.scene());
     const auto nodes = std::make_shared<HeldNodes>(options.shown);
-    support_ = support_over_frames([nodes](const render::QueryBody& body, const Vec3& direction) {
+    const Reach of_volumes = [nodes](const render::QueryBody& body, const Vec3& direction) {
         double most = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t node : nodes->of(*body.tree))
             most = std::max(most, render::reach(render::volume_of(body, node), direction));
         // Of trees without volumes there is the mesh.
         return std::isfinite(most) ? most : mesh_reach(body, direction);
-    });
+    };
+    support_ = support_over_frames(of_volumes);
     render::Support held = support_;
     if (options.held_part < 1)
         held = render::support_between(
-            support_over_frames([](const render::QueryBody& body, const Vec3& direction) {
-                return mesh_reach(body, direction);
+            support_over_frames([of_volumes](const render::QueryBody& body, const Vec3& direction) {
+                return body.mesh->triangles.empty() ? of_volumes(body, direction)
+                                                    : mesh_reach(body, direction);
             }),
             support_, options.held_part);
     center_ = render::center_of(held);

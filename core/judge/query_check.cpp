@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/judge/object_contacts.h"
 #include "core/judge/test_links.h"
 #include "scb/triangle_overlap.h"
 
@@ -38,6 +39,19 @@ struct ItemContact {
 };
 
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
+    if (has_object_volumes(query)) {
+        // That of the leaves' volumes, of which one touches nothing where it is not known.
+        const auto volume_of = [](const EngineSide& side, std::uint32_t object) {
+            const std::uint32_t node =
+                object < side.shape->holder.size() ? side.shape->holder[object] : no_index;
+            return node == no_index ? NodeVolume{} : (*side.tree)[node].volume;
+        };
+        const ContactCertificate found =
+            exact_verdict(volume_of(query.sides[0], items.a), volume_of(query.sides[1], items.b),
+                          b_to_a, query.tolerance);
+        return {found.contact == Contact::overlapping, found.contact == Contact::touching,
+                found.margin};
+    }
     const TriangleCorners a = corners(*query.sides[0].mesh, items.a),
                           b = corners(*query.sides[1].mesh, items.b);
     const ContactCertificate found =
@@ -89,7 +103,8 @@ class Judge {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
         count_waste();
         // Without results, or of items that nothing is known of, there is nothing to compare.
-        if (have_meshes(query_) && !query_.self && (query_.tells_pairs || query_.tells_items)) {
+        if ((have_meshes(query_) || has_object_volumes(query_)) && !query_.self &&
+            (query_.tells_pairs || query_.tells_items)) {
             if (query_.complete) find_missed();
             find_false();
         }
@@ -110,15 +125,20 @@ class Judge {
                     result_.wrong_item_tests.push_back(
                         {i, *margin, !links_.tested_nodes_of({event.a, event.b})});
                 item_parent_.push_back(links_.led_to_items({event.a, event.b}));
-                if (event.kind == Kind::items_meet)
-                    for (std::uint32_t t = item_parent_.back();
-                         t != no_index && !result_.tests[t].meets; t = result_.tests[t].parent)
-                        result_.tests[t].meets = true;
+                if (event.kind == Kind::items_meet) mark_above(item_parent_.back());
                 if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
                 return;
             case Kind::pair:
+                // Of objects, nothing but this tells it.
+                if (!have_meshes(query_)) mark_above(links_.led_to_items({event.a, event.b}));
                 return report(i, event);
         }
+    }
+
+    /// There is a pair below this test.
+    void mark_above(std::uint32_t test) {
+        for (; test != no_index && !result_.tests[test].meets; test = result_.tests[test].parent)
+            result_.tests[test].meets = true;
     }
 
     void take_test(std::uint32_t i, const EngineEvent& event) {
@@ -227,6 +247,7 @@ class Judge {
             const std::uint32_t item = side == 0 ? items.a : items.b,
                                 node = side == 0 ? test.nodes.a : test.nodes.b;
             const EngineSide& of = query_.sides[side];
+            if (!of.mesh) continue;
             for (const Vec3& corner : corners(*of.mesh, item)) {
                 const double amount = excess((*of.tree)[node].volume, corner);
                 if (!(amount > query_.tolerance) || !(amount > problem.amount)) continue;

@@ -88,8 +88,8 @@ struct QueryJudgement {
     std::uint64_t repeated() const;
 };
 
-/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; empty where a side
-/// has no mesh. O(tests) exact verdicts.
+/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; of objects those
+/// of object_contacts; empty where only one side has a mesh. O(tests) exact verdicts.
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
 
 /// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,

@@ -42,6 +42,16 @@ Pose made_rigid(Pose pose) {
     return pose;
 }
 
+/// Above the numbers of a tree's objects; 0 where these are so large that they are no numbers.
+std::size_t objects_of(const NodeTree& tree) {
+    constexpr std::size_t most = 1'000'000;
+    std::size_t end = 0;
+    for (std::size_t node = 0; node < tree.size(); ++node)
+        for (const std::uint32_t item : tree.items(node))
+            end = std::max(end, std::size_t{item} + 1);
+    return end <= most ? end : 0;
+}
+
 }  // namespace
 
 RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
@@ -302,7 +312,7 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
     const auto mesh = meshes_.find(state.mesh);
     const Mesh* of = mesh == meshes_.end() ? nullptr : mesh->second.mesh.get();
     if (!state.whole) {
-        state.shape = tree_shape(state.tree, of ? of->triangles.size() : 0);
+        state.shape = tree_shape(state.tree, of ? of->triangles.size() : objects_of(state.tree));
         state.whole = true;
     }
     return {&state.tree, &state.shape, of};

@@ -8,7 +8,6 @@
 #include "core/judge/engine_trace.h"
 #include "core/judge/engine_tree.h"
 #include "scb/error.h"
-#include "scenes/recordings/recording_input.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"
@@ -211,9 +210,9 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
     return result;
 }
 
-RecordedTrace::RecordedTrace(const std::string& path, const std::string& bodies,
+RecordedTrace::RecordedTrace(std::string bytes, const std::string& path, const std::string& bodies,
                              const std::string& frames)
-    : path_(path), bytes_(recording_bytes(path)), summary_(summary_of(bytes_, path)) {
+    : path_(path), bytes_(std::move(bytes)), summary_(summary_of(bytes_, path)) {
     scene_ = scene_of_recording(bytes_, path, ChangingMeshes::allowed);
     choose(bodies, frames);
     read_bodies();

@@ -9,6 +9,7 @@
 #include "core/analysis/trace.h"
 #include "core/hierarchy/volume_tree.h"
 #include "scenes/recordings/recorded_queries.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/scene.h"
 
 namespace scb::scenes {
@@ -47,7 +48,11 @@ class RecordedTrace {
     /// `bodies` names two, "A,B", or is empty where the recording has queries of two only; `frames`
     /// is a list, see frames_among, or auto_frames: the first with the most pairs. Throws
     /// InputError.
-    RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames);
+    RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
+        : RecordedTrace(recording_bytes(path), path, bodies, frames) {}
+    /// The same of bytes that are the file's.
+    RecordedTrace(std::string bytes, const std::string& path, const std::string& bodies,
+                  const std::string& frames);
     RecordedTrace(const RecordedTrace&) = delete;
 
     const TraceHeader& header() const { return header_; }

@@ -7,6 +7,7 @@
 
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
+#include "core/judge/object_contacts.h"
 #include "scb/collide.h"
 #include "scb/hierarchy.h"
 
@@ -28,6 +29,15 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "one of the two does not exist",
     "reported twice",
 };
+
+/// Of items that are objects.
+std::string for_objects(std::string words) {
+    constexpr std::string_view triangle = "triangle", object = "object";
+    for (std::size_t at = words.find(triangle); at != std::string::npos;
+         at = words.find(triangle, at + object.size()))
+        words.replace(at, triangle.size(), object);
+    return words;
+}
 
 std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
     return std::string(what) + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
@@ -137,7 +147,9 @@ class RecordingJudge {
             add(tests_, "a query's pose is not rigid", name, "it is not judged");
             return;
         }
-        std::vector<IndexPair> contacts = own_.contacts(query, recording_->meshes());
+        const bool objects = has_object_volumes(query);
+        const std::vector<IndexPair> contacts =
+            objects ? object_contacts(query) : own_.contacts(query, recording_->meshes());
         const QueryJudgement judged = judge_query(query, contacts);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
@@ -209,7 +221,7 @@ class RecordingJudge {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
             ProblemGroup& group =
-                add(missed ? missed_ : false_, std::string(cause_names[problem.cause]), name, {});
+                add(missed ? missed_ : false_, words_of(query, problem.cause), name, {});
             if (group.count > 1) continue;
             group.nodes = problem.nodes;
             group.items = problem.items;
@@ -219,7 +231,17 @@ class RecordingJudge {
         }
     }
 
+    static std::string words_of(const EngineQuery& query, PairCause cause) {
+        const std::string words(cause_names[cause]);
+        return query.sides[0].mesh ? words : for_objects(words);
+    }
+
     static std::string words_of(const EngineQuery& query, const PairProblem& problem) {
+        const std::string words = triangle_words(query, problem);
+        return query.sides[0].mesh ? words : for_objects(words);
+    }
+
+    static std::string triangle_words(const EngineQuery& query, const PairProblem& problem) {
         std::string words = pair_words("triangles", problem.items.a, problem.items.b);
         const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
                             node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;

@@ -1,8 +1,51 @@
+#include <algorithm>
+
+#include "core/analysis/ended_paths.h"
+#include "core/analysis/ending.h"
+#include "core/analysis/triangle_heat.h"
+#include "core/hierarchy/level_statistics.h"
+#include "scenes/recordings/recorded_trace.h"
 #include "scenes/recordings/recording_judgement.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/scenes/recordings/recording_block.h"
 
 using namespace scb;
+
+namespace {
+
+/// What pictures make of a body.
+void use(const VolumeTree& tree) {
+    const TreeShape& shape = tree.shape();
+    const std::size_t all = level_cover(shape, -1).size();
+    for (int level = 0; level <= std::min(depth(shape), 4); ++level)
+        cover_statistics(tree, level_cover(shape, level));
+    fuzz::require(all <= shape.size(), "leaves are nodes");
+}
+
+/// What pictures and tables make of a recording.
+void show(const std::string& bytes) {
+    scenes::RecordedTrace recorded(bytes, "input", "", "all");
+    const TraceHeader& header = recorded.header();
+    for (const int number : recorded.frames()) {
+        const TraceFrame& frame = recorded.frame(number);
+        const TraversalTree tree = traversal_tree(header, frame);
+        const EndingCounts counts = ending_counts(frame, tree);
+        std::uint64_t ended = 0;
+        for (const std::uint64_t count : counts) ended += count;
+        fuzz::require(ended <= frame.found.n_v, "a path ends once");
+        for (std::size_t side = 0; side < 2; ++side) {
+            const scenes::BodyAtFrame body = recorded.body(side, number);
+            if (number == recorded.frames().front()) use(*body.tree);
+            const TreeShape& shape = body.tree->shape();
+            innermost(ended_paths(frame, tree, side), shape);
+            if (!header.engine->objects)
+                triangle_heat(frame.events, shape, side, HeatOf::triangles);
+            triangle_heat(frame.events, shape, side, HeatOf::volumes);
+        }
+    }
+}
+
+}  // namespace
 
 /// The input is the payload of a block.
 SCB_FUZZ(input) {
@@ -15,6 +58,7 @@ SCB_FUZZ(input) {
         for (const scenes::FrameJudgement& frame : judged.frames) missed += frame.missed;
         for (const scenes::ProblemGroup& group : judged.missed) of_causes += group.count;
         fuzz::require(missed == of_causes, "each missed pair has a cause");
+        show(bytes);
     } catch (const InputError& error) {
         fuzz::require_sentence(error, "input");
     }

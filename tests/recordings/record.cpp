@@ -20,6 +20,8 @@ namespace {
 struct EngineKind {
     const char* title;
     MakeEngine* make;
+    /// Its trees are in the world, and change before each query, which it begins itself.
+    bool in_world = false;
 };
 
 std::map<std::string, EngineKind> engines() {
@@ -29,6 +31,7 @@ std::map<std::string, EngineKind> engines() {
 #endif
 #ifdef SCB_RECORD_BULLET
     all["bullet"] = {"Bullet " SCB_RECORD_BULLET, record_bullet};
+    all["dbvt"] = {"Bullet " SCB_RECORD_BULLET " btDbvt", record_dbvt, true};
 #endif
 #ifdef SCB_RECORD_EMBREE
     all["embree"] = {"Embree " SCB_RECORD_EMBREE, record_embree};
@@ -54,8 +57,9 @@ int record(const EngineKind& kind, const scenes::Scene& scene, const std::vector
         const Pose poses[] = {scenes::pose_at(body_a.motion, frame),
                               scenes::pose_at(body_b.motion, frame)};
         for (const std::uint32_t body : {0u, 1u})
-            scb_record_pose(&recorder, body, scenes::rows_of(poses[body]).data());
-        scb_record_query(&recorder, 0, 1);
+            if (!kind.in_world)
+                scb_record_pose(&recorder, body, scenes::rows_of(poses[body]).data());
+        if (!kind.in_world) scb_record_query(&recorder, 0, 1);
         query(peer_pose(poses[0]), peer_pose(poses[1]));
         scb_record_query_end(&recorder, 1, 0);
     }

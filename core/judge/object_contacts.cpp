@@ -1,0 +1,79 @@
+#include "core/judge/object_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scb {
+namespace {
+
+/// An object, and how far its leaf's volume reaches in A's frame.
+struct Extent {
+    std::uint32_t object = 0, node = 0;
+    Vec3 lower, upper;
+};
+
+std::vector<Extent> extents(const EngineSide& side, const Pose& to_a, double tolerance) {
+    std::vector<Extent> result;
+    for (std::uint32_t object = 0; object < side.shape->holder.size(); ++object) {
+        const std::uint32_t node = side.shape->holder[object];
+        if (node == no_index || !has_volume((*side.tree)[node].volume)) continue;
+        const ConvexShape shape = placed(convex_shape((*side.tree)[node].volume), to_a);
+        Extent extent{object, node, Vec3::Zero(), Vec3::Zero()};
+        for (int k = 0; k < 3; ++k) {
+            extent.lower[k] = shape.center[k] - support(shape, Vec3(-Vec3::Unit(k))) - tolerance;
+            extent.upper[k] = shape.center[k] + support(shape, Vec3::Unit(k)) + tolerance;
+        }
+        result.push_back(extent);
+    }
+    std::sort(result.begin(), result.end(), [](const Extent& x, const Extent& y) {
+        return std::pair(x.lower[0], x.object) < std::pair(y.lower[0], y.object);
+    });
+    return result;
+}
+
+bool apart(const Extent& a, const Extent& b) {
+    for (int k = 1; k < 3; ++k)
+        if (a.upper[k] < b.lower[k] || b.upper[k] < a.lower[k]) return true;
+    return false;
+}
+
+}  // namespace
+
+bool has_object_volumes(const EngineQuery& query) {
+    return std::all_of(query.sides.begin(), query.sides.end(), [](const EngineSide& side) {
+        return !side.mesh && !side.shape->holder.empty();
+    });
+}
+
+std::vector<IndexPair> object_contacts(const EngineQuery& query) {
+    const EngineSide &side_a = query.sides[0], &side_b = query.sides[1];
+    const std::vector<Extent> of_a = extents(side_a, Pose{}, query.tolerance),
+                              of_b = extents(side_b, query.b_to_a, query.tolerance);
+    std::vector<IndexPair> contacts;
+    const auto take = [&](const Extent& a, const Extent& b) {
+        if (apart(a, b)) return;
+        const ContactCertificate found =
+            exact_verdict((*side_a.tree)[a.node].volume, (*side_b.tree)[b.node].volume,
+                          query.b_to_a, query.tolerance);
+        if (found.contact != Contact::disjoint) contacts.push_back({a.object, b.object});
+    };
+    // Each begins at its lower end, and meets those that began before and have not ended.
+    std::vector<const Extent*> open_a, open_b;
+    std::size_t next_a = 0, next_b = 0;
+    const auto end_before = [](std::vector<const Extent*>& open, double x) {
+        std::erase_if(open, [x](const Extent* extent) { return extent->upper[0] < x; });
+    };
+    while (next_a < of_a.size() || next_b < of_b.size()) {
+        const bool is_a = next_b == of_b.size() ||
+                          (next_a < of_a.size() && of_a[next_a].lower[0] <= of_b[next_b].lower[0]);
+        const Extent& begun = is_a ? of_a[next_a++] : of_b[next_b++];
+        std::vector<const Extent*>& others = is_a ? open_b : open_a;
+        end_before(others, begun.lower[0]);
+        for (const Extent* other : others) is_a ? take(begun, *other) : take(*other, begun);
+        (is_a ? open_a : open_b).push_back(&begun);
+    }
+    std::sort(contacts.begin(), contacts.end());
+    return contacts;
+}
+
+}  // namespace scb
