@@ -25,7 +25,7 @@ double surface_area(const TreeVolume& v) { return v.size.area; }
 double volume(const TreeVolume& v) { return v.size.volume; }
 double diameter(const TreeVolume& v) { return v.size.diameter; }
 double thickness(const TreeVolume& v) { return v.size.thickness; }
-double descent_size(const TreeVolume& v) { return v.size.diameter; }
+[[maybe_unused]] double descent_size(const TreeVolume& v) { return v.size.diameter; }
 
 Mat3 box_axes_of(const TreeVolume& v) {
     return std::visit(
