@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -74,6 +75,19 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& 
     return json;
 }
 
+/// Of another engine, trees may be lists, for whose depths there is no matrix.
+void check_depths(const TraceHeader& header, const TraceFrame& frame) {
+    if (!header.engine) return;
+    std::size_t deepest = 0;
+    for (const VolumeTest& test : frame.events.volume_tests)
+        deepest = std::max<std::size_t>({deepest, test.depth_a, test.depth_b});
+    constexpr std::size_t most = 2000;
+    if (deepest > most)
+        throw InputError("the traversal of frame " + std::to_string(frame.frame) + " is " +
+                         std::to_string(deepest) + " levels deep, and a picture has " +
+                         std::to_string(most) + "; see it with `scb trace --events`.");
+}
+
 int run(TraversalOptions& options, const Console& console) {
     options.check();
     const std::optional<IndexPair> root = root_of(options);
@@ -100,6 +114,7 @@ int run(TraversalOptions& options, const Console& console) {
         sources, pictures, console,
         [&](const QueryFrames& frames, const InterruptWatch&) {
             const TraceFrame& whole = *frames.front();
+            check_depths(header, whole);
             const TraversalTree tree = traversal_tree(header, whole);
             std::optional<TraceFrame> part;
             if (root) part = part_of(header, whole, tree, *root);

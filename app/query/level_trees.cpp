@@ -27,7 +27,16 @@ LevelSubject recorded_subject(const SceneOptions& scene, const std::string& leve
         shapes.push_back(&body.tree->shape());
         subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
     }
-    subject.levels = parse_levels(levels, subject.deepest, scenes::telling_levels(shapes));
+    // A tree may be a list.
+    std::vector<int> telling = scenes::telling_levels(shapes);
+    constexpr std::size_t most = 40;
+    if (telling.size() > most) {
+        std::vector<int> some;
+        for (std::size_t i = 0; i < most; ++i)
+            some.push_back(telling[i * (telling.size() - 1) / (most - 1)]);
+        telling = std::move(some);
+    }
+    subject.levels = parse_levels(levels, subject.deepest, telling);
     subject.frame = recorded.frame;
     subject.scene = std::move(recorded.scene);
     subject.trees.push_back({recorded.engine + ", " + recorded.volumes,

@@ -130,6 +130,9 @@ void print_stats(const StatsOptions& options, const std::vector<HierarchyStats>&
     print_result(text);
 }
 
+/// Of a tree that is deeper than that, a list, measures by level are of no use.
+constexpr std::size_t most_measured_levels = 2000;
+
 /// The trees that a recording has, each once, at its first frame.
 std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
     check_threads(options.threads);
@@ -155,6 +158,11 @@ std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
         const std::vector<std::uint32_t> welded = weld(*body.mesh);
         for (std::uint32_t i = 0; i < welded.size(); ++i) measured.points += welded[i] == i;
         measured.facts = mesh_facts(*body.mesh);
+        if (measured.levels.size() > most_measured_levels && options.measures)
+            throw InputError(options.scene.names[0] + ": the tree of " + body.name + " is " +
+                             std::to_string(measured.levels.size() - 1) +
+                             " levels deep, and --measures takes " +
+                             std::to_string(most_measured_levels - 1) + "; leave it out.");
         if (options.measures)
             measured.measures = tree_measures(*body.tree, *body.mesh, options.threads);
     }

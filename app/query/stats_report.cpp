@@ -97,7 +97,8 @@ std::string stats_table(const HierarchyStats& m) {
                        "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" +
                        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
                        "max tau tau ratio  "
-                       "     area     volume" + (m.engine.empty() ? "  split by" : "") + "\n";
+                       "     area     volume" +
+                       (m.engine.empty() ? "  split by" : "") + "\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];

@@ -54,6 +54,8 @@ std::size_t objects_of(const NodeTree& tree) {
 
 }  // namespace
 
+bool BodyState::is_rigid() const { return defect <= most_defect; }
+
 RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     RecordingSummary summary;
     std::array<bool, 128> is_stage{};
@@ -273,7 +275,7 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
         length += reach_of(tree) + std::sqrt(squared_norm(bodies[k]->pose.translation));
         defect = std::max(defect, bodies[k]->defect);
     }
-    query_.rigid = bodies[0]->defect <= most_defect && bodies[1]->defect <= most_defect;
+    query_.rigid = bodies[0]->is_rigid() && bodies[1]->is_rigid();
     query_.b_to_a = query_.rigid ? relative_pose(bodies[0]->pose, bodies[1]->pose) : Pose{};
     query_.tolerance = std::max((share + (query_.rigid ? defect : 0)) * length, told_tolerance_);
     query_.b_to_a_before.reset();

@@ -40,8 +40,9 @@ struct TreeState {
 struct BodyState {
     std::string name;
     std::uint32_t tree = 0;
-    Pose pose;                 ///< from the body to the world; rigid
-    double defect = 0;         ///< how far from rigid it was told, see rigidity_defect
+    Pose pose;          ///< from the body to the world; rigid, where is_rigid() says so
+    double defect = 0;  ///< how far from rigid it was told, see rigidity_defect
+    bool is_rigid() const;
     std::optional<Pose> last;  ///< that of the frame before, where there is one
 };
 

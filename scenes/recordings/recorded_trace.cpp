@@ -67,10 +67,6 @@ struct QueriedPair {
     }
 };
 
-}  // namespace
-
-namespace {
-
 /// Where a tree has no mesh, its items are objects: one mesh without triangles stands for all.
 std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {
     static const auto none = std::make_shared<const Mesh>();
@@ -92,6 +88,15 @@ std::string volumes_of(const std::vector<std::string>& titles) {
     return text.empty() ? "no volumes" : text;
 }
 
+/// Throws where a body cannot be drawn where it is.
+void check_pose(const RecordedQueries& queries, const BodyState& body, const std::string& path) {
+    if (!body.is_rigid())
+        throw InputError(
+            path + ": the pose of " + (body.name.empty() ? "a body" : "'" + body.name + "'") +
+            " at frame " + std::to_string(queries.frame()) +
+            " is not rigid; `scb inspect` judges the rest, and --frames names others.");
+}
+
 /// Fills a scene with what a recording tells, frame after frame.
 class SceneOfRecording {
   public:
@@ -101,6 +106,7 @@ class SceneOfRecording {
     void take(const RecordedQueries& queries) {
         for (const auto& [number, body] : queries.bodies()) {
             std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
+            if (!body.is_rigid()) continue;
             if (poses.empty() || !is_same(poses.back().pose, body.pose))
                 poses.push_back({queries.frame(), body.pose});
         }
@@ -198,7 +204,10 @@ RecordedBodies bodies_of_recording(const std::string& path, const std::string& f
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         if (step == Step::frame && queries.frame() == result.frame) break;
     const std::map<std::uint32_t, std::string> names = names_of(queries);
-    for (const auto& [number, body] : queries.bodies()) add(names.at(number), body.tree, body.pose);
+    for (const auto& [number, body] : queries.bodies()) {
+        check_pose(queries, body, path);
+        add(names.at(number), body.tree, body.pose);
+    }
     if (result.bodies.empty())
         for (const auto& [number, tree] : queries.trees())
             add(tree.name.empty() ? "tree " + std::to_string(number) : tree.name, number, {});
@@ -288,6 +297,7 @@ void RecordedTrace::read_bodies() {
         std::array<BodyAtFrame, 2>& at = bodies_[queries.frame()];
         for (std::size_t side = 0; side < 2; ++side) {
             const BodyState& body = queries.bodies().at(numbers_[side]);
+            check_pose(queries, body, path_);
             const TreeState& tree = queries.trees().at(body.tree);
             std::shared_ptr<const VolumeTree>& known = trees[{body.tree, tree.volume_version}];
             if (!known) {

@@ -164,6 +164,23 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(body.tree->node_of(2), no_index);
 }
 
+TEST(RecordedTrace, RefusesPosesThatAreNotRigid) {
+    const RecordedAndOwn both(VolumeKind::obb);
+    RecordingWriter writer;
+    const std::string bytes = recording_bytes(both.path);
+    RecordingReader reader(bytes, "test");
+    while (const Record* record = reader.next()) {
+        Record copy = *record;
+        if (auto* pose = std::get_if<RecordedPose>(&copy); pose != nullptr && pose->body == 1)
+            pose->rows[0] *= 2;
+        writer.add(copy);
+    }
+    const TemporaryFolder folder;
+    folder.write("scaled.scbrec", writer.finish());
+    EXPECT_THROW(RecordedTrace(folder / "scaled.scbrec", "", "all"), InputError);
+    EXPECT_THROW(bodies_of_recording(folder / "scaled.scbrec", ""), InputError);
+}
+
 TEST(TestInput, GivesTheFramesOfEither) {
     const RecordedAndOwn both(VolumeKind::obb);
     TestInput input(both.path, "0,6");
