@@ -308,6 +308,8 @@ int run_recording(InspectOptions& options, const Console& console) {
     } else {
         print_result(text);
     }
+    if (!no_settings.empty())
+        console.note("scb: there is no comparison with this project's hierarchies: " + no_settings);
     if (judged.wrong() && !pictures) console.note("scb: -o DIR draws the first of each of these.");
     if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
     if (watch.signal() != 0) {

@@ -1,6 +1,7 @@
 #include "app/inspect/recording_pictures.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "app/pictures/picture_name.h"
@@ -8,7 +9,6 @@
 #include "app/pictures/scene_camera.h"
 #include "render/figures/heat_figure.h"
 #include "render/figures/problem_figure.h"
-#include "render/figures/volume_colors.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_trace.h"
 
@@ -133,15 +133,27 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
                                           const scenes::RecordingJudgement& judged) {
     std::vector<ProblemPicture> drawn;
     for (const Problem& problem : problems_of(judged)) {
-        const scenes::RecordedBodies all =
-            scenes::bodies_of_recording(path, std::to_string(problem.frame));
+        std::optional<scenes::RecordedBodies> at_frame;
+        try {
+            at_frame = scenes::bodies_of_recording(path, problem.frame);
+        } catch (const InputError&) {
+            continue;  // such as a pose that is not rigid: words say it
+        }
+        const scenes::RecordedBodies& all = *at_frame;
         const std::vector<BodyAtFrame> bodies = bodies_of(problem, all);
         render::ProblemParts parts = parts_of(problem, bodies, pictures.renderer());
         if (problem.tree != no_index && all.bodies.size() > 1 &&
             problem.tree == all.bodies[1].number && problem.tree != all.bodies[0].number)
             parts.first_side = 1;
         const std::vector<render::AnyVolume> region = render::problem_region(parts);
-        if (region.empty()) continue;
+        const auto release = [&] {
+            for (const render::QueryBody& body : parts.bodies)
+                pictures.renderer().release(body.handle);
+        };
+        if (region.empty()) {
+            release();
+            continue;
+        }
         render::SceneFigure figure;
         figure.title =
             all.scene.name + " · " + all.engine + ", " + all.volumes + " · " + problem.title;
@@ -174,7 +186,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         pictures.draw(name, picture,
                       {{"frame", problem.frame}, {"what", problem.what}, {"first", problem.first}});
         drawn.push_back({problem.what.empty() ? problem.first : problem.what, name + ".png"});
-        for (const render::QueryBody& body : parts.bodies) pictures.renderer().release(body.handle);
+        release();
     }
     return drawn;
 }

@@ -94,6 +94,10 @@ int run(PairsOptions& options, const Console& console) {
     if (options.leaves) options.shown = Shown::leaves;
     if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
     QuerySources sources = options.open(console);
+    for (const QuerySource& source : sources)
+        if (options.heat && source.header().engine && source.header().engine->objects)
+            throw InputError("--heat: the items of " + source.header().source.front() +
+                             " are objects without triangles; leave it out.");
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
     std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);

@@ -160,27 +160,30 @@ std::string nothing_text(const SceneQuery& query) {
 
 /// What a recording has of a query beside the exact pairs.
 struct RecordedCounts {
-    std::size_t pairs = 0, missed = 0, wrong = 0;
+    std::size_t pairs = 0, wrong = 0;
+    std::optional<std::size_t> missed;  ///< none where the engine ended early, or told no results
 
-    RecordedCounts(const std::vector<IndexPair>& recorded, const std::vector<IndexPair>& exact)
-        : pairs(recorded.size()) {
+    RecordedCounts(const Collision& recorded, const std::vector<IndexPair>& exact, bool told)
+        : pairs(recorded.pairs.size()) {
         std::vector<IndexPair> both;
-        std::set_intersection(recorded.begin(), recorded.end(), exact.begin(), exact.end(),
-                              std::back_inserter(both));
-        missed = exact.size() - both.size();
-        wrong = recorded.size() - both.size();
+        std::set_intersection(recorded.pairs.begin(), recorded.pairs.end(), exact.begin(),
+                              exact.end(), std::back_inserter(both));
+        if (told && recorded.complete) missed = exact.size() - both.size();
+        wrong = recorded.pairs.size() - both.size();
     }
+    std::string missed_text() const { return missed ? std::to_string(*missed) : "-"; }
 };
 
 constexpr const char* recorded_header = " recorded   missed    false";
 
 std::string recorded_row(const RecordedCounts& counts) {
-    return format("%9zu %8zu %8zu", counts.pairs, counts.missed, counts.wrong);
+    return format("%9zu %8s %8zu", counts.pairs, counts.missed_text().c_str(), counts.wrong);
 }
 
 /// The row with more columns before its end.
 std::string with_columns(std::string row, const std::string& columns) {
-    return row.insert(row.rfind('\n'), columns);
+    const std::size_t stopped = row.rfind("  stopped\n");
+    return row.insert(stopped != std::string::npos ? stopped : row.rfind('\n'), columns);
 }
 
 int run(CollideCommandOptions& options, const Console& console) {
@@ -188,7 +191,10 @@ int run(CollideCommandOptions& options, const Console& console) {
         throw InputError("--json and --csv exclude each other; give one of them.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     std::optional<scenes::RecordedTrace> recorded;
-    if (options.scene.is_recording()) {
+    // Exact pairs that are cut, or of nodes, are no measure.
+    const bool whole = !options.first && options.limits.levels.empty() &&
+                       options.limits.max_pairs == QueryLimits{}.max_pairs;
+    if (options.scene.is_recording() && whole) {
         recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames);
         if (recorded->header().engine->objects)
             throw InputError(options.scene.names[0] +
@@ -224,19 +230,23 @@ int run(CollideCommandOptions& options, const Console& console) {
         const Collision found = query.collide(frame);
         sums.add(found);
         std::optional<RecordedCounts> there;
-        if (recorded) there.emplace(recorded->frame(frame).found.pairs, found.pairs);
+        if (recorded)
+            there.emplace(recorded->frame(frame).found, found.pairs, recorded->tells_results());
         if (options.json) {
             json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
             if (there)
                 json_frames.back()["recorded"] = {
-                    {"pairs", there->pairs}, {"missed", there->missed}, {"false", there->wrong}};
+                    {"pairs", there->pairs},
+                    {"missed", there->missed ? Json(*there->missed) : Json()},
+                    {"false", there->wrong}};
         } else {
             const std::string row =
                 options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
-            text += !there        ? row
-                    : options.csv ? with_columns(row, format(",%zu,%zu,%zu", there->pairs,
-                                                             there->missed, there->wrong))
-                                  : with_columns(row, recorded_row(*there));
+            text += !there ? row
+                    : options.csv
+                        ? with_columns(row, format(",%zu,%s,%zu", there->pairs,
+                                                   there->missed_text().c_str(), there->wrong))
+                        : with_columns(row, recorded_row(*there));
         }
         if (!options.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)

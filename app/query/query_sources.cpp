@@ -108,17 +108,14 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
         throw InputError(option + ": it says the volume; leave out --volume.");
     QuerySources sources;
     QueryOptions of_both = query;
-    for (const std::string& name : names) {
-        const bool recorded = name == recorded_name;
-        sources.emplace_back(scene, own, of_both, limits, recorded);
-        // What the recording has of these bodies.
-        if (!recorded) continue;
-        of_both.frames.clear();
-        for (const int frame : sources.back().frames())
-            of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
-        of_both.bodies =
-            sources.back().header().bodies[0].name + "," + sources.back().header().bodies[1].name;
-    }
+    sources.emplace_back(scene, own, of_both, limits, true);
+    // What the recording has of these bodies.
+    of_both.frames.clear();
+    for (const int frame : sources[0].frames())
+        of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
+    of_both.bodies = sources[0].header().bodies[0].name + "," + sources[0].header().bodies[1].name;
+    sources.emplace_back(scene, own, of_both, limits, false);
+    if (names[1] == recorded_name) std::swap(sources[0], sources[1]);
     return sources;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace scb {
@@ -46,6 +47,21 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const TraversalTree
         test = std::min<std::size_t>(test, triangles_b[triangles].after);
     const bool same = test == tree_a.outcomes.size() && test == tree_b.outcomes.size();
     return same ? std::nullopt : std::optional(test);
+}
+
+/// The frame of B with the stages of A where these have the same names: an engine's numbers are of
+/// one recording.
+TraceFrame with_stages_of(const TraceHeader& a, const TraceHeader& b, TraceFrame frame) {
+    std::map<Stage, Stage> renamed;
+    for (const NamedStage& of_b : b.engine->stages) {
+        renamed[of_b.stage] = Stage{255};  // none of A's
+        for (const NamedStage& of_a : a.engine->stages)
+            if (of_a.name == of_b.name) renamed[of_b.stage] = of_a.stage;
+    }
+    for (VolumeTest& test : frame.events.volume_tests)
+        if (const auto found = renamed.find(test.stage); found != renamed.end())
+            test.stage = found->second;
+    return frame;
 }
 
 std::optional<TracedTest> traced(const TraceHeader& header, const TraceFrame& frame,
@@ -205,8 +221,13 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
             tree_a = traversal_tree(a, *frame_a);
             tree_b = traversal_tree(b, *frame_b);
         }
-        if (result.nodes_comparable) {
+        if (result.nodes_comparable && a.engine && b.engine) {
+            const TraceFrame renamed = with_stages_of(a, b, *frame_b);
+            test = parting_test(*frame_a, tree_a, renamed, traversal_tree(b, renamed));
+        } else if (result.nodes_comparable) {
             test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
+        }
+        if (result.nodes_comparable) {
             if (test && !result.first)
                 result.first = Parting{frame_a->frame, *test, traced(a, *frame_a, tree_a, *test),
                                        traced(b, *frame_b, tree_b, *test)};

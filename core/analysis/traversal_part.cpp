@@ -67,7 +67,7 @@ std::vector<std::uint32_t> largest_parts(const TraversalTree& tree, std::size_t 
     if (sizes.empty()) return parts;
     const auto small = [&](std::uint32_t i) { return 4 * std::uint64_t{sizes[i]} <= sizes.size(); };
     // Of another engine there may be several roots.
-    for (std::uint32_t i = 1; i < sizes.size(); ++i)
+    for (std::uint32_t i = 0; i < sizes.size(); ++i)
         if (small(i) && (tree.parents[i] == TraversalTree::no_parent || !small(tree.parents[i])))
             parts.push_back(i);
     std::stable_sort(parts.begin(), parts.end(),

@@ -31,6 +31,8 @@ struct EngineSide {
     const NodeTree* tree = nullptr;
     const TreeShape* shape = nullptr;
     const Mesh* mesh = nullptr;  ///< nullptr: items are no triangles
+    /// Items are objects, each alone in a leaf, whose volume is all that is known of them.
+    bool objects_by_volume = false;
 };
 
 /// A query of two trees, as its engine tells of it.

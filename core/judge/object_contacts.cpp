@@ -40,9 +40,7 @@ bool apart(const Extent& a, const Extent& b) {
 }  // namespace
 
 bool has_object_volumes(const EngineQuery& query) {
-    return std::all_of(query.sides.begin(), query.sides.end(), [](const EngineSide& side) {
-        return !side.mesh && !side.shape->holder.empty();
-    });
+    return query.sides[0].objects_by_volume && query.sides[1].objects_by_volume;
 }
 
 std::vector<IndexPair> object_contacts(const EngineQuery& query) {

@@ -173,6 +173,8 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
     try {
         GoldenCase in_folder = in_own_folder(golden);
         if (!golden.command.empty()) {
+            std::error_code none;
+            fs::remove(recording, none);  // of a run that was killed
             const ChildEnd maker = run_program(settings, maker_of(golden, recording));
             std::string why = trouble(maker, settings, false);
             if (why.empty() && !render::is_there(recording))

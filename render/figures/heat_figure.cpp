@@ -77,7 +77,8 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
         most{"most tests", {}}, none{"triangles with 0", {}};
     for (std::size_t side = 0; side < 2; ++side) {
         const std::vector<std::uint32_t>& counts = heat.counts[side];
-        most.values.push_back(count_text(*std::max_element(counts.begin(), counts.end())));
+        most.values.push_back(
+            count_text(counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end())));
         none.values.push_back(
             count_text(static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0u))));
     }

@@ -49,6 +49,7 @@ double usual_leaf_size(const QueryBody& body) {
     std::vector<double> sizes;
     for (const std::uint32_t leaf : level_cover(body.tree->shape(), leaf_level))
         sizes.push_back(leaf_size(body, leaf));
+    if (sizes.empty()) return 0;
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     return *middle;

@@ -121,9 +121,12 @@ std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& t
         const Look look = look_of(ending, theme);
         const std::string label =
             look.label.empty() ? ending_words(header, ending) : std::string(look.label);
-        if (groups.empty() || groups.back().label != label)
-            groups.push_back({label, look.color, {}});
-        groups.back().endings.push_back(ending);
+        auto known = std::find_if(groups.begin(), groups.end(), [&label](const EndingGroup& group) {
+            return group.label == label;
+        });
+        if (known == groups.end())
+            known = groups.insert(groups.end(), EndingGroup{label, look.color, {}});
+        known->endings.push_back(ending);
     }
     return groups;
 }

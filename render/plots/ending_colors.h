@@ -16,6 +16,9 @@ struct EndingGroup {
     std::vector<Outcome> endings;
 };
 
+/// There are never more groups than that.
+inline constexpr std::size_t most_groups = 48;
+
 /// The groups of the endings, in their order. Colors mean the same in every picture: what the
 /// volume test rejected is grey (balls), blue (a slab and a ball), violet and olive (second slabs)
 /// or green and yellow (a slab and a cylinder, or what comes last); what it let pass is purple
@@ -23,7 +26,7 @@ struct EndingGroup {
 /// theme's color.
 std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme);
 /// Those of such queries. The stages of another engine have their own names, and are colored in
-/// their order; what is behind the ninth of them is one group.
+/// the order of their numbers; what is behind the ninth is one group, as are stages of one name.
 std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& theme);
 
 Rgba8 ending_color(Outcome ending, const Theme& theme);

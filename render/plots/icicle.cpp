@@ -66,11 +66,11 @@ class GroupIndex {
 /// One column of a row. Areas are exact: a column is as wide as there are tests, and a test as wide
 /// as there are columns.
 struct Column {
-    std::array<std::uint64_t, ending_count + 1> covered{};   ///< by each group
-    std::uint32_t touched = 0;                               ///< tests that touch it
-    std::uint32_t begins = 0;                                ///< tests whose first column it is
-    std::array<std::uint32_t, ending_count + 1> begin_in{};  ///< of these, those of each group
-    std::uint32_t last = 0;                                  ///< the last one that touches it
+    std::array<std::uint64_t, most_groups + 1> covered{};   ///< by each group
+    std::uint32_t touched = 0;                              ///< tests that touch it
+    std::uint32_t begins = 0;                               ///< tests whose first column it is
+    std::array<std::uint32_t, most_groups + 1> begin_in{};  ///< of these, those of each group
+    std::uint32_t last = 0;                                 ///< the last one that touches it
 };
 
 std::uint32_t largest_group(const Column& column) {
@@ -117,7 +117,7 @@ void add_stack(Icicle& icicle, int row, const std::vector<Column>& line, int beg
 Icicle icicle(const Events& events, const TraversalTree& tree,
               const std::vector<EndingGroup>& groups, int columns, int most_rows, int block) {
     assert(columns > 0 && most_rows > 0 && block > 0 && "an icicle has pixels");
-    assert(groups.size() <= ending_count && "each ending is in one group");
+    assert(groups.size() <= most_groups && "each ending is in one group");
     const std::vector<VolumeTest>& tests = events.volume_tests;
     Icicle result;
     result.columns = columns;

@@ -28,7 +28,7 @@ struct IcicleStack {
     int begin = 0, end = 0;
     std::uint32_t tests = 0;
     std::uint32_t divided = 0;
-    std::array<std::uint32_t, ending_count> groups{};  ///< by index of the endings' group
+    std::array<std::uint32_t, most_groups> groups{};  ///< by index of the endings' group
 };
 
 /// The recursion of a traversal as an icicle (Kruskal and Landwehr, "Icicle Plots", The American

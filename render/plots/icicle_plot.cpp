@@ -44,7 +44,7 @@ class StackRows {
 
   private:
     int row_ = -1, end_ = 0;
-    std::array<double, ending_count + 1> carried_{};
+    std::array<double, most_groups + 1> carried_{};
 };
 
 }  // namespace

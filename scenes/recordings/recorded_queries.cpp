@@ -52,6 +52,13 @@ std::size_t objects_of(const NodeTree& tree) {
     return end <= most ? end : 0;
 }
 
+/// Whether items are alone in leaves.
+bool has_single_objects(const NodeTree& tree, const TreeShape& shape) {
+    for (std::uint32_t node = 0; node < shape.size(); ++node)
+        if (tree.items(node).size() > (shape.is_leaf(node) ? 1 : 0)) return false;
+    return !shape.holder.empty();
+}
+
 }  // namespace
 
 bool BodyState::is_rigid() const { return defect <= most_defect; }
@@ -116,6 +123,10 @@ void RecordedQueries::changed(TreeState& tree) {
 }
 
 void RecordedQueries::take(const RecordedStage& stage) {
+    constexpr std::uint8_t last = 127;
+    if (stage.stage == 0 || stage.stage > last)
+        return note_odd("a stage has the number " + std::to_string(stage.stage) +
+                        ", and stages are 1 to 127");
     if (!stages_.contains(stage.stage)) stage_order_.push_back(stage.stage);
     stages_[stage.stage] = printable(stage.name);
 }
@@ -219,7 +230,7 @@ void RecordedQueries::take(const RecordedBody& body) {
 }
 
 void RecordedQueries::take(const RecordedFrame& frame) {
-    if (frame.frame > static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
+    if (frame.frame >= static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
         fail("frame " + std::to_string(frame.frame) + " is too high a number");
     const int number = static_cast<int>(frame.frame);
     if (in_query_) fail("frame " + std::to_string(number) + " begins within a query");
@@ -315,9 +326,10 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
     const Mesh* of = mesh == meshes_.end() ? nullptr : mesh->second.mesh.get();
     if (!state.whole) {
         state.shape = tree_shape(state.tree, of ? of->triangles.size() : objects_of(state.tree));
+        state.single_objects = has_single_objects(state.tree, state.shape);
         state.whole = true;
     }
-    return {&state.tree, &state.shape, of};
+    return {&state.tree, &state.shape, of, state.mesh == record_none && state.single_objects};
 }
 
 void RecordedQueries::note_odd(const std::string& what) {

@@ -33,8 +33,9 @@ struct TreeState {
     int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
     int volume_version = 0;  ///< counts what was told of it, or of its mesh
     bool whole = false;      ///< `shape` is that of `tree`
-    bool single = true;      ///< all numbers of its volumes are such of 32 bits
-    double reach = 0;        ///< the largest of these
+    bool single_objects = false;  ///< its items are alone in leaves
+    bool single = true;           ///< all numbers of its volumes are such of 32 bits
+    double reach = 0;             ///< the largest of these
 };
 
 struct BodyState {

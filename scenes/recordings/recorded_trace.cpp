@@ -31,8 +31,7 @@ std::map<std::uint32_t, std::string> names_of(const RecordedQueries& queries) {
     for (const auto& [number, body] : queries.bodies()) {
         std::string name =
             body.name.empty() ? "body " + std::to_string(number) : printable(body.name);
-        if (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
-        taken.insert(name);
+        while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
         names[number] = name;
     }
     return names;
@@ -102,11 +101,16 @@ class SceneOfRecording {
   public:
     explicit SceneOfRecording(const std::string& path) : path_(path) {}
 
-    /// At the end of a frame.
+    /// At the first query of a frame, whose poses these are, and at its end.
     void take(const RecordedQueries& queries) {
+        if (taken_ == queries.frame()) return;
+        taken_ = queries.frame();
         for (const auto& [number, body] : queries.bodies()) {
             std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
-            if (!body.is_rigid()) continue;
+            if (!body.is_rigid()) {
+                if (!askew_) askew_ = {body.name, queries.frame()};
+                continue;
+            }
             if (poses.empty() || !is_same(poses.back().pose, body.pose))
                 poses.push_back({queries.frame(), body.pose});
         }
@@ -134,6 +138,8 @@ class SceneOfRecording {
         return std::move(scene_);
     }
 
+    /// A body whose pose is not rigid, and the frame.
+    const std::optional<std::pair<std::string, int>>& askew() const { return askew_; }
     /// A mesh that was told anew, and the frame: hierarchies of one's own are of one mesh.
     const std::optional<std::pair<std::string, int>>& changed() const { return changed_; }
 
@@ -155,7 +161,8 @@ class SceneOfRecording {
 
     std::string path_;
     Scene scene_;
-    std::optional<std::pair<std::string, int>> changed_;    ///< a mesh, and the frame
+    std::optional<std::pair<std::string, int>> changed_, askew_;
+    int taken_ = -1;                                        ///< frame
     std::map<std::uint32_t, std::size_t> places_, meshes_;  ///< by number
 };
 
@@ -165,8 +172,12 @@ Scene scene_of_recording(std::string_view bytes, const std::string& path, Changi
     const RecordingSummary summary = summary_of(bytes, path);
     RecordedQueries queries(bytes, path, summary);
     SceneOfRecording scene(path);
-    for (Step step = queries.next(); step != Step::end; step = queries.next())
-        if (step == Step::frame) scene.take(queries);
+    for (Step step = queries.next(); step != Step::end; step = queries.next()) scene.take(queries);
+    if (scene.askew() && changing == ChangingMeshes::refused)
+        throw InputError(path + ": the pose of '" + printable(scene.askew()->first) +
+                         "' at frame " + std::to_string(scene.askew()->second) +
+                         " is not rigid, so that there is no query of it; `scb inspect` judges the "
+                         "rest.");
     if (scene.changed() && changing == ChangingMeshes::refused)
         throw InputError(path + ": its mesh '" + printable(scene.changed()->first) +
                          "' changes at frame " + std::to_string(scene.changed()->second) +
@@ -176,18 +187,24 @@ Scene scene_of_recording(std::string_view bytes, const std::string& path, Changi
 }
 
 RecordedBodies bodies_of_recording(const std::string& path, const std::string& frames) {
-    const std::string bytes = recording_bytes(path);
-    const RecordingSummary summary = summary_of(bytes, path);
-    RecordedBodies result;
-    result.scene = scene_of_recording(bytes, path, ChangingMeshes::allowed);
-    result.frame = summary.frames.front();
+    const RecordingSummary summary = summary_of(recording_bytes(path), path);
+    int frame = summary.frames.front();
     if (!frames.empty()) {
         const std::vector<int> wanted =
             frames_among(summary.frames, frames, path, "a recording may have");
         if (wanted.size() != 1)
             throw InputError("--frames " + frames + ": this command takes one frame; give one.");
-        result.frame = wanted[0];
+        frame = wanted[0];
     }
+    return bodies_of_recording(path, frame);
+}
+
+RecordedBodies bodies_of_recording(const std::string& path, int frame) {
+    const std::string bytes = recording_bytes(path);
+    const RecordingSummary summary = summary_of(bytes, path);
+    RecordedBodies result;
+    result.scene = scene_of_recording(bytes, path, ChangingMeshes::allowed);
+    result.frame = frame;
     RecordedQueries queries(bytes, path, summary);
     std::vector<std::string> titles;
     std::map<std::uint32_t, std::shared_ptr<const VolumeTree>> trees;
@@ -318,8 +335,23 @@ void RecordedTrace::read_bodies() {
     TraceEngine& engine = header_.engine.emplace();
     engine.name = engine_of(queries, path_);
     engine.volumes = volumes_of(titles);
-    for (std::size_t side = 0; side < 2; ++side) engine.trees[side] = tree_hash(*first[side].tree);
-    engine.objects = first[0].mesh->triangles.empty() || first[1].mesh->triangles.empty();
+    std::map<const VolumeTree*, std::uint64_t> hashes;  // lookups only
+    for (const auto& [frame, at] : bodies_)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const auto [hash, added] = hashes.try_emplace(at[side].tree.get());
+            if (added) hash->second = tree_hash(*at[side].tree);
+            engine.trees[side] = (engine.trees[side] ^ hash->second) * 0x100000001b3;
+        }
+    const auto are_objects = [](const std::array<BodyAtFrame, 2>& at) {
+        return at[0].mesh->triangles.empty() || at[1].mesh->triangles.empty();
+    };
+    engine.objects = are_objects(first);
+    for (const auto& [frame, at] : bodies_)
+        if (are_objects(at) != engine.objects)
+            throw InputError(path_ +
+                             ": a body has triangles at some of these frames, and objects " +
+                             "at others such as frame " + std::to_string(frame) +
+                             "; name frames of one kind with --frames.");
     for (const RecordedSetting& setting : queries.settings())
         if (setting.key != "engine" && setting.key != "scene" && setting.key != "results")
             engine.settings.push_back({setting.key, setting.value});
@@ -331,11 +363,14 @@ void RecordedTrace::read_bodies() {
     std::stable_sort(used_first.begin(), used_first.end(), [this](std::uint8_t x, std::uint8_t y) {
         return summary_.stages.contains(x) > summary_.stages.contains(y);
     });
+    std::set<std::string> taken = {std::string(stage_name(Stage::overlapping))};
     for (const std::uint8_t number : order) {
         const auto place = std::find(used_first.begin(), used_first.end(), number);
         const auto told = queries.stages().find(number);
-        const std::string name =
+        std::string name =
             told != queries.stages().end() ? told->second : "stage " + std::to_string(number);
+        // Counts go by names.
+        while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
         stages_[number] =
             stage_of_engine(static_cast<std::uint8_t>(place - used_first.begin() + 1), name);
         engine.stages.push_back({stages_[number], name});

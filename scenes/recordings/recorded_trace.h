@@ -40,6 +40,7 @@ struct RecordedBodies {
 
 /// At the one frame that the list names; where it is empty, at the first. Throws InputError.
 RecordedBodies bodies_of_recording(const std::string& path, const std::string& frames);
+RecordedBodies bodies_of_recording(const std::string& path, int frame);
 
 /// The queries of two bodies of a recording as traces have them, frame by frame, and what there is
 /// of the bodies at each of these frames.
@@ -63,6 +64,10 @@ class RecordedTrace {
     const std::vector<int>& frames() const { return frames_; }
     /// One of the two at one of these frames.
     const BodyAtFrame& body(std::size_t side, int frame) const;
+    /// Whether it tells of pairs, or of tests of items, anywhere.
+    bool tells_results() const {
+        return summary_.tells_pairs || summary_.pairs + summary_.item_tests > 0;
+    }
     /// How many tests of volumes there are in it.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
     /// The first query of them at one of these frames; valid until the next call. They must be

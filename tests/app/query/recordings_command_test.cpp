@@ -87,6 +87,8 @@ TEST_F(RecordingCommands, CollideCountsWhatTheEngineMissed) {
     const ProgramRun table = run_scb("collide " + file);
     EXPECT_NE(table.out.find("        0       30        0\n"), std::string::npos) << table.out;
     EXPECT_NE(run_scb("collide --csv " + file).out.find(",0,30,0\n"), std::string::npos);
+    // Of pairs that are cut nothing is counted.
+    EXPECT_FALSE(printed("collide --first " + file + " --json")["frames"][0].contains("recorded"));
 }
 
 TEST_F(RecordingCommands, TraceAndDiffReadIt) {
@@ -119,6 +121,9 @@ TEST_F(RecordingCommands, ItStandsBesideOwnQueries) {
     const json& queries = index["files"][0]["queries"];
     EXPECT_EQ(queries[0]["pairs_hash"], queries[1]["pairs_hash"]);
     EXPECT_NE(queries[0]["n_v"], queries[1]["n_v"]);
+    EXPECT_EQ(run_scb("render pairs " + file + " --compare ball,recorded --size 640x360 -o " + out)
+                  .status,
+              0);
     for (const char* wrong : {"recorded", "recorded,recorded", "recorded,cube"})
         EXPECT_EQ(
             run_scb("render rejections " + file + " --compare " + wrong + " -o " + out).status, 2)

@@ -38,7 +38,7 @@ struct ObjectSets {
                 trees[side].set_volume(i + 1, std::move(volume), 0, "");
             }
             shapes[side] = tree_shape(trees[side], 7 + 2 * count);
-            query.sides[side] = {&trees[side], &shapes[side], nullptr};
+            query.sides[side] = {&trees[side], &shapes[side], nullptr, true};
         }
         query.b_to_a.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
         query.b_to_a.translation = Vec3(0.1, 0, -0.2);

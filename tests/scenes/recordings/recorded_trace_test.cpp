@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/analysis/ending.h"
 #include "scb/error.h"
 #include "scenes/recordings/test_input.h"
@@ -162,6 +164,29 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
     EXPECT_EQ(body.tree->node_of(12), 2u);
     EXPECT_EQ(body.tree->node_of(2), no_index);
+}
+
+TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
+    const RecordedAndOwn both(VolumeKind::obb);
+    RecordingWriter writer;
+    for (unsigned stage = 255; stage > 0; --stage)
+        writer.add(RecordedStage{static_cast<std::uint8_t>(stage), stage % 2 ? "x" : "axis-a0"});
+    const std::string bytes = recording_bytes(both.path);
+    RecordingReader reader(bytes, "test");
+    while (const Record* record = reader.next())
+        if (!std::holds_alternative<RecordedStage>(*record)) writer.add(*record);
+    const TemporaryFolder folder;
+    folder.write("stages.scbrec", writer.finish());
+    RecordedTrace recorded(folder / "stages.scbrec", "", "0");
+    const std::vector<NamedStage>& stages = recorded.header().engine->stages;
+    EXPECT_EQ(stages.size(), 127u);
+    std::set<std::string> names;
+    for (const NamedStage& stage : stages) names.insert(stage.name);
+    EXPECT_EQ(names.size(), stages.size());
+    const TraceFrame& frame = recorded.frame(0);
+    std::uint64_t sum = 0;
+    for (const auto& [name, count] : tests_by_stage(recorded.header(), frame)) sum += count;
+    EXPECT_EQ(sum, frame.found.n_v);
 }
 
 TEST(RecordedTrace, RefusesPosesThatAreNotRigid) {
