@@ -103,7 +103,7 @@ class SceneOfRecording {
 
     /// At the first query of a frame, whose poses these are, and at its end.
     void take(const RecordedQueries& queries) {
-        if (taken_ == queries.frame()) return;
+        const bool again = taken_ == queries.frame();
         taken_ = queries.frame();
         for (const auto& [number, body] : queries.bodies()) {
             std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
@@ -111,7 +111,7 @@ class SceneOfRecording {
                 if (!askew_) askew_ = {body.name, queries.frame()};
                 continue;
             }
-            if (poses.empty() || !is_same(poses.back().pose, body.pose))
+            if (poses.empty() || (!again && !is_same(poses.back().pose, body.pose)))
                 poses.push_back({queries.frame(), body.pose});
         }
         scene_.frames = std::max(scene_.frames, queries.frame() + 1);
