@@ -13,8 +13,7 @@ MeasuredMesh measured_mesh(const Mesh& mesh, const TreeShape& shape, const ItemC
 MeasuredMesh measured_mesh(const Mesh& mesh, const Topology& topology, const LeafOrder& points,
                            int threads) {
     ItemCorners corners(topology.order.size());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[topology.order[i]] = points.corners[i];
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[topology.order[i]] = points.corners[i];
     return measured_mesh(mesh, tree_shape(topology), corners, points.points, threads);
 }
 

@@ -74,8 +74,8 @@ MeasuredMesh measured_mesh(const Mesh& mesh, const TreeShape& shape, const ItemC
 ///
 /// Areas and volumes are in closed form and hulls are exact, both but for rounding. Of two siblings
 /// `2^18 / nodes of the level` points are drawn from a box about the smaller one, 64 to 4096. Of
-/// trees with more children per node, all pairs of children are siblings, but not those of more than
-/// 16.
+/// trees with more children per node, all pairs of children are siblings, but not those of more
+/// than 16.
 HierarchyMeasures hierarchy_measures(const AnyHierarchy& hierarchy, const MeasuredMesh& mesh,
                                      int threads = 1);
 

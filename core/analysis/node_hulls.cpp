@@ -17,9 +17,9 @@ struct HullBuild {
     const ItemCorners& corners;
     const PointArrays& points;
     int threads;
-    std::vector<std::uint32_t> counts;       ///< per node the items below it
-    std::vector<std::uint32_t> first_item;   ///< per node, into `items`; one more at the end
-    std::vector<std::uint32_t> items;        ///< by the nodes that hold them
+    std::vector<std::uint32_t> counts;      ///< per node the items below it
+    std::vector<std::uint32_t> first_item;  ///< per node, into `items`; one more at the end
+    std::vector<std::uint32_t> items;       ///< by the nodes that hold them
     NodeHulls hulls;
 
     /// Below so many triangles a node has one thread.
