@@ -20,10 +20,4 @@ std::string_view outcome_name(Outcome outcome) {
     return stage_name(static_cast<Stage>(outcome));
 }
 
-std::optional<Outcome> ending_of(std::string_view name) {
-    for (std::size_t i = 1; i < ending_count; ++i)
-        if (outcome_name(static_cast<Outcome>(i)) == name) return static_cast<Outcome>(i);
-    return std::nullopt;
-}
-
 }  // namespace scb

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "scb/stage.h"
@@ -37,7 +36,5 @@ constexpr bool is_ending(Outcome outcome) {
 /// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
 /// "divided a", "divided b". Foreign stages have no name, see stage_words.
 std::string_view outcome_name(Outcome outcome);
-/// The outcome of that name, where it ends a path.
-std::optional<Outcome> ending_of(std::string_view name);
 
 }  // namespace scb

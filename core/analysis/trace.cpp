@@ -4,19 +4,10 @@
 #include <bit>
 #include <charconv>
 
+#include "core/base/word_hash.h"
+
 namespace scb {
 namespace {
-
-// One word at a time, as FNV-1a does bytes; the shift carries high bits down, which a product does
-// not.
-struct Hash {
-    std::uint64_t value = 0xcbf29ce484222325;
-
-    void add(std::uint64_t word) {
-        value = (value ^ word) * 0x100000001b3;
-        value ^= value >> 29;
-    }
-};
 
 std::string number(double value) {
     std::array<char, 32> text{};
@@ -32,6 +23,7 @@ std::string hexadecimal(std::uint64_t value) {
 }
 
 std::string text_of(const MeshFingerprint& mesh) {
+    if (mesh.triangles == 0) return "none, but objects";
     return std::to_string(mesh.triangles) + " triangles, " + std::to_string(mesh.vertices) +
            " vertices, hash " + hexadecimal(mesh.hash);
 }
@@ -39,7 +31,7 @@ std::string text_of(const MeshFingerprint& mesh) {
 }  // namespace
 
 MeshFingerprint fingerprint(const Mesh& mesh) {
-    Hash hash;
+    WordHash hash;
     for (const Vec3& v : mesh.vertices)
         for (int i = 0; i < 3; ++i) hash.add(std::bit_cast<std::uint64_t>(v[i]));
     for (const Triangle& t : mesh.triangles)

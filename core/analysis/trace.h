@@ -45,7 +45,7 @@ struct NamedStage {
 /// Another engine, of whose queries there is a trace.
 struct TraceEngine {
     std::string name;                  ///< as it calls itself, or the recording's
-    std::string volumes;               ///< "OBB", "AABB", see volumes_title
+    std::string volumes;               ///< "OBB", "AABB", see volumes_titles
     std::vector<NamedStage> stages;    ///< at which its tests can reject
     bool objects = false;              ///< its pairs are of objects that nothing is known of
     std::vector<TraceField> settings;  ///< as it told them

@@ -52,14 +52,7 @@ std::vector<TreeVolume> volumes_of(const VolumeTree& tree) {
         if (!tree.has_volume(node)) continue;
         v.size = tree.volume_size(node);
         v.shape = tree.volume(node);
-        v.center = std::visit(
-            [](const auto& shape) -> Vec3 {
-                if constexpr (requires { shape.center; })
-                    return shape.center;
-                else
-                    return shape.c;
-            },
-            v.shape);
+        v.center = center(v.shape);
     }
     return volumes;
 }

@@ -2,17 +2,12 @@
 
 #include <algorithm>
 
+#include "core/hierarchy/tree_shape.h"
+
 namespace scb {
 
 std::vector<std::uint32_t> level_cover(const Topology& topology, int level) {
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    std::vector<std::uint32_t> cover;
-    for (std::uint32_t i = 0; i < depths.size(); ++i) {
-        const bool leaf = topology.nodes[i].is_leaf();
-        if (level == leaf_level ? leaf : depths[i] == level || (leaf && depths[i] < level))
-            cover.push_back(i);
-    }
-    return cover;
+    return level_cover(tree_shape(topology), level);
 }
 
 int depth(const Topology& topology) {

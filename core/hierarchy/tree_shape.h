@@ -27,6 +27,10 @@ struct TreeShape {
     bool is_leaf(std::uint32_t node) const { return first_child[node] == no_index; }
     /// Whether a root leads to it.
     bool hangs(std::uint32_t node) const { return depths[node] != no_index; }
+    /// Of whatever number: no_index where no node has it.
+    std::uint32_t holder_of(std::uint32_t item) const {
+        return item < holder.size() ? holder[item] : no_index;
+    }
 };
 
 TreeShape tree_shape(const Topology& topology);

@@ -1,10 +1,10 @@
 #include "core/judge/engine_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <type_traits>
-#include <utility>
+
+#include "core/base/word_hash.h"
 
 namespace scb {
 namespace {
@@ -32,20 +32,11 @@ class EngineTree final : public VolumeTree {
             told);
     }
 
-    VolumeLengths lengths(std::uint32_t node) const override { return volume_size(node); }
-
+    VolumeLengths lengths(std::uint32_t node) const override {
+        return measured<VolumeLengths>(node, [](const auto& v) { return lengths_of(v); });
+    }
     VolumeSize volume_size(std::uint32_t node) const override {
-        const NodeVolume& told = tree_[node].volume;
-        return std::visit(
-            [&]<class V>(const V& v) -> VolumeSize {
-                if constexpr (std::is_same_v<V, std::monostate>)
-                    return {};
-                else if constexpr (std::is_same_v<V, SharedPolytope>)
-                    return size_of_shape(convex_shape(told));
-                else
-                    return size_of(v);
-            },
-            told);
+        return measured<VolumeSize>(node, [](const auto& v) { return size_of(v); });
     }
     bool contains(std::uint32_t node, const Vec3& point, double slack) const override {
         return excess(tree_[node].volume, point) <= slack;
@@ -69,19 +60,19 @@ class EngineTree final : public VolumeTree {
     std::string node_words(std::uint32_t node) const override { return tree_.words(node); }
 
   private:
-    static VolumeSize size_of_shape(const ConvexShape& shape) {
-        VolumeSize size;
-        double least = HUGE_VAL;
-        for (int i = 0; i < 3; ++i)
-            least = std::min(least,
-                             support(shape, Vec3::Unit(i)) + support(shape, Vec3(-Vec3::Unit(i))));
-        size.diameter = diameter(shape);
-        size.thickness = least;
-        const std::vector<FacePlane> planes = planes_about(shape, touching_directions());
-        const SurfaceMeasures measures = polytope_measures(planes, size.diameter);
-        size.area = measures.area;
-        size.volume = measures.volume;
-        return size;
+    template <class Measures, class Measure>
+    Measures measured(std::uint32_t node, Measure&& measure) const {
+        const NodeVolume& told = tree_[node].volume;
+        return std::visit(
+            [&]<class V>(const V& v) -> Measures {
+                if constexpr (std::is_same_v<V, std::monostate>)
+                    return {};
+                else if constexpr (std::is_same_v<V, SharedPolytope>)
+                    return measure(convex_shape(told));
+                else
+                    return measure(v);
+            },
+            told);
     }
 
     static VolumeFamily family_of(const NodeVolume& volume) {
@@ -120,16 +111,12 @@ std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& s
 }
 
 std::uint64_t tree_hash(const VolumeTree& tree) {
-    std::uint64_t hash = 0xcbf29ce484222325;  // as of FNV-1a
-    const auto add = [&hash](std::uint64_t word) {
-        hash = (hash ^ word) * 0x100000001b3;
-        hash ^= hash >> 29;
-    };
+    WordHash hash;
     for (std::uint32_t node = 0; node < tree.size(); ++node) {
-        add(tree.shape().parents[node]);
-        for (const std::uint32_t item : tree.items(node)) add(item);
+        hash.add(tree.shape().parents[node]);
+        for (const std::uint32_t item : tree.items(node)) hash.add(item);
     }
-    return hash;
+    return hash.value;
 }
 
 std::vector<std::string> volumes_titles(const NodeTree& tree) {

@@ -221,8 +221,6 @@ ConvexShape convex_shape(const NodeVolume& volume) {
     return std::visit([](const auto& v) { return shape(v); }, volume);
 }
 
-double half_diameter(const NodeVolume& volume) { return diameter(convex_shape(volume)) / 2; }
-
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
     if (!has_volume(a) || !has_volume(b)) return {};

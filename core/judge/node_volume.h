@@ -40,9 +40,6 @@ double excess(const NodeVolume& volume, const Vec3& point);
 /// The same volume by its farthest points.
 ConvexShape convex_shape(const NodeVolume& volume);
 
-/// Half of its diameter.
-double half_diameter(const NodeVolume& volume);
-
 /// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
 /// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,
 /// where one has no volume, and of a ball cut by two slabs with a volume of another type.

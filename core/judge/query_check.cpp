@@ -42,8 +42,7 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
     if (has_object_volumes(query)) {
         // That of the leaves' volumes, of which one touches nothing where it is not known.
         const auto volume_of = [](const EngineSide& side, std::uint32_t object) {
-            const std::uint32_t node =
-                object < side.shape->holder.size() ? side.shape->holder[object] : no_index;
+            const std::uint32_t node = side.shape->holder_of(object);
             return node == no_index ? NodeVolume{} : (*side.tree)[node].volume;
         };
         const ContactCertificate found =
@@ -102,9 +101,8 @@ class Judge {
     QueryJudgement judged() && {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
         count_waste();
-        // Without results, or of items that nothing is known of, there is nothing to compare.
-        if ((have_meshes(query_) || has_object_volumes(query_)) && !query_.self &&
-            (query_.tells_pairs || query_.tells_items)) {
+        // Without results there is nothing to compare.
+        if (has_known_items(query_) && !query_.self && (query_.tells_pairs || query_.tells_items)) {
             if (query_.complete) find_missed();
             find_false();
         }
@@ -155,10 +153,9 @@ class Judge {
     }
 
     void report(std::uint32_t i, const EngineEvent& event) {
-        if (reported_.try_emplace(key(event.a, event.b), i).second)
-            order_.push_back(i);
-        else
-            twice_.push_back(i);
+        if (!reported_.try_emplace(key(event.a, event.b), i).second) return twice_.push_back(i);
+        ++result_.reported;
+        order_.push_back(i);
     }
 
     void count_waste() {
@@ -269,7 +266,6 @@ class Judge {
 
     void find_false() {
         for (const std::uint32_t i : order_) {
-            ++result_.reported;
             const EngineEvent& event = query_.events[i];
             const IndexPair items{event.a, event.b};
             PairProblem problem{items, PairCause::unknown_item};
@@ -321,6 +317,10 @@ std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
 std::uint64_t QueryJudgement::repeated() const {
     return static_cast<std::uint64_t>(std::count_if(
         tests.begin(), tests.end(), [](const JudgedTest& test) { return test.repeated; }));
+}
+
+bool has_known_items(const EngineQuery& query) {
+    return have_meshes(query) || has_object_volumes(query);
 }
 
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts) {

@@ -88,6 +88,10 @@ struct QueryJudgement {
     std::uint64_t repeated() const;
 };
 
+/// Whether enough is known of its items to judge its results: both sides have triangles, or objects
+/// as of has_object_volumes.
+bool has_known_items(const EngineQuery& query);
+
 /// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; of objects those
 /// of object_contacts; empty where only one side has a mesh. O(tests) exact verdicts.
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);

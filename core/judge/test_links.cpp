@@ -5,10 +5,6 @@ namespace {
 
 std::uint64_t key_of(IndexPair nodes) { return std::uint64_t{nodes.a} << 32 | nodes.b; }
 
-std::uint32_t holder_of(const EngineSide& side, std::uint32_t item) {
-    return item < side.shape->holder.size() ? side.shape->holder[item] : no_index;
-}
-
 }  // namespace
 
 IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
@@ -43,13 +39,14 @@ std::uint32_t TestLinks::led_to(IndexPair nodes) const {
 }
 
 std::uint32_t TestLinks::led_to_items(IndexPair items) const {
-    return test_of({holder_of(query_.sides[0], items.a), holder_of(query_.sides[1], items.b)})
-        .value_or(last_overlap_);
+    return test_of_items(items).value_or(last_overlap_);
 }
 
-bool TestLinks::tested_nodes_of(IndexPair items) const {
-    return test_of({holder_of(query_.sides[0], items.a), holder_of(query_.sides[1], items.b)})
-        .has_value();
+bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }
+
+std::optional<std::uint32_t> TestLinks::test_of_items(IndexPair items) const {
+    return test_of(
+        {query_.sides[0].shape->holder_of(items.a), query_.sides[1].shape->holder_of(items.b)});
 }
 
 std::optional<std::uint32_t> TestLinks::test_of(IndexPair nodes) const {

@@ -34,6 +34,7 @@ class TestLinks {
 
   private:
     std::uint32_t led_to(IndexPair nodes) const;
+    std::optional<std::uint32_t> test_of_items(IndexPair items) const;
 
     const EngineQuery& query_;
     std::unordered_map<std::uint64_t, std::uint32_t> tests_;  ///< by nodes: lookups only

@@ -6,12 +6,20 @@
 
 namespace scb {
 
-double diameter(const ConvexShape& shape) {
+namespace {
+
+Vec3 sides_of_box(const ConvexShape& shape) {
     Vec3 sides;
     for (int i = 0; i < 3; ++i)
         sides[i] = support(shape, Vec3::Unit(i)) + support(shape, Vec3(-Vec3::Unit(i)));
-    return std::sqrt(squared_norm(sides));
+    return sides;
 }
+
+}  // namespace
+
+double diameter(const ConvexShape& shape) { return std::sqrt(squared_norm(sides_of_box(shape))); }
+
+double thickness(const ConvexShape& shape) { return sides_of_box(shape).minCoeff(); }
 
 ConvexShape placed(const ConvexShape& shape, const Pose& pose) {
     std::vector<FacePlane> faces = shape.faces;

@@ -22,7 +22,9 @@ struct ConvexShape {
 inline double support(const ConvexShape& shape, const Vec3& d) {
     return dot(shape.support_point(d), d) + shape.rounding;
 }
+/// Of the box of the frame's axes about it: the diagonal, and the shortest side.
 double diameter(const ConvexShape& shape);
+double thickness(const ConvexShape& shape);
 
 /// The shape carried along by a rigid pose.
 ConvexShape placed(const ConvexShape& shape, const Pose& pose);

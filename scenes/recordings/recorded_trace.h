@@ -7,40 +7,9 @@
 #include <vector>
 
 #include "core/analysis/trace.h"
-#include "core/hierarchy/volume_tree.h"
-#include "scenes/recordings/recorded_queries.h"
-#include "scenes/recordings/recording_input.h"
-#include "scenes/scene/scene.h"
+#include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::scenes {
-
-/// A body at a frame, with the hierarchy that it has there, whoever built that.
-struct BodyAtFrame {
-    std::string name;
-    std::shared_ptr<const Mesh> mesh;  ///< without triangles where items are objects
-    std::shared_ptr<const VolumeTree> tree;
-    Pose pose;
-    std::uint32_t number = 0;  ///< of the tree, in a recording
-};
-
-/// What a recording has of meshes, bodies and poses, as a scene: of meshes that change, the first.
-/// Bodies of trees without a mesh have one without triangles; where there are no bodies, the trees
-/// are. Its file is the recording. Throws InputError as RecordedQueries does, where it has no tree,
-/// and where a mesh changes though that is refused.
-enum class ChangingMeshes { allowed, refused };
-Scene scene_of_recording(std::string_view bytes, const std::string& path, ChangingMeshes changing);
-
-/// All bodies of a recording at a frame.
-struct RecordedBodies {
-    Scene scene;
-    int frame = 0;
-    std::vector<BodyAtFrame> bodies;
-    std::string engine, volumes;  ///< see TraceEngine
-};
-
-/// At the one frame that the list names; where it is empty, at the first. Throws InputError.
-RecordedBodies bodies_of_recording(const std::string& path, const std::string& frames);
-RecordedBodies bodies_of_recording(const std::string& path, int frame);
 
 /// The queries of two bodies of a recording as traces have them, frame by frame, and what there is
 /// of the bodies at each of these frames.
@@ -49,15 +18,14 @@ class RecordedTrace {
     /// `bodies` names two, "A,B", or is empty where the recording has queries of two only; `frames`
     /// is a list, see frames_among, or auto_frames: the first with the most pairs. Throws
     /// InputError.
+    RecordedTrace(Recording recording, const std::string& bodies, const std::string& frames);
     RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
-        : RecordedTrace(recording_bytes(path), path, bodies, frames) {}
-    /// The same of bytes that are the file's.
-    RecordedTrace(std::string bytes, const std::string& path, const std::string& bodies,
-                  const std::string& frames);
+        : RecordedTrace(read_recording(path), bodies, frames) {}
     RecordedTrace(const RecordedTrace&) = delete;
 
+    const Recording& recording() const { return recording_; }
     const TraceHeader& header() const { return header_; }
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const { return recording_.scene; }
     /// Indices of Scene::bodies.
     const std::array<std::size_t, 2>& sides() const { return sides_; }
     /// Ascending.
@@ -66,7 +34,8 @@ class RecordedTrace {
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether it tells of pairs, or of tests of items, anywhere.
     bool tells_results() const {
-        return summary_.tells_pairs || summary_.pairs + summary_.item_tests > 0;
+        const RecordingSummary& summary = recording_.summary;
+        return summary.tells_pairs || summary.pairs + summary.item_tests > 0;
     }
     /// How many tests of volumes there are in it.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
@@ -80,10 +49,11 @@ class RecordedTrace {
     void choose(const std::string& bodies, const std::string& frames);
     /// Reads what there is of the bodies.
     void read_bodies();
+    /// What is known of the engine when all is read.
+    void take_engine(const RecordedQueries& queries);
+    void take_stages(const RecordedQueries& queries);
 
-    std::string path_, bytes_;
-    RecordingSummary summary_;
-    Scene scene_;
+    Recording recording_;
     std::array<std::size_t, 2> sides_{};
     std::array<std::uint32_t, 2> numbers_{};  ///< of the bodies in the recording
     std::vector<int> frames_;

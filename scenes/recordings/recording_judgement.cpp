@@ -143,6 +143,7 @@ class RecordingJudge {
         ++row.queries;
         result_.nanoseconds += query.nanoseconds;
         result_.self_queries += query.self;
+        result_.unknown_items += !query.self && !has_known_items(query);
         if (!query.rigid) {
             add(tests_, "a query's pose is not rigid", name, "it is not judged");
             return;

@@ -77,6 +77,8 @@ struct RecordingJudgement {
     std::string damage;
     std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, unjudged = 0,
                   self_queries = 0, exact_pairs = 0;
+    /// Queries of two bodies of whose items too little is known, see has_known_items.
+    std::uint64_t unknown_items = 0;
 
     /// Whether something is wrong, and not just slow.
     bool wrong() const;

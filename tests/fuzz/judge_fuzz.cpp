@@ -24,7 +24,7 @@ void use(const VolumeTree& tree) {
 
 /// What pictures and tables make of a recording.
 void show(const std::string& bytes) {
-    scenes::RecordedTrace recorded(bytes, "input", "", "all");
+    scenes::RecordedTrace recorded(scenes::read_recording(bytes, "input"), "", "all");
     const TraceHeader& header = recorded.header();
     for (const int number : recorded.frames()) {
         const TraceFrame& frame = recorded.frame(number);

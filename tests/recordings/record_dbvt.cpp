@@ -1,16 +1,13 @@
-// Bullet's dynamic tree of boxes as a broadphase of opaque objects, here the triangles' boxes in
-// the world. Bullet finds the pairs; the tests are a traversal's of one's own: nobody sees
-// Bullet's.
+// Bullet's dynamic tree as a broadphase of opaque objects: the triangles' boxes in the world.
+// Bullet finds the pairs; the tests are a traversal's of one's own, for nobody sees Bullet's.
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <unordered_map>
-
 #include "tests/peers/bullet_body.h"
 #include "tests/recordings/recorded_engine.h"
 
 namespace scb {
 namespace {
-
 using Index = std::uint32_t;
 
 struct Objects {
@@ -22,24 +19,24 @@ struct Objects {
         tree.clear();
         numbers.clear();
         btPrimitiveTriangle triangle;
-        for (int t = 0; t < body.part().getPrimitiveManager()->get_primitive_count(); ++t) {
-            body.part().getPrimitiveTriangle(t, triangle);
+        const int count = body.part().getPrimitiveManager()->get_primitive_count();
+        for (std::intptr_t t = 0; t < count; ++t) {
+            body.part().getPrimitiveTriangle(static_cast<int>(t), triangle);
             triangle.applyTransform(at);
-            tree.insert(btDbvtVolume::FromPoints(triangle.m_vertices, 3),
-                        reinterpret_cast<void*>(std::intptr_t{t}));
+            const auto box = btDbvtVolume::FromPoints(triangle.m_vertices, 3);
+            tree.insert(box, reinterpret_cast<void*>(t));
         }
     }
     Index number_of(const btDbvtNode* node) {
         return numbers.try_emplace(node, static_cast<Index>(numbers.size())).first->second;
     }
     void record(scb_recorder& recorder, Index number, const btDbvtNode* node) {
-        std::vector<double> values;
-        for (const btVector3* corner : {&node->volume.Mins(), &node->volume.Maxs()})
-            for (int k = 0; k < 3; ++k) values.push_back(static_cast<double>((*corner)[k]));
-        std::vector<Index> children, items;
+        const btVector3 &a = node->volume.Mins(), &b = node->volume.Maxs();
+        const std::vector<double> values{a[0], a[1], a[2], b[0], b[1], b[2]};
+        const std::vector<Index> items(node->isleaf() ? 1 : 0, Index(node->dataAsInt));
+        std::vector<Index> children;
         for (int k = 0; k < 2 && !node->isleaf(); ++k)
             children.push_back(number_of(node->childs[k]));
-        if (node->isleaf()) items = {static_cast<Index>(node->dataAsInt)};
         record_node(recorder, number, number_of(node), children, items, SCB_RECORD_AABB, values);
         for (std::size_t k = 0; k < children.size(); ++k) record(recorder, number, node->childs[k]);
     }
@@ -52,8 +49,7 @@ struct Query : btDbvt::ICollide {
         : recorder(r), sides{{BulletBody(a)}, {BulletBody(b)}} {}
 
     void Process(const btDbvtNode* i, const btDbvtNode* j) override {
-        scb_record_pair(&recorder, static_cast<Index>(i->dataAsInt),
-                        static_cast<Index>(j->dataAsInt));
+        scb_record_pair(&recorder, Index(i->dataAsInt), Index(j->dataAsInt));
     }
     void test(const btDbvtNode* i, const btDbvtNode* j) {
         const bool overlap = Intersect(i->volume, j->volume);
@@ -77,10 +73,8 @@ RecordedQuery record_dbvt(scb_recorder& recorder, const PeerMesh& a, const PeerM
             scb_record_body(&recorder, side, side == 0 ? "A" : "B", side);
         }
         scb_record_query(&recorder, 0, 1);
-        const btDbvtNode *i = query->sides[0].tree.m_root, *j = query->sides[1].tree.m_root;
-        query->test(i, j);
-        btDbvt().collideTT(i, j, *query);
+        query->test(query->sides[0].tree.m_root, query->sides[1].tree.m_root);
+        btDbvt().collideTT(query->sides[0].tree.m_root, query->sides[1].tree.m_root, *query);
     };
 }
-
 }  // namespace scb

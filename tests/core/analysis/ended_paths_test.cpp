@@ -64,10 +64,13 @@ TEST(Endings, HaveNames) {
     for (std::size_t i = 1; i < ending_count; ++i) {
         const auto ending = static_cast<Outcome>(i);
         names.insert(outcome_name(ending));
-        EXPECT_EQ(ending_of(outcome_name(ending)), ending);
     }
     EXPECT_EQ(names.size(), ending_count - 1);
-    EXPECT_FALSE(ending_of("overlapping"));
+    for (const TraceHeader& header : headers()) {
+        for (const Outcome ending : endings_of(header))
+            EXPECT_EQ(ending_of(header, outcome_name(ending)), ending);
+        EXPECT_FALSE(ending_of(header, "overlapping"));
+    }
 }
 
 TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {

@@ -83,5 +83,16 @@ TEST(ObjectContacts, ResultsAreJudgedByThem) {
     EXPECT_EQ(problems[1].cause, PairCause::reported_untested);
 }
 
+TEST(ObjectContacts, WithoutThemResultsAreNotJudged) {
+    ObjectSets sets;
+    EXPECT_TRUE(has_known_items(sets.query));
+    sets.query.sides[1].objects_by_volume = false;
+    EXPECT_FALSE(has_known_items(sets.query));
+    sets.query.events.push_back({EngineEvent::Kind::pair, 0, 7, 7});
+    const QueryJudgement judged = judge_query(sets.query, {});
+    EXPECT_EQ(judged.reported, 1u);
+    EXPECT_TRUE(judged.pairs.empty());
+}
+
 }  // namespace
 }  // namespace scb

@@ -6,6 +6,7 @@
 
 #include "core/analysis/ending.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
 #include "scenes/text/number_list.h"
@@ -203,7 +204,7 @@ TEST(RecordedTrace, RefusesPosesThatAreNotRigid) {
     const TemporaryFolder folder;
     folder.write("scaled.scbrec", writer.finish());
     EXPECT_THROW(RecordedTrace(folder / "scaled.scbrec", "", "all"), InputError);
-    EXPECT_THROW(bodies_of_recording(folder / "scaled.scbrec", ""), InputError);
+    EXPECT_THROW(bodies_at(read_recording(folder / "scaled.scbrec"), ""), InputError);
 }
 
 TEST(TestInput, GivesTheFramesOfEither) {

@@ -1,0 +1,185 @@
+#include "scenes/recordings/recording.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/text/input_files.h"
+#include "scenes/text/utf8.h"
+
+namespace scb::scenes {
+namespace {
+
+using Step = RecordedQueries::Step;
+
+/// What was told last; where nothing was, what the file is called.
+std::string setting_of(const RecordedQueries& queries, const std::string& key,
+                       const std::string& path) {
+    std::string value;
+    for (const RecordedSetting& setting : queries.settings())
+        if (setting.key == key) value = setting.value;
+    return value.empty() ? std::filesystem::path(path).stem().string() : value;
+}
+
+bool is_same(const Pose& a, const Pose& b) {
+    return a.rotation == b.rotation && a.translation == b.translation;
+}
+
+/// Fills a recording with what is told, step after step.
+class RecordingContents {
+  public:
+    explicit RecordingContents(Recording& recording) : recording_(recording) {}
+
+    void take(const RecordedQueries& queries, Step step) {
+        take_bodies(queries);
+        if (step == Step::query) take_query(queries);
+    }
+
+    /// After the last step.
+    void finish(const RecordedQueries& queries) {
+        Scene& scene = recording_.scene;
+        const std::string& path = recording_.path;
+        // Trees alone stand where they are.
+        if (scene.bodies.empty())
+            for (const auto& [number, tree] : queries.trees())
+                body_of(queries, number, number).name = name_of(tree, number);
+        if (scene.bodies.empty())
+            throw InputError(path + ": it has no tree; record one with scb_record_tree.");
+        name_bodies(queries);
+        scene.name = file_name_of(setting_of(queries, "scene", path));
+        scene.file = path;
+        scene.listed = recording_.summary.frames;
+        scene.default_frame = recording_.summary.frames.front();
+        recording_.engine = setting_of(queries, "engine", path);
+        if (askew_)
+            recording_.refusal = path + ": the pose of '" + printable(askew_->name) +
+                                 "' at frame " + std::to_string(askew_->frame) +
+                                 " is not rigid, so that there is no query of it; `scb inspect` "
+                                 "judges the rest.";
+        else if (changed_)
+            recording_.refusal = path + ": its mesh '" + printable(changed_->name) +
+                                 "' changes at frame " + std::to_string(changed_->frame) +
+                                 ", and hierarchies of this project are of one mesh; leave out "
+                                 "what asks for them, or record frames of one mesh.";
+    }
+
+  private:
+    struct Place {
+        std::string name;
+        int frame = 0;
+    };
+
+    /// The poses of a frame are those at its first query or, where that has none, at its end.
+    void take_bodies(const RecordedQueries& queries) {
+        Scene& scene = recording_.scene;
+        const bool again = taken_ == queries.frame();
+        taken_ = queries.frame();
+        for (const auto& [number, body] : queries.bodies()) {
+            std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
+            if (!body.is_rigid()) {
+                if (!askew_) askew_ = {body.name, queries.frame()};
+                continue;
+            }
+            if (poses.empty() || (!again && !is_same(poses.back().pose, body.pose)))
+                poses.push_back({queries.frame(), body.pose});
+        }
+        scene.frames = std::max(scene.frames, queries.frame() + 1);
+        for (const auto& [number, mesh] : queries.meshes())
+            if (mesh.version > 1 && !changed_) changed_ = {mesh.name, queries.frame()};
+    }
+
+    void take_query(const RecordedQueries& queries) {
+        const auto [place, added] =
+            pairs_.try_emplace(queries.query_bodies(), recording_.pairs.size());
+        if (added) recording_.pairs.push_back({queries.query_bodies(), {}, 0, {}});
+        QueriedPair& pair = recording_.pairs[place->second];
+        const int frame = queries.frame();
+        if (!pair.frames.empty() && pair.frames.back() == frame) return;
+        const EngineQuery& query = queries.query();
+        const auto found =
+            query.tells_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet;
+        std::pair<std::size_t, std::size_t> here{};
+        for (const EngineEvent& event : query.events) {
+            here.first += event.kind == found;
+            here.second += event.kind == EngineEvent::Kind::volumes;
+        }
+        if (pair.frames.empty() || here > pair.most) {
+            pair.fullest = frame;
+            pair.most = here;
+        }
+        pair.frames.push_back(frame);
+    }
+
+    /// Each told from the others.
+    void name_bodies(const RecordedQueries& queries) {
+        std::set<std::string> taken;
+        for (const auto& [number, body] : queries.bodies()) {
+            std::string name =
+                body.name.empty() ? "body " + std::to_string(number) : printable(body.name);
+            while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
+            recording_.scene.bodies[recording_.bodies.at(number)].name = name;
+        }
+    }
+
+    Body& body_of(const RecordedQueries& queries, std::uint32_t number, std::uint32_t tree) {
+        Scene& scene = recording_.scene;
+        const auto [place, added] = recording_.bodies.try_emplace(number, scene.bodies.size());
+        if (added) {
+            const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
+            const bool has_mesh = told != queries.meshes().end();
+            const auto [mesh, is_new] =
+                meshes_.try_emplace(has_mesh ? told->first : record_none, scene.meshes.size());
+            if (is_new)
+                scene.meshes.push_back({has_mesh ? told->second.name : "objects",
+                                        *mesh_of(queries, tree), recording_.path});
+            scene.bodies.push_back({"", mesh->second, {}});
+        }
+        return scene.bodies[place->second];
+    }
+
+    Recording& recording_;
+    std::optional<Place> askew_, changed_;
+    int taken_ = -1;                                               ///< frame
+    std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
+    std::map<std::array<std::uint32_t, 2>, std::size_t> pairs_{};  ///< by their bodies
+};
+
+}  // namespace
+
+Recording read_recording(const std::string& path) {
+    return read_recording(recording_bytes(path), path);
+}
+
+Recording read_recording(std::string bytes, const std::string& path) {
+    Recording recording;
+    recording.path = path;
+    recording.bytes = std::move(bytes);
+    recording.summary = summary_of(recording.bytes, path);
+    RecordedQueries queries(recording.bytes, path, recording.summary);
+    RecordingContents contents(recording);
+    for (Step step = queries.next(); step != Step::end; step = queries.next())
+        contents.take(queries, step);
+    contents.finish(queries);
+    return recording;
+}
+
+Scene scene_of_recording(const std::string& path) {
+    Recording recording = read_recording(path);
+    if (!recording.refusal.empty()) throw InputError(recording.refusal);
+    return std::move(recording.scene);
+}
+
+std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {
+    static const auto none = std::make_shared<const Mesh>();
+    const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
+    return told == queries.meshes().end() ? none : told->second.mesh;
+}
+
+std::string name_of(const TreeState& tree, std::uint32_t number) {
+    return tree.name.empty() ? "tree " + std::to_string(number) : tree.name;
+}
+
+}  // namespace scb::scenes

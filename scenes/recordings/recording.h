@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/recordings/recorded_queries.h"
+#include "scenes/scene/scene.h"
+
+namespace scb::scenes {
+
+/// Two bodies that were queried, and at which frames.
+struct QueriedPair {
+    std::array<std::uint32_t, 2> bodies{};  ///< numbers
+    std::vector<int> frames;                ///< ascending
+    /// The frame to show: the first with the most pairs, or, where none has any, tests.
+    int fullest = 0;
+    std::pair<std::size_t, std::size_t> most{};
+};
+
+/// A recording that was read through once: what there is in it.
+struct Recording {
+    std::string path, bytes;
+    RecordingSummary summary;
+    std::string engine;  ///< what made it; where that is not told, what its file is called
+    /// Its meshes, bodies and poses: of meshes that change, the first. Bodies of trees without a
+    /// mesh have one without triangles; where there are no bodies, the trees are. Its file is the
+    /// recording.
+    Scene scene;
+    std::map<std::uint32_t, std::size_t> bodies;  ///< by their numbers, indices of Scene::bodies
+    std::vector<QueriedPair> pairs;               ///< in the order of their first queries
+    /// Why hierarchies of this project cannot be made of the scene, a sentence; empty: they can.
+    std::string refusal;
+};
+
+/// Throws InputError as RecordedQueries does, and where it has no tree.
+Recording read_recording(const std::string& path);
+/// The same of bytes that are the file's.
+Recording read_recording(std::string bytes, const std::string& path);
+
+/// The scene, for hierarchies of this project, which are of one mesh and have rigid poses. Throws
+/// InputError also where a mesh changes or a pose is not rigid.
+Scene scene_of_recording(const std::string& path);
+
+/// Where a tree has no mesh, its items are objects: one mesh without triangles stands for all.
+std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree);
+
+/// What a tree is called that no body has.
+std::string name_of(const TreeState& tree, std::uint32_t number);
+
+}  // namespace scb::scenes
