@@ -6,6 +6,7 @@
 #include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/node_surfaces.h"
 #include "render/figures/body_names.h"
+#include "render/figures/item_count.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
@@ -25,21 +26,24 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     std::vector<PanelItem> items;
     // One column per body where they fit, else the sums.
     std::vector<const VolumeStatistics*> columns;
-    PanelRow names{"body", {}, {}, true}, triangles{"triangles", {}};
+    std::vector<ItemCount> counts;
+    for (const LevelBody& body : figure.bodies)
+        counts.push_back(item_count(*body.mesh, *body.tree));
+    PanelRow names{"body", {}, {}, true}, held{std::string(item_words(counts)), {}};
     if (figure.bodies.size() <= 2) {
         for (std::size_t b = 0; b < figure.bodies.size(); ++b) {
             columns.push_back(&numbers.bodies[b]);
             names.values.push_back(figure.bodies[b].name);
             names.swatches.push_back(by_body ? std::optional(category_color(b)) : std::nullopt);
-            triangles.values.push_back(count_text(figure.bodies[b].mesh->triangles.size()));
+            held.values.push_back(count_text(counts[b].count));
         }
     } else {
         columns.push_back(&numbers.all);
         names.values.push_back("all " + std::to_string(figure.bodies.size()));
         names.swatches.push_back(std::nullopt);
         std::uint64_t sum = 0;
-        for (const LevelBody& body : figure.bodies) sum += body.mesh->triangles.size();
-        triangles.values.push_back(count_text(sum));
+        for (const ItemCount& count : counts) sum += count.count;
+        held.values.push_back(count_text(sum));
     }
     const auto row = [&](const char* label, auto value_of, bool strong = false) {
         PanelRow r{label, {}, {}, strong};
@@ -48,7 +52,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     };
     if (figure.bodies.size() == 2) names.values = column_names(items, names.values);
     items.emplace_back(std::move(names));
-    items.emplace_back(std::move(triangles));
+    items.emplace_back(std::move(held));
     row(
         "volumes", [](const VolumeStatistics& s) { return count_text(s.volumes); }, true);
     row("leaves", [](const VolumeStatistics& s) { return count_text(s.leaves); });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/hierarchy/level_statistics.h"
+#include "render/figures/item_count.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {
@@ -80,8 +81,9 @@ Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
         const auto& bodies = sheet.rows.front().front().bodies;
         const TextStyle style{unit, FontWeight::regular, theme.text};
         for (std::size_t b = 0; b < bodies.size(); ++b) {
-            const std::string text = "body " + bodies[b].name + ", " +
-                                     count_text(bodies[b].mesh->triangles.size()) + " triangles";
+            const ItemCount held = item_count(*bodies[b].mesh, *bodies[b].tree);
+            const std::string text = "body " + bodies[b].name + ", " + count_text(held.count) +
+                                     " " + std::string(held.what);
             const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
             if (x + width > layout.width - 6 * unit && b + 1 < bodies.size()) {
                 overlay.text(x, key_y, "and " + std::to_string(bodies.size() - b) + " more", style);

@@ -4,6 +4,7 @@
 
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/body_names.h"
+#include "render/figures/item_count.h"
 #include "render/plots/ending_colors.h"
 #include "scb/level_cover.h"
 #include "scb/triangle_overlap.h"
@@ -136,9 +137,10 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
     items.emplace_back(
         PanelRow{"body", names, {dimmed_body_color(0, theme), dimmed_body_color(1, theme)}, true});
-    items.emplace_back(PanelRow{"triangles",
-                                {count_text(bodies[0].mesh->triangles.size()),
-                                 count_text(bodies[1].mesh->triangles.size())}});
+    const std::vector<ItemCount> counts = {item_count(*bodies[0].mesh, *bodies[0].tree),
+                                           item_count(*bodies[1].mesh, *bodies[1].tree)};
+    items.emplace_back(PanelRow{std::string(item_words(counts)),
+                                {count_text(counts[0].count), count_text(counts[1].count)}});
     const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
     const bool nodes = pairs_are_nodes(header);
     const auto shown = [&](std::size_t side) {

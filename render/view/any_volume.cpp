@@ -6,17 +6,6 @@ AnyVolume placed(const AnyVolume& volume, const Pose& pose) {
     return std::visit([&](const auto& v) { return AnyVolume(placed(v, pose)); }, volume);
 }
 
-Vec3 center(const AnyVolume& volume) {
-    struct Center {
-        Vec3 operator()(const Scb& v) const { return v.c; }
-        Vec3 operator()(const Scb2& v) const { return v.c; }
-        Vec3 operator()(const Ball& v) const { return v.center; }
-        Vec3 operator()(const Obb& v) const { return v.center; }
-        Vec3 operator()(const ConvexShape& v) const { return v.center; }
-    };
-    return std::visit(Center{}, volume);
-}
-
 double reach(const AnyVolume& volume, const Vec3& direction) {
     const double offset = std::visit([&](const auto& v) { return support(v, direction); }, volume);
     return dot(center(volume), direction) + offset;

@@ -17,9 +17,6 @@ bool identical(const Obb& a, const Obb& b);
 using scb::identical;
 bool identical(const AnyVolume& a, const AnyVolume& b);
 
-/// The center of the ball or the box (not of the slab).
-Vec3 center(const AnyVolume& volume);
-
 /// The largest `direction.x` over the points x of the volume, for a unit direction.
 double reach(const AnyVolume& volume, const Vec3& direction);
 
