@@ -86,7 +86,7 @@ Json certificate_json(const ExplainedPair& pair) {
         result["direction"] = json_of(certificate.direction);
         result["gap"] = certificate.margin;
     } else {
-        result["point"] = json_of(Vec3(render::center(pair.a) + certificate.point));
+        result["point"] = json_of(Vec3(center(pair.a) + certificate.point));
         result["depth"] = certificate.margin;
     }
     result["verified"] = pair.found.verified;
@@ -130,7 +130,7 @@ Json explanation_json(const ExplainedPair& pair) {
         result["thickness"] = {thickness(std::get<Scb>(pair.a)), thickness(std::get<Scb>(b))};
         result["normal_angle"] = normal_angle(pair);
     }
-    result["center_distance"] = std::sqrt(squared_norm(render::center(b) - render::center(pair.a)));
+    result["center_distance"] = std::sqrt(squared_norm(center(b) - center(pair.a)));
     result["margin"] = found.steps.margin;
     for (const OverlapQuantity& q : found.steps.quantities)
         result["quantities"][std::string(q.key)] = q.value;

@@ -49,8 +49,8 @@ void ExplainOptions::check() const {
 void add_explain_options(const Command& command, ExplainOptions& options) {
     add_scene_options(command, options.scene, true);
     command.get_option("SCENE").required(false).expected(0, 2).description(
-        "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a "
-        "trace (see `scb trace`)");
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a "
+        "trace (see `scb trace`), or another engine's recording");
     command
         .add_option("--pair", options.pair,
                     "Node I of the first body's hierarchy and J of the second's")

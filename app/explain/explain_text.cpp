@@ -95,8 +95,8 @@ std::string volumes_text(const ExplainedPair& pair) {
     if (!same_frame)
         text += "     in A's frame: " + std::visit([](const auto& v) { return place_text(v); }, b) +
                 "\n";
-    text += "  The centers are " +
-            number(std::sqrt(squared_norm(render::center(b) - render::center(pair.a)))) + " apart";
+    text += "  The centers are " + number(std::sqrt(squared_norm(center(b) - center(pair.a)))) +
+            " apart";
     if (pair.kind == VolumeKind::scb)
         text += ", the normals at " + number(normal_angle(pair)) + "°";
     text += ".\n";
@@ -159,7 +159,7 @@ std::string exact_text(const ExplainedPair& pair) {
             return "disjoint: at least " + number(certificate.margin) + " apart along " +
                    point(certificate.direction) + checked;
         case Contact::overlapping:
-            return "overlapping: " + point(Vec3(render::center(pair.a) + certificate.point)) +
+            return "overlapping: " + point(Vec3(center(pair.a) + certificate.point)) +
                    " is in both, and B is at least " + number(certificate.margin) + " deep in A" +
                    checked;
         case Contact::touching:

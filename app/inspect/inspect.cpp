@@ -11,62 +11,23 @@
 #include "app/inspect/inspect_bodies.h"
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_options.h"
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
+#include "app/inspect/inspect_recording.h"
 #include "app/inspect/inspect_report.h"
-#include "app/inspect/recording_pictures.h"
-#include "app/inspect/recording_report.h"
-#include "app/inspect/recording_settings.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
 #include "app/timing/tune_layout_report.h"
+#include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
-#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
-
-/// With -o: nobody looks at more, and they fill disks.
-constexpr int most_pictured = 200;
-
-struct InspectOptions {
-    SceneOptions scene;
-    HierarchyOptions hierarchy;
-    QueryOptions query;
-    QueryLimits limits;
-    PictureOptions picture{.output = ""};
-    std::vector<std::string> recording;    ///< see given_recording_options
-    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
-    std::string command, explain;          ///< see InspectPage
-    std::string of_scene;                  ///< what was given of the scene, as given_text has it
-    int top = 10;
-    bool time = false;
-
-    bool draws() const { return !picture.output.empty(); }
-    void check();
-};
-
-void InspectOptions::check() {
-    hierarchy.kind();
-    hierarchy.build();
-    query.collide();
-    if (top < 1 || top > 10000)
-        throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
-    for (const std::string& name : scene.names)
-        if (scenes::names_trace(name)) refuse_for_trace(recording, name);
-    picture.check();
-    if (!draws() && !of_pictures.empty())
-        throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
-    if (!draws()) return;
-    if (top > most_pictured)
-        throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
-                         std::to_string(most_pictured) + " pairs, each of which is drawn.");
-}
 
 /// Adds frame after frame.
 class Inspector {
@@ -130,22 +91,6 @@ class Inspector {
     InspectReport report_;
 };
 
-/// Volume and triangle tests of all settings: some seconds.
-constexpr double most_setting_tests = 1e8;
-/// Some fifty settings are counted.
-constexpr double usual_settings = 50;
-
-/// The frames in which settings are counted: all, or evenly spread so many as take seconds.
-std::vector<int> setting_frames(const InspectReport& report, const std::vector<int>& frames) {
-    const Work& all = report.sum.counts.all;
-    const auto tests = static_cast<double>(all.volume_tests + all.triangle_tests);
-    std::vector<int> chosen;
-    for (const std::size_t i :
-         affordable_frames(frames.size(), usual_settings * tests, most_setting_tests))
-        chosen.push_back(frames[i]);
-    return chosen;
-}
-
 /// A command names no more frames of a trace.
 constexpr std::size_t most_named_frames = 20;
 
@@ -176,19 +121,11 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
     asked.layouts = options.time;
-    std::optional<Progress> progress;
-    std::string what;
-    const TuneProgress told = {[&](std::string_view part, std::size_t steps) {
-                                   what = part;
-                                   progress.emplace(console, steps);
-                               },
-                               [&] {
-                                   progress->step(what);
-                                   return watch.signal() == 0;
-                               },
-                               [&] { return watch.signal() != 0; }};
-    report.settings = tune_scene(query.scene, query.a, query.b,
-                                 setting_frames(report, source.frames()), asked, told);
+    std::vector<int> frames;
+    for (const std::size_t i : counted_frames(source.frames().size(), report.sum.counts.all))
+        frames.push_back(source.frames()[i]);
+    report.settings =
+        tune_scene(query.scene, query.a, query.b, frames, asked, tune_progress(console, watch));
     if (!report.settings) return;
     const SceneTuning& found = *report.settings;
     const std::string scene = scene_words(options, source);
@@ -251,78 +188,9 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
-int run_recording(InspectOptions& options, const Console& console) {
-    const std::string& path = options.scene.names[0];
-    options.check();
-    const std::string bytes = scenes::recording_bytes(path);
-    const std::vector<int> all = scenes::summary_of(bytes, path).frames;
-    const std::vector<int> frames =
-        scenes::frames_among(all, options.query.frames, path, "a recording may have");
-    const InterruptWatch watch;
-    Progress progress(console, frames.size());
-    const scenes::RecordingJudgement judged = scenes::judge_recording(
-        bytes, path,
-        [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
-        [&] {
-            progress.step("frames");
-            return watch.signal() == 0;
-        });
-    // What is wrong comes first: queries that miss contacts are no measure of others.
-    std::optional<RecordingSettings> settings;
-    std::string no_settings;
-    if (watch.signal() == 0 && !judged.wrong()) {
-        try {
-            settings = recording_settings(path, options.query.bodies, options.query.frames, console,
-                                          watch);
-        } catch (const InputError& error) {
-            no_settings = error.what();
-        }
-    }
-    std::vector<ProblemPicture> drawn;
-    std::optional<PictureRun> pictures;
-    if (options.draws() && watch.signal() == 0) {
-        pictures.emplace(options.picture, scenes::file_name_of(judged.engine));
-        drawn = draw_problems(*pictures, options.picture, path, judged);
-        for (ProblemPicture& picture :
-             draw_waste(*pictures, options.picture, path, options.query.bodies, judged))
-            drawn.push_back(std::move(picture));
-    }
-    std::string text;
-    if (options.picture.json) {
-        nlohmann::ordered_json json = recording_json(judged, path);
-        if (settings) json["settings"] = recording_settings_json(*settings);
-        text = json_text(json, 2) + "\n";
-    } else {
-        text = recording_text(judged, path, static_cast<std::size_t>(options.top));
-        if (settings) text += recording_settings_text(*settings);
-        if (!drawn.empty()) text += "\nPictures\n";
-        for (const ProblemPicture& picture : drawn)
-            text += "  " + picture.file + ": " + picture.what + "\n";
-    }
-    if (pictures) {
-        if (options.picture.json)
-            pictures->print_instead(text);
-        else
-            pictures->say(text);
-        pictures->finish({{"command", "inspect"}, {"recording", path}}, console);
-    } else {
-        print_result(text);
-    }
-    if (!no_settings.empty())
-        console.note("scb: there is no comparison with this project's hierarchies: " + no_settings);
-    if (judged.wrong() && !pictures) console.note("scb: -o DIR draws the first of each of these.");
-    if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
-    if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
-                     std::to_string(frames.size()) + " frames were inspected.");
-        return exit_interrupted(watch.signal());
-    }
-    return judged.wrong() ? exit_different : exit_done;
-}
-
 int run(InspectOptions& options, const Console& console) {
     if (options.scene.is_recording() && asks_for_recorded(options.recording))
-        return run_recording(options, console);
+        return inspect_recording(options, console);
     options.check();
     QuerySources sources;
     sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits, false);
@@ -393,8 +261,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     const auto options = std::make_shared<InspectOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
-        "A built-in scene (see `scb scenes`), a scene file, two mesh files, or a trace (see `scb "
-        "trace`)");
+        "A built-in scene (see `scb scenes`), a scene file, two mesh files, a trace (see `scb "
+        "trace`), or another engine's recording");
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);

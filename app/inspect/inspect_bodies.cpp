@@ -31,8 +31,7 @@ std::vector<render::SceneMarker> markers_of(const InspectReport& report, int fra
     const auto ball_about = [&](std::size_t side, std::uint32_t node) {
         const render::AnyVolume volume = render::volume_of(bodies[side], node);
         return render::SceneMarker{
-            render::center(volume),
-            std::visit([](const auto& v) { return diameter(v); }, volume) / 2};
+            center(volume), std::visit([](const auto& v) { return diameter(v); }, volume) / 2};
     };
     const double whole = std::max(ball_about(0, 0).radius, ball_about(1, 0).radius);
     std::vector<FalsePair> worst;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "app/pictures/picture_name.h"
 #include "app/pictures/query_view.h"
@@ -89,8 +90,7 @@ std::vector<BodyAtFrame> bodies_of(const Problem& problem, const scenes::Recorde
 
 /// The node that has an object; of triangles none, which are drawn themselves.
 std::uint32_t holder_of(const BodyAtFrame& body, std::uint32_t object) {
-    const std::vector<std::uint32_t>& holder = body.tree->shape().holder;
-    return body.mesh->triangles.empty() && object < holder.size() ? holder[object] : no_index;
+    return body.mesh->triangles.empty() ? body.tree->shape().holder_of(object) : no_index;
 }
 
 render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFrame>& bodies,
@@ -129,13 +129,17 @@ render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFr
 }  // namespace
 
 std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
-                                          const std::string& path,
+                                          std::string bytes, const std::string& path,
                                           const scenes::RecordingJudgement& judged) {
+    const std::vector<Problem> problems = problems_of(judged);
+    if (problems.empty()) return {};
+    const scenes::Recording recording = scenes::read_recording(std::move(bytes), path);
     std::vector<ProblemPicture> drawn;
-    for (const Problem& problem : problems_of(judged)) {
-        std::optional<scenes::RecordedBodies> at_frame;
+    std::optional<scenes::RecordedBodies> at_frame;
+    for (const Problem& problem : problems) {
         try {
-            at_frame = scenes::bodies_of_recording(path, problem.frame);
+            if (!at_frame || at_frame->frame != problem.frame)
+                at_frame = scenes::bodies_at(recording, problem.frame);
         } catch (const InputError&) {
             continue;  // such as a pose that is not rigid: words say it
         }
@@ -155,13 +159,13 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
             continue;
         }
         render::SceneFigure figure;
-        figure.title =
-            all.scene.name + " · " + all.engine + ", " + all.volumes + " · " + problem.title;
+        figure.title = recording.scene.name + " · " + recording.engine + ", " + all.volumes +
+                       " · " + problem.title;
         figure.subtitle = "frame " + std::to_string(problem.frame);
         figure.theme = options.theme();
         figure.pane = render::problem_pane(parts, *figure.theme);
         const render::Support support = render::support_of(region);
-        figure.pane.camera = camera_for(camera_view_for({}, all.scene), support,
+        figure.pane.camera = camera_for(camera_view_for({}, recording.scene), support,
                                         render::aspect_of(options.layout().view));
         std::vector<render::Support> whole = {support};
         for (const render::QueryBody& body : parts.bodies)
@@ -176,8 +180,8 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
             figure.panel.emplace_back(render::PanelNote{
                 "the first of " + render::count_text(problem.count) + " of the kind"});
         const std::string name =
-            picture_name(all.scene.name,
-                         scenes::file_name_of(all.engine) + "_problem-" +
+            picture_name(recording.scene.name,
+                         scenes::file_name_of(recording.engine) + "_problem-" +
                              std::to_string(drawn.size() + 1) + "-" + problem.name,
                          {}, frame_part(problem.frame));
         const render::Picture picture =

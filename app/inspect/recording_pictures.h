@@ -15,9 +15,10 @@ struct ProblemPicture {
 };
 
 /// Draws the first of each kind of problem: of trees, of tests, missed pairs and false pairs.
+/// `bytes` are the recording's.
 /// Throws InputError, OutputError.
 std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
-                                          const std::string& path,
+                                          std::string bytes, const std::string& path,
                                           const scenes::RecordingJudgement& judged);
 
 /// Draws where the tests were wasted in the frame with the most waste. Nothing where the recording

@@ -151,10 +151,12 @@ std::string results_text(const RecordingJudgement& judged) {
     if (!has_results(judged)) return "Results: none were recorded.\n\n";
     const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
     std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
-                       (told ? " reported, " : " met by the tests of triangles, ") +
-                       count_text(judged.exact_pairs) + " intersect; " +
-                       count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
-                       count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
+                       (told ? " reported" : " met by the tests of triangles");
+    const std::uint64_t unjudged = judged.self_queries + judged.unknown_items;
+    if (unjudged < sum(judged, &FrameJudgement::queries))
+        text += ", " + count_text(judged.exact_pairs) + " intersect; " +
+                count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
+                count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
     if (judged.grazing > 0)
         text += "; " + count_text(judged.grazing) +
                 " touch within the engine's rounding, and are not judged";
@@ -164,6 +166,11 @@ std::string results_text(const RecordingJudgement& judged) {
                 counted(judged.self_queries, "query of a body against itself",
                         "queries of a body against itself") +
                 " the tests are judged, the pairs are not.\n";
+    if (judged.unknown_items > 0)
+        text +=
+            "Of " + counted(judged.unknown_items, "query", "queries") +
+            " the tests are judged, the pairs are not: objects share leaves, have numbers above "
+            "999,999, or were queried with triangles.\n";
     return text + "\n";
 }
 
@@ -292,6 +299,7 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["false"] = groups_json(judged.false_pairs);
     json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
     json["unjudged"] = judged.unjudged;
+    json["unjudged_results"] = judged.self_queries + judged.unknown_items;
     json["grazing"] = judged.grazing;
     json["frames"] = Json::array();
     for (const FrameJudgement& f : judged.frames)

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/cli/command_text.h"
-#include "app/cli/progress.h"
+#include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -14,15 +14,9 @@
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_trace.h"
-#include "scenes/recordings/recording_input.h"
 
 namespace scb::app {
 namespace {
-
-/// Volume and triangle tests of all settings: some seconds.
-constexpr double most_tests = 1e8;
-/// Some fifty settings are counted.
-constexpr double usual_settings = 50;
 
 /// Of each volume the row with the least cost, the least first.
 std::vector<std::size_t> best_of_volumes(const SceneTuning& tuning) {
@@ -57,8 +51,7 @@ std::optional<RecordingSettings> recording_settings(const std::string& path,
         throw InputError(path + ": its items are objects without triangles.");
     if (recorded.sides()[0] == recorded.sides()[1])
         throw InputError(path + ": its queries are of a body against itself.");
-    const scenes::Scene scene = scenes::scene_of_recording(scenes::recording_bytes(path), path,
-                                                           scenes::ChangingMeshes::refused);
+    if (!recorded.recording().refusal.empty()) throw InputError(recorded.recording().refusal);
     Work all;
     std::vector<Work> of_frames;
     for (const int frame : recorded.frames()) {
@@ -70,29 +63,16 @@ std::optional<RecordingSettings> recording_settings(const std::string& path,
     RecordingSettings result;
     result.engine = render::volume_title(header);
     std::vector<int> chosen;
-    for (const std::size_t i : affordable_frames(
-             recorded.frames().size(),
-             usual_settings * static_cast<double>(all.volume_tests + all.triangle_tests),
-             most_tests)) {
+    for (const std::size_t i : counted_frames(recorded.frames().size(), all)) {
         chosen.push_back(recorded.frames()[i]);
         result.recorded += of_frames[i];
     }
-    std::optional<Progress> progress;
-    std::string what;
-    const TuneProgress told = {[&](std::string_view part, std::size_t steps) {
-                                   what = part;
-                                   progress.emplace(console, steps);
-                               },
-                               [&] {
-                                   progress->step(what);
-                                   return watch.signal() == 0;
-                               },
-                               [&] { return watch.signal() != 0; }};
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
     asked.layouts = false;
     std::optional<SceneTuning> tuning =
-        tune_scene(scene, recorded.sides()[0], recorded.sides()[1], chosen, asked, told);
+        tune_scene(recorded.scene(), recorded.sides()[0], recorded.sides()[1], chosen, asked,
+                   tune_progress(console, watch));
     if (!tuning) return std::nullopt;
     result.tuning = std::move(*tuning);
     result.command = "scb collide " + file_word(path) +

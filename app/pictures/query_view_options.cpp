@@ -66,8 +66,9 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
     add_scene_options(command, options.scene, false);
     command.get_option("SCENE").description(
         std::string("A built-in scene (see `scb scenes`), a scene file, two mesh files, ") +
-        (shown == Shown::nothing ? "or a trace (see `scb trace`)"
-                                 : "a trace (see `scb trace`), or two traces to compare"));
+        (shown == Shown::nothing ? "a trace (see `scb trace`), or another engine's recording"
+                                 : "a trace (see `scb trace`), another engine's recording, or two "
+                                   "of these to compare"));
     add_hierarchy_options(command, options.hierarchy, false);
     add_query_options(command, options.query, false);
     add_query_limits(command, options.limits);

@@ -19,7 +19,8 @@ int deepest_of(const std::vector<int>& levels) {
 }
 
 LevelSubject recorded_subject(const SceneOptions& scene, const std::string& levels) {
-    scenes::RecordedBodies recorded = scenes::bodies_of_recording(scene.names[0], scene.frames);
+    scenes::Recording recording = scenes::read_recording(scene.names[0]);
+    scenes::RecordedBodies recorded = scenes::bodies_at(recording, scene.frames);
     LevelSubject subject;
     subject.recorded = true;
     std::vector<const TreeShape*> shapes;
@@ -38,9 +39,9 @@ LevelSubject recorded_subject(const SceneOptions& scene, const std::string& leve
     }
     subject.levels = parse_levels(levels, subject.deepest, telling);
     subject.frame = recorded.frame;
-    subject.scene = std::move(recorded.scene);
-    subject.trees.push_back({recorded.engine + ", " + recorded.volumes,
-                             scenes::file_name_of(recorded.engine), std::move(recorded.bodies)});
+    subject.scene = std::move(recording.scene);
+    subject.trees.push_back({recording.engine + ", " + recorded.volumes,
+                             scenes::file_name_of(recording.engine), std::move(recorded.bodies)});
     return subject;
 }
 

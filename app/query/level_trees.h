@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/query/scene_options.h"
-#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::app {
 

@@ -8,7 +8,7 @@
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
-#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recording.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 #include "scenes/text/number_list.h"
@@ -29,8 +29,7 @@ scenes::Scene SceneOptions::load() const {
         if (!pose.empty())
             throw InputError("--pose: " + names[0] +
                              " is recorded, and has its poses; leave out --pose.");
-        return scenes::scene_of_recording(scenes::recording_bytes(names[0]), names[0],
-                                          scenes::ChangingMeshes::refused);
+        return scenes::scene_of_recording(names[0]);
     }
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;

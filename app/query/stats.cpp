@@ -15,9 +15,10 @@
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/mesh_topology.h"
+#include "render/figures/item_count.h"
 #include "scb/any_packed.h"
 #include "scb/error.h"
-#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::app {
 namespace {
@@ -136,8 +137,8 @@ constexpr std::size_t most_measured_levels = 2000;
 /// The trees that a recording has, each once, at its first frame.
 std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
     check_threads(options.threads);
-    const scenes::RecordedBodies recorded =
-        scenes::bodies_of_recording(options.scene.names[0], options.scene.frames);
+    const scenes::Recording recording = scenes::read_recording(options.scene.names[0]);
+    const scenes::RecordedBodies recorded = scenes::bodies_at(recording, options.scene.frames);
     std::vector<HierarchyStats> result;
     std::map<std::uint32_t, std::size_t> places;  // of trees, by number
     for (const scenes::BodyAtFrame& body : recorded.bodies) {
@@ -149,12 +150,15 @@ std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
         HierarchyStats& measured = result.emplace_back();
         measured.mesh = body.name;
         measured.bodies = {body.name};
-        measured.engine = recorded.engine;
+        measured.engine = recording.engine;
         measured.volumes = recorded.volumes;
         measured.nodes = body.tree->size();
         measured.levels = level_statistics(*body.tree);
         measured.triangles = body.mesh->triangles.size();
-        if (measured.triangles == 0) continue;  // objects
+        if (measured.triangles == 0) {
+            measured.objects = render::item_count(*body.mesh, *body.tree).count;
+            continue;
+        }
         const std::vector<std::uint32_t> welded = weld(*body.mesh);
         for (std::uint32_t i = 0; i < welded.size(); ++i) measured.points += welded[i] == i;
         measured.facts = mesh_facts(*body.mesh);

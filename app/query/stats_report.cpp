@@ -89,16 +89,18 @@ Json facts_json(const MeshFacts& f) {
 std::string stats_table(const HierarchyStats& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
-    std::string text = m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
-                       format("): %zu triangles, %zu distinct points, ", m.triangles, m.points) +
-                       (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + " hierarchy" +
-                                               build_text(m.build)
-                                         : m.volumes + " tree of " + m.engine) +
-                       "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" +
-                       "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
-                       "max tau tau ratio  "
-                       "     area     volume" +
-                       (m.engine.empty() ? "  split by" : "") + "\n";
+    std::string text =
+        m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
+        (m.triangles > 0 ? format("): %zu triangles, %zu distinct points, ", m.triangles, m.points)
+                         : format("): %zu objects, ", m.objects)) +
+        (m.engine.empty()
+             ? std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build)
+             : m.volumes + " tree of " + m.engine) +
+        "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" +
+        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
+        "max tau tau ratio  "
+        "     area     volume" +
+        (m.engine.empty() ? "  split by" : "") + "\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
@@ -188,6 +190,7 @@ Json stats_json(const HierarchyStats& m) {
     if (!m.engine.empty()) {
         result["engine"] = m.engine;
         result["volume"] = m.volumes;
+        if (m.objects > 0) result["objects"] = m.objects;
         for (const char* own :
              {"growth", "margin", "split", "bytes_per_node", "bytes_per_triangle", "time"})
             result.erase(own);

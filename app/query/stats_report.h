@@ -23,7 +23,9 @@ struct PackedStats {
 struct HierarchyStats {
     std::string mesh;
     std::vector<std::string> bodies;
-    std::size_t triangles = 0, points = 0, nodes = 0, bytes = 0, bytes_per_node = 0;
+    std::size_t triangles = 0, points = 0;
+    std::size_t objects = 0;  ///< of a tree without triangles
+    std::size_t nodes = 0, bytes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
     BuildOptions build;
     MeshFacts facts;

@@ -7,13 +7,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/open_file.h"
-#include "app/cli/progress.h"
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/picture_texts.h"
 #include "app/timing/tune_layout_report.h"
+#include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -188,18 +188,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
     }
 
     const InterruptWatch watch;
-    std::optional<Progress> progress;
-    std::string what;
-    const TuneProgress report = {[&](std::string_view part, std::size_t steps) {
-                                     what = part;
-                                     progress.emplace(console, steps);
-                                 },
-                                 [&] {
-                                     progress->step(what);
-                                     return watch.signal() == 0;
-                                 },
-                                 [&] { return watch.signal() != 0; }};
-    const std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, report);
+    const std::optional<SceneTuning> tuning =
+        tune_scene(scene, a, b, frames, asked, tune_progress(console, watch));
     if (!tuning) {
         console.note("scb: interrupted before the settings were compared; nothing was written.");
         return exit_interrupted(watch.signal());

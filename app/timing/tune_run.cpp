@@ -267,14 +267,23 @@ double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& ti
     return 2.0 * repeats * static_cast<double>(tests);
 }
 
-}  // namespace
-
+/// Places of `frames` frames, evenly spread: all, or so few that they have about `most` of their
+/// `tests` tests.
 std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most) {
     const auto step = static_cast<std::size_t>(
         std::ceil(std::clamp(tests / most, 1.0, static_cast<double>(frames))));
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < frames; i += step) places.push_back(i);
     return places;
+}
+
+}  // namespace
+
+std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all) {
+    constexpr double most_tests = 1e8, usual_settings = 50;
+    return affordable_frames(
+        frames, usual_settings * static_cast<double>(all.volume_tests + all.triangle_tests),
+        most_tests);
 }
 
 std::vector<std::size_t> SceneTuning::listed(std::size_t most) const {

@@ -78,9 +78,9 @@ struct TuneOptions {
     bool layouts = true;  ///< whether packed layouts are tried
 };
 
-/// Places of `frames` frames, evenly spread: all, or so few that they have about `most` of their
-/// `tests` tests.
-std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most);
+/// Places of the frames, evenly spread, in which tune_scene takes some seconds to count: all, or
+/// fewer. `all` is what the queries of all `frames` frames take with one setting.
+std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all);
 
 /// Told of a part of the run that begins, with how many steps it has; then of each step, by
 /// `step`, which ends the run by returning false. Within a step, which may be long, threads ask

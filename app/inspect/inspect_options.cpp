@@ -1,0 +1,32 @@
+#include "app/inspect/inspect_options.h"
+
+#include "app/query/query_sources.h"
+#include "scb/error.h"
+#include "scenes/traces/trace_input.h"
+
+namespace scb::app {
+namespace {
+
+/// With -o: nobody looks at more, and they fill disks.
+constexpr int most_pictured = 200;
+
+}  // namespace
+
+void InspectOptions::check() {
+    hierarchy.kind();
+    hierarchy.build();
+    query.collide();
+    if (top < 1 || top > 10000)
+        throw InputError("--top " + std::to_string(top) + ": give 1 to 10000 pairs.");
+    for (const std::string& name : scene.names)
+        if (scenes::names_trace(name)) refuse_for_trace(recording, name);
+    picture.check();
+    if (!draws() && !of_pictures.empty())
+        throw InputError(of_pictures[0] + ": it is of pictures; say where with -o DIR.");
+    if (!draws()) return;
+    if (top > most_pictured)
+        throw InputError("--top " + std::to_string(top) + ": with -o, give 1 to " +
+                         std::to_string(most_pictured) + " pairs, each of which is drawn.");
+}
+
+}  // namespace scb::app

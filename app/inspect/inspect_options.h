@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/pictures/picture_options.h"
+#include "app/query/query_options.h"
+#include "app/query/scene_options.h"
+
+namespace scb::app {
+
+struct InspectOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    QueryLimits limits;
+    PictureOptions picture{.output = ""};
+    std::vector<std::string> recording;    ///< see given_recording_options
+    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
+    std::string command, explain;          ///< see InspectPage
+    std::string of_scene;                  ///< what was given of the scene, as given_text has it
+    int top = 10;
+    bool time = false;
+
+    bool draws() const { return !picture.output.empty(); }
+    /// Throws InputError.
+    void check();
+};
+
+}  // namespace scb::app

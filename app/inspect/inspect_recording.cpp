@@ -1,0 +1,92 @@
+#include "app/inspect/inspect_recording.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/cli/command_text.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/inspect/recording_pictures.h"
+#include "app/inspect/recording_report.h"
+#include "app/inspect/recording_settings.h"
+#include "core/base/exit_status.h"
+#include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/text/input_files.h"
+#include "scenes/text/number_list.h"
+
+namespace scb::app {
+
+int inspect_recording(InspectOptions& options, const Console& console) {
+    const std::string& path = options.scene.names[0];
+    options.check();
+    std::string bytes = scenes::recording_bytes(path);
+    const std::vector<int> all = scenes::summary_of(bytes, path).frames;
+    const std::vector<int> frames =
+        scenes::frames_among(all, options.query.frames, path, "a recording may have");
+    const InterruptWatch watch;
+    Progress progress(console, frames.size());
+    const scenes::RecordingJudgement judged = scenes::judge_recording(
+        bytes, path,
+        [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
+        [&] {
+            progress.step("frames");
+            return watch.signal() == 0;
+        });
+    // What is wrong comes first: queries that miss contacts are no measure of others.
+    std::optional<RecordingSettings> settings;
+    std::string no_settings;
+    if (watch.signal() == 0 && !judged.wrong()) {
+        try {
+            settings = recording_settings(path, options.query.bodies, options.query.frames, console,
+                                          watch);
+        } catch (const InputError& error) {
+            no_settings = error.what();
+        }
+    }
+    std::vector<ProblemPicture> drawn;
+    std::optional<PictureRun> pictures;
+    if (options.draws() && watch.signal() == 0) {
+        pictures.emplace(options.picture, scenes::file_name_of(judged.engine));
+        drawn = draw_problems(*pictures, options.picture, std::move(bytes), path, judged);
+        for (ProblemPicture& picture :
+             draw_waste(*pictures, options.picture, path, options.query.bodies, judged))
+            drawn.push_back(std::move(picture));
+    }
+    std::string text;
+    if (options.picture.json) {
+        nlohmann::ordered_json json = recording_json(judged, path);
+        if (settings) json["settings"] = recording_settings_json(*settings);
+        text = json_text(json, 2) + "\n";
+    } else {
+        text = recording_text(judged, path, static_cast<std::size_t>(options.top));
+        if (settings) text += recording_settings_text(*settings);
+        if (!drawn.empty()) text += "\nPictures\n";
+        for (const ProblemPicture& picture : drawn)
+            text += "  " + picture.file + ": " + picture.what + "\n";
+    }
+    if (pictures) {
+        if (options.picture.json)
+            pictures->print_instead(text);
+        else
+            pictures->say(text);
+        pictures->finish({{"command", "inspect"}, {"recording", path}}, console);
+    } else {
+        print_result(text);
+    }
+    if (!no_settings.empty())
+        console.note("scb: there is no comparison with this project's hierarchies: " + no_settings);
+    if (judged.wrong() && !pictures)
+        console.note("scb: `scb inspect " + file_word(path) +
+                     " -o out` draws the first of each kind of what is wrong.");
+    if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
+    if (watch.signal() != 0) {
+        console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
+                     std::to_string(frames.size()) + " frames were inspected.");
+        return exit_interrupted(watch.signal());
+    }
+    return judged.wrong() ? exit_different : exit_done;
+}
+
+}  // namespace scb::app
