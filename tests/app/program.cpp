@@ -47,8 +47,8 @@ struct RunFiles {
     TemporaryFolder folder;
 
     std::string command(const std::string& arguments, const std::string& prefix) const {
-        // The folder of meshes of who runs the tests changes what commands print.
-        return "unset SCB_MODELS; " + prefix + " " SCB_PROGRAM " " + arguments + " >" +
+        // What else than its arguments changes what a command does.
+        return "unset SCB_MODELS CI; " + prefix + " " SCB_PROGRAM " " + arguments + " >" +
                (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
     }
     ProgramRun result(int status) const {

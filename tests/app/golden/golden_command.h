@@ -29,7 +29,7 @@ class GoldenCommand : public testing::Test {
         EXPECT_EQ(golden("update --all").status, 0);
     }
 
-    ProgramRun golden(const std::string& arguments, const std::string& prefix = "env -u CI") {
+    ProgramRun golden(const std::string& arguments, const std::string& prefix = "env") {
         return run_scb("golden " + arguments + " --suite " + suite, prefix);
     }
     ProgramRun check(const std::string& more = "") {

@@ -36,8 +36,7 @@ class GoldenReport : public testing::Test {
 
     /// Runs from where the suite is, as a user would.
     ProgramRun run(const std::string& arguments, const std::string& environment = "") const {
-        return run_scb(arguments,
-                       "cd '" + home.string() + "' && env -u CI -u SCB_MODELS " + environment);
+        return run_scb(arguments, "cd '" + home.string() + "' && env " + environment);
     }
     ProgramRun golden(const std::string& arguments, const std::string& environment = "") const {
         return run("golden " + arguments + where, environment);
