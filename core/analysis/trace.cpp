@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/base/word_hash.h"
+#include "core/collide/pairs_hash.h"
 
 namespace scb {
 namespace {
@@ -15,17 +16,10 @@ std::string number(double value) {
     return {text.data(), end};
 }
 
-std::string hexadecimal(std::uint64_t value) {
-    std::array<char, 16> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, 16).ptr;
-    const std::string digits(text.data(), end);
-    return std::string(16 - digits.size(), '0') + digits;
-}
-
 std::string text_of(const MeshFingerprint& mesh) {
     if (mesh.triangles == 0) return "none, but objects";
     return std::to_string(mesh.triangles) + " triangles, " + std::to_string(mesh.vertices) +
-           " vertices, hash " + hexadecimal(mesh.hash);
+           " vertices, hash " + hash_text(mesh.hash);
 }
 
 }  // namespace
@@ -82,6 +76,20 @@ bool same_meshes(const TraceHeader& a, const TraceHeader& b) {
     return true;
 }
 
+std::optional<int> other_tree_at(const TraceEngine& a, const TraceEngine& b, std::size_t side) {
+    for (const auto& [frame, trees] : a.trees)
+        if (const auto of_b = b.trees.find(frame);
+            of_b != b.trees.end() && of_b->second[side] != trees[side])
+            return frame;
+    return std::nullopt;
+}
+
+bool same_nodes(const TraceHeader& a, const TraceHeader& b) {
+    if (a.engine && b.engine)
+        return !other_tree_at(*a.engine, *b.engine, 0) && !other_tree_at(*a.engine, *b.engine, 1);
+    return !a.engine && !b.engine && a.split == b.split;
+}
+
 std::vector<TraceField> fields_of(const TraceHeader& header) {
     const CollideOptions& options = header.options;
     std::vector<TraceField> fields = {{"scene", header.scene},
@@ -92,8 +100,9 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
     if (header.engine) {
         fields.push_back({"engine", header.engine->name});
         fields.push_back({"volume", header.engine->volumes});
-        fields.push_back({"tree of A", hexadecimal(header.engine->trees[0])});
-        fields.push_back({"tree of B", hexadecimal(header.engine->trees[1])});
+        for (std::size_t side = 0; side < 2 && !header.engine->trees.empty(); ++side)
+            fields.push_back({side == 0 ? "tree of A" : "tree of B",
+                              hash_text(header.engine->trees.begin()->second[side])});
         // Of what an engine calls as one of these, they tell.
         for (const TraceField& setting : header.engine->settings)
             if (std::none_of(fields.begin(), fields.end(), [&setting](const TraceField& field) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,8 +50,8 @@ struct TraceEngine {
     std::vector<NamedStage> stages;    ///< at which its tests can reject
     bool objects = false;              ///< its pairs are of objects that nothing is known of
     std::vector<TraceField> settings;  ///< as it told them
-    /// Of A and B, by which trees that are alike can be told, see tree_hash.
-    std::array<std::uint64_t, 2> trees{};
+    /// By frame, of A and B: by these trees that are alike can be told, see tree_hash.
+    std::map<int, std::array<std::uint64_t, 2>> trees{};
 };
 
 /// What the queries of a trace were asked.
@@ -103,9 +104,17 @@ TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame)
 /// coordinates in 32 bits, whether they have as many vertices and triangles.
 bool same_meshes(const TraceHeader& a, const TraceHeader& b);
 
+/// The first frame that both have at which an engine's tree of A (side 0) or B (1) is another than
+/// the other engine's.
+std::optional<int> other_tree_at(const TraceEngine& a, const TraceEngine& b, std::size_t side);
+/// Whether the number of a node means the same in both: not where splits, or the trees of two
+/// engines at a frame that both have, are others.
+bool same_nodes(const TraceHeader& a, const TraceHeader& b);
+
 /// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, test and
 /// threshold where they mean anything to the volume; descent, pairs at most, level. Of another
-/// engine scene, bodies, meshes, engine, volume and its settings. Neither version nor source.
+/// engine scene, bodies, meshes, engine, volume, the trees at the first frame, and its settings.
+/// Neither version nor source.
 std::vector<TraceField> fields_of(const TraceHeader& header);
 
 }  // namespace scb

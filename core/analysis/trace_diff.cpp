@@ -4,6 +4,10 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
+#include <tuple>
+
+#include "core/collide/pairs_hash.h"
 
 namespace scb {
 namespace {
@@ -16,7 +20,21 @@ const std::string* value_of(const std::vector<TraceField>& fields, const std::st
 
 std::vector<FieldDifference> asked_differently(const TraceHeader& a, const TraceHeader& b) {
     std::vector<FieldDifference> result;
-    const std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
+    std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
+    if (a.engine && b.engine) {
+        // How a file is called is nothing that was asked, and trees are compared frame by frame.
+        for (std::vector<TraceField>* fields : {&fields_a, &fields_b})
+            std::erase_if(*fields, [](const TraceField& field) {
+                return field.name == "scene" || field.name.starts_with("tree of ");
+            });
+        for (std::size_t side = 0; side < 2; ++side)
+            if (const auto frame = other_tree_at(*a.engine, *b.engine, side))
+                for (const auto& [engine, fields] :
+                     {std::pair(&*a.engine, &fields_a), std::pair(&*b.engine, &fields_b)})
+                    fields->push_back({side == 0 ? "tree of A" : "tree of B",
+                                       hash_text(engine->trees.at(*frame)[side]) + " at frame " +
+                                           std::to_string(*frame)});
+    }
     for (const TraceField& field : fields_a) {
         const std::string* other = value_of(fields_b, field.name);
         if (other == nullptr || *other != field.value)
@@ -26,6 +44,22 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
         if (value_of(fields_a, field.name) == nullptr)
             result.push_back({field.name, "-", field.value});
     return result;
+}
+
+/// The names of all stages: this project's, then those that only the engines have, as they told
+/// them.
+std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b) {
+    std::vector<std::string> names = {stage_words(a, Stage::overlapping)};
+    const auto add = [&names](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const std::span<const Stage> test :
+         {stages_of(OverlapTest::corrected), scb2_stages(), convex_stages(), obb_stages()})
+        for (const Stage stage : test) add(std::string(stage_name(stage)));
+    for (const TraceHeader* header : {&a, &b})
+        if (header->engine)
+            for (const NamedStage& named : header->engine->stages) add(named.name);
+    return names;
 }
 
 /// Index of the volume test at which the queries part: in what they test, in what that gives, or
@@ -153,12 +187,23 @@ TraceFrames frames_of(const Trace& trace) {
 
 }  // namespace
 
-void TraceCounts::add(const Collision& found) {
+void TraceCounts::add(const TraceHeader& header, const TraceFrame& frame) {
+    const Collision& found = frame.found;
     pairs += found.pairs.size();
     n_v += found.n_v;
     n_p += found.n_p;
-    n_u += found.n_u;
-    for (std::size_t s = 0; s < stage_count; ++s) stages[s] += found.stages[s];
+    if (!header.engine) n_u = n_u.value_or(0) + found.n_u;
+    std::array<std::uint64_t, 256> tests{};
+    std::copy(found.stages.begin(), found.stages.end(), tests.begin());
+    for (const VolumeTest& test : frame.events.volume_tests)
+        if (is_foreign(test.stage)) ++tests[static_cast<std::size_t>(test.stage)];
+    for (std::size_t s = 0; s < tests.size(); ++s)
+        if (tests[s] != 0) stages[stage_words(header, static_cast<Stage>(s))] += tests[s];
+}
+
+bool operator==(const TraceCounts& a, const TraceCounts& b) {
+    return std::tie(a.pairs, a.n_v, a.n_p, a.stages) == std::tie(b.pairs, b.n_v, b.n_p, b.stages) &&
+           (!a.n_u || !b.n_u || a.n_u == b.n_u);
 }
 
 TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
@@ -184,11 +229,10 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
                const TraceFrames& frames_b) {
     TraceDiff result;
     result.asked = asked_differently(a, b);
+    result.stages = stage_order(a, b);
     result.nodes_comparable = same_meshes(a, b);
     result.meshes_differ = !result.nodes_comparable;
-    // Other trees: the number of a node is another node's there.
-    result.nodes_comparable &= a.engine && b.engine ? a.engine->trees == b.engine->trees
-                                                    : !a.engine && !b.engine && a.split == b.split;
+    result.nodes_comparable &= same_nodes(a, b);
     result.bodies = body_names(a);
     result.of_nodes = pairs_are_nodes(a);
     result.pairs_comparable =
@@ -209,12 +253,12 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
             continue;
         }
         ++result.common;
-        result.sum_a.add(frame_a->found);
-        result.sum_b.add(frame_b->found);
+        result.sum_a.add(a, *frame_a);
+        result.sum_b.add(b, *frame_b);
         FrameDifference difference{frame_a->frame, false, {}, {}};
         difference.poses_differ = !same_pose(frame_a->b_to_a, frame_b->b_to_a);
-        difference.a.add(frame_a->found);
-        difference.b.add(frame_b->found);
+        difference.a.add(a, *frame_a);
+        difference.b.add(b, *frame_b);
         std::optional<std::size_t> test;
         TraversalTree tree_a, tree_b;
         if (result.nodes_comparable || result.pairs_comparable) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "core/analysis/trace.h"
 
@@ -9,11 +11,13 @@ namespace scb {
 
 /// Counts of one query, or of several together.
 struct TraceCounts {
-    std::uint64_t pairs = 0, n_v = 0, n_p = 0, n_u = 0;
-    StageCounts stages{};
+    std::uint64_t pairs = 0, n_v = 0, n_p = 0;
+    std::optional<std::uint64_t> n_u;             ///< other engines do not tell
+    std::map<std::string, std::uint64_t> stages;  ///< by name, see stage_words; those that occur
 
-    void add(const Collision& found);
-    friend bool operator==(const TraceCounts&, const TraceCounts&) = default;
+    void add(const TraceHeader& header, const TraceFrame& frame);
+    /// Where one does not tell N_u, it is not compared.
+    friend bool operator==(const TraceCounts& a, const TraceCounts& b);
 };
 
 /// Something asked of one trace but not of the other. A value is "-" where it was not asked.
@@ -71,6 +75,7 @@ struct TraceDiff {
     std::size_t common = 0;                 ///< frames that are in both
     std::vector<FrameDifference> frames;    ///< of these, those that differ
     TraceCounts sum_a, sum_b;               ///< over the common frames
+    std::vector<std::string> stages;        ///< all names of these, in order
     bool nodes_comparable = true;           ///< false where the meshes or the splits differ
     bool meshes_differ = false;
     std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable

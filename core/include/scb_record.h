@@ -11,6 +11,9 @@
  *
  *     SCB_RECORD(scb_record_test(&recorder, a, b, overlap ? 0 : 1);)
  *
+ * After `if` or `for`, put braces about it. Recorders that functions take, and the constants below,
+ * are inside SCB_RECORD too, or between #ifdef SCB_RECORD_ON and #endif.
+ *
  * A recorder belongs to one thread. It takes memory once, when it is opened. Each call writes at
  * the end of the file, in blocks; what a program that crashed had written can be read up to its
  * last whole block. Errors do not stop your engine: after one nothing more is written, and
@@ -54,7 +57,7 @@ typedef struct scb_recorder {
 typedef enum scb_record_kind {
     SCB_RECORD_NO_VOLUME = 0,
     SCB_RECORD_AABB = 1,    /* lower corner, upper corner: 6, along the axes of the body */
-    SCB_RECORD_OBB = 2,     /* center, the three axes one after the other, half sides: 15 */
+    SCB_RECORD_OBB = 2,     /* center, three axes (unit, at right angles), half sides: 15 */
     SCB_RECORD_BALL = 3,    /* center, radius: 4 */
     SCB_RECORD_CAPSULE = 4, /* two ends, radius: 7 */
     SCB_RECORD_RSS = 5,     /* a corner of the rectangle, its two sides as vectors, radius: 10 */

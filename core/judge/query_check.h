@@ -69,6 +69,7 @@ struct WrongItemTest {
     std::uint32_t event = 0;  ///< index into EngineQuery::events
     double margin = 0;        ///< gap or depth of the two triangles, at least
     bool strayed = false;     ///< no test of the nodes that have them came before it
+    bool unknown = false;     ///< one of the two does not exist
 };
 
 /// A query, judged.
@@ -80,6 +81,9 @@ struct QueryJudgement {
     std::uint64_t exact = 0;         ///< pairs that intersect
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
+    /// Pairs that were not reported, beyond the first 100,000: whether they only touch, and why
+    /// they were missed, is not known.
+    std::uint64_t not_looked_into = 0;
     /// Tests of volumes and of items that a pair led to which passed although its volumes are
     /// disjoint (weak), or although no triangles below it intersect (loose).
     std::uint64_t wasted_weak = 0, wasted_loose = 0;

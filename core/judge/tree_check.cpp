@@ -138,8 +138,9 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
             add(TreeFault::dropped, node.number, node.parent);
         else if (node.parent != no_index && tree[lister[i]].number != node.parent)
             add(TreeFault::wrong_parent, node.number, node.parent);
-        if (shape.depths[i] == no_index && lister[i] != no_index)
-            add(TreeFault::unreachable, node.number);
+        // No root leads to it, or only because one has to begin somewhere.
+        const bool is_entered = shape.depths[i] != no_index && shape.depths[i] > 0;
+        if (!is_entered && lister[i] != no_index) add(TreeFault::unreachable, node.number);
     }
     for (std::size_t k = 1; k < shape.roots.size(); ++k)
         add(TreeFault::second_root, tree[shape.roots[k]].number, tree[shape.roots[0]].number);
