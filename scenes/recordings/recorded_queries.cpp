@@ -59,6 +59,22 @@ bool has_single_objects(const NodeTree& tree, const TreeShape& shape) {
     return !shape.holder.empty();
 }
 
+/// A name as it is told to people: what is very long is cut.
+std::string shown(std::string text) {
+    constexpr std::size_t most = 500;
+    const bool cut = text.size() > most;
+    if (cut) text.resize(most);
+    return printable(std::move(text)) + (cut ? "..." : "");
+}
+
+/// The tree that the record is about.
+std::optional<std::uint32_t> tree_told_by(const Record& record) {
+    if (const auto* tree = std::get_if<RecordedTree>(&record)) return tree->tree;
+    if (const auto* node = std::get_if<RecordedNode>(&record)) return node->tree;
+    if (const auto* refit = std::get_if<RecordedRefit>(&record)) return refit->tree;
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool BodyState::is_rigid() const { return defect <= most_defect; }
@@ -85,6 +101,8 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
         summary.queries += std::holds_alternative<RecordedQuery>(*record);
     }
     if (summary.frames.empty()) summary.frames.push_back(0);
+    // Those of a file whose frames do not ascend, too, which cannot be read on.
+    std::sort(summary.frames.begin(), summary.frames.end());
     return summary;
 }
 
@@ -105,6 +123,7 @@ RecordedQueries::Step RecordedQueries::next() {
     query_done_ = false;
     while (const Record* record = reader_.next()) {
         std::visit([&](const auto& r) { take(r); }, *record);
+        telling_ = tree_told_by(*record);
         if (query_done_) return Step::query;
         if (next_frame_) return Step::frame;
     }
@@ -128,7 +147,7 @@ void RecordedQueries::take(const RecordedStage& stage) {
         return note_odd("a stage has the number " + std::to_string(stage.stage) +
                         ", and stages are 1 to 127");
     if (!stages_.contains(stage.stage)) stage_order_.push_back(stage.stage);
-    stages_[stage.stage] = printable(stage.name);
+    stages_[stage.stage] = shown(stage.name);
 }
 
 void RecordedQueries::take(const RecordedEvent& event) {
@@ -152,7 +171,7 @@ void RecordedQueries::take(const RecordedEvent& event) {
 }
 
 void RecordedQueries::take(const RecordedSetting& setting) {
-    settings_.push_back({printable(setting.key), printable(setting.value)});
+    settings_.push_back({shown(setting.key), shown(setting.value)});
     if (setting.key != "tolerance") return;
     double told = 0;
     const char* end = setting.value.data() + setting.value.size();
@@ -175,7 +194,7 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
         made->triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
     check_mesh(*made, name_ + ": mesh " + std::to_string(mesh.mesh));
     const Box box = bounding_box(*made);
-    state.name = printable(mesh.name);
+    state.name = shown(mesh.name);
     const bool is_same = state.mesh && state.mesh->vertices == made->vertices &&
                          state.mesh->triangles == made->triangles &&
                          state.coordinate_bytes == mesh.coordinate_bytes;
@@ -194,7 +213,7 @@ void RecordedQueries::take(const RecordedTree& tree) {
     TreeState& state = trees_[tree.tree];
     const int version = state.version + 1, volume_version = state.volume_version + 1;
     state = {};
-    state.name = printable(tree.name);
+    state.name = shown(tree.name);
     state.mesh = tree.mesh;
     state.directions = tree.directions;
     state.version = version;
@@ -208,7 +227,7 @@ void RecordedQueries::take(const RecordedNode& node) {
     made.parent = node.parent;
     made.id = node.id;
     const std::size_t before = state.tree.size();
-    state.tree.add(std::move(made), printable(node.name), node.children, node.items);
+    state.tree.add(std::move(made), shown(node.name), node.children, node.items);
     changed(state);
     if (state.tree.size() > before)
         set_volume(state, static_cast<std::uint32_t>(before), node.volume);
@@ -226,7 +245,7 @@ void RecordedQueries::take(const RecordedRefit& refit) {
 
 void RecordedQueries::take(const RecordedBody& body) {
     known(trees_, body.tree, "tree");
-    bodies_[body.body] = {printable(body.name), body.tree, {}, 0, {}};
+    bodies_[body.body] = {shown(body.name), body.tree, {}, 0, {}};
 }
 
 void RecordedQueries::take(const RecordedFrame& frame) {

@@ -98,6 +98,11 @@ class RecordedQueries {
     /// setting `tolerance` says.
     double tolerance_of(const TreeState& tree) const;
     std::string damage() const { return reader_.damage(); }
+    /// The tree that was being told, or refitted, where the file breaks off: it is not whole. Known
+    /// at the end.
+    std::optional<std::uint32_t> unfinished_tree() const {
+        return damage().empty() ? std::nullopt : telling_;
+    }
     /// What was told of nodes that there are not, as sentences: the first, and how many more.
     const std::vector<std::string>& oddities() const { return oddities_; }
     std::size_t more_oddities() const { return more_oddities_; }
@@ -143,6 +148,7 @@ class RecordedQueries {
     std::vector<std::string> oddities_;
     std::size_t more_oddities_ = 0;
     std::set<std::uint32_t> without_mesh_;  ///< trees of which that was noted
+    std::optional<std::uint32_t> telling_;  ///< the tree of the last record
     std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet
     int frame_ = 0;
     bool frame_told_ = false, in_query_ = false, query_done_ = false, ended_ = false;

@@ -107,8 +107,7 @@ void RecordedTrace::take_engine(const RecordedQueries& queries) {
         for (std::size_t side = 0; side < 2; ++side) {
             const auto [hash, added] = hashes.try_emplace(at[side].tree.get());
             if (added) hash->second = tree_hash(*at[side].tree);
-            // As FNV-1a does bytes.
-            engine.trees[side] = (engine.trees[side] ^ hash->second) * 0x100000001b3;
+            engine.trees[frame][side] = hash->second;
         }
         if (are_objects(at) != engine.objects)
             throw InputError(recording_.path +

@@ -60,7 +60,7 @@ class RecordingContents {
                                  " is not rigid, so that there is no query of it; `scb inspect` "
                                  "judges the rest.";
         else if (changed_)
-            recording_.refusal = path + ": its mesh '" + printable(changed_->name) +
+            recording_.refusal = path + ": the mesh of '" + printable(changed_->name) +
                                  "' changes at frame " + std::to_string(changed_->frame) +
                                  ", and hierarchies of this project are of one mesh; leave out "
                                  "what asks for them, or record frames of one mesh.";
@@ -79,6 +79,9 @@ class RecordingContents {
         taken_ = queries.frame();
         for (const auto& [number, body] : queries.bodies()) {
             std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
+            const std::uint32_t mesh = queries.trees().at(body.tree).mesh;
+            if (mesh_of_body_.try_emplace(number, mesh).first->second != mesh && !changed_)
+                changed_ = {body.name, queries.frame()};
             if (!body.is_rigid()) {
                 if (!askew_) askew_ = {body.name, queries.frame()};
                 continue;
@@ -113,12 +116,13 @@ class RecordingContents {
         pair.frames.push_back(frame);
     }
 
-    /// Each told from the others.
+    /// Each told from the others, and without the comma that stands between two of them.
     void name_bodies(const RecordedQueries& queries) {
         std::set<std::string> taken;
         for (const auto& [number, body] : queries.bodies()) {
             std::string name =
                 body.name.empty() ? "body " + std::to_string(number) : printable(body.name);
+            std::replace(name.begin(), name.end(), ',', ';');
             while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
             recording_.scene.bodies[recording_.bodies.at(number)].name = name;
         }
@@ -141,9 +145,10 @@ class RecordingContents {
     }
 
     Recording& recording_;
-    std::optional<Place> askew_, changed_;
-    int taken_ = -1;                                               ///< frame
+    std::optional<Place> askew_, changed_;  ///< a body; a mesh, or a body that gets another one
+    int taken_ = -1;                        ///< frame
     std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
+    std::map<std::uint32_t, std::uint32_t> mesh_of_body_{};        ///< numbers: the first
     std::map<std::array<std::uint32_t, 2>, std::size_t> pairs_{};  ///< by their bodies
 };
 

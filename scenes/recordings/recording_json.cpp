@@ -264,6 +264,10 @@ void add_line(RecordingWriter& out, const JsonPlace& line) {
                 static_cast<std::uint8_t>(number_of(field(line, "coordinate_bytes"), 8));
         if (r.coordinate_bytes != 4 && r.coordinate_bytes != 8)
             refuse_value(field(line, "coordinate_bytes"), "4 or 8");
+        for (const double value : r.coordinates)
+            if (r.coordinate_bytes == 4 && std::isfinite(value) &&
+                std::abs(value) > std::numeric_limits<float>::max())
+                refuse(line, "coordinates: one does not fit into 4 bytes; say 8.");
         if (r.coordinates.size() % 3 != 0)
             refuse(line, "coordinates: there are not three of each vertex.");
         if (r.indices.size() % 3 != 0)

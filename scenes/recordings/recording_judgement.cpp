@@ -128,10 +128,12 @@ class RecordingJudge {
     }
 
     void look(std::uint32_t number) {
+        TreeWatch& watch = watches_[number];
+        if (recording_->unfinished_tree() == number) return;
         const EngineSide side = recording_->side_of(number);
         const TreeState& tree = recording_->trees().at(number);
-        watches_[number].look(recording_->frame(), *side.tree, *side.shape, side.mesh,
-                              recording_->tolerance_of(tree), tree.version, tree.volume_version);
+        watch.look(recording_->frame(), *side.tree, *side.shape, side.mesh,
+                   recording_->tolerance_of(tree), tree.version, tree.volume_version);
     }
 
     void take_query(const EngineQuery& query) {
@@ -143,9 +145,10 @@ class RecordingJudge {
         ++row.queries;
         result_.nanoseconds += query.nanoseconds;
         result_.self_queries += query.self;
+        result_.ended_early += !query.complete;
         result_.unknown_items += !query.self && !has_known_items(query);
         if (!query.rigid) {
-            add(tests_, "a query's pose is not rigid", name, "it is not judged");
+            add(tests_, "a query's pose is not rigid", {name, "it is not judged"});
             return;
         }
         const bool objects = has_object_volumes(query);
@@ -154,30 +157,33 @@ class RecordingJudge {
         const QueryJudgement judged = judge_query(query, contacts);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
-        if (judged.count(TestVerdict::wrong) > 0 || !judged.wrong_item_tests.empty())
-            find_pose(query, name);
+        const bool errs =
+            std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
+                        [](const WrongItemTest& test) { return !test.unknown; });
+        if (judged.count(TestVerdict::wrong) > 0 || errs) find_pose(query, name);
     }
 
     void take_tests(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
                     FrameJudgement& row) {
-        for (const JudgedTest& test : judged.tests) {
+        for (std::uint32_t number = 0; number < judged.tests.size(); ++number) {
+            const JudgedTest& test = judged.tests[number];
             const EngineEvent& event = query.events[test.event];
             StageJudgement& stage = stages_[event.stage];
             ++stage.tests;
             ++row.volume_tests;
             stage.false_positives += test.verdict == TestVerdict::false_positive;
             result_.unjudged += test.verdict == TestVerdict::unjudged;
-            const std::string nodes = pair_words("nodes", event.a, event.b);
-            const auto note = [&](const std::string& what, const std::string& first) {
-                ProblemGroup& group = add(tests_, what, name, first);
-                if (group.count == 1) {
-                    group.nodes = {event.a, event.b};
-                    group.event = test.event;
-                }
+            const auto note = [&](const std::string& what, const std::string& more = {}) {
+                add(tests_, what,
+                    {name,
+                     pair_words("nodes", event.a, event.b) + test_words(number) + more,
+                     {event.a, event.b},
+                     {no_index, no_index},
+                     number});
             };
             if (test.nodes.a == no_index || test.nodes.b == no_index)
-                note("a test of a node that its tree does not have", nodes);
-            if (test.repeated) note("a test that the query had made before", nodes);
+                note("a test of a node that its tree does not have");
+            if (test.repeated) note("a test that the query had made before");
             if (test.verdict != TestVerdict::wrong) continue;
             ++row.wrong;
             stage.least_depth =
@@ -186,27 +192,35 @@ class RecordingJudge {
             ++stage.wrong;
             note("a test that rejected volumes which overlap, at stage \"" +
                      stage_name(event.stage) + "\"",
-                 nodes + ", " + format("%.6g", test.margin) + " deep in each other");
+                 ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
-        for (const auto& [i, margin, strayed] : judged.wrong_item_tests) {
+        for (const auto& [i, margin, strayed, unknown] : judged.wrong_item_tests) {
             const EngineEvent& event = query.events[i];
             ++row.wrong;
             const bool meet = event.kind == EngineEvent::Kind::items_meet;
-            ProblemGroup& group =
-                add(tests_,
-                    meet ? "a test said that two triangles meet which do not"
-                         : "a test said that two triangles are apart which intersect",
-                    name,
-                    pair_words("triangles", event.a, event.b) + ", " + format("%.6g", margin) +
-                        (meet ? " apart" : " deep in each other") +
-                        (strayed ? "; the nodes that have them were not tested before, so are "
-                                   "these their numbers?"
-                                 : ""));
-            if (group.count == 1) {
-                group.items = {event.a, event.b};
-                group.event = i;
+            const std::uint32_t number = test_number(judged, i);
+            if (unknown) {
+                add(tests_, "a test of a triangle that its mesh does not have",
+                    {name,
+                     pair_words("triangles", event.a, event.b) + test_words(number),
+                     {no_index, no_index},
+                     {no_index, no_index},
+                     number});
+                continue;
             }
+            add(tests_,
+                meet ? "a test said that two triangles meet which do not"
+                     : "a test said that two triangles are apart which intersect",
+                {name,
+                 pair_words("triangles", event.a, event.b) + test_words(number) + ", " +
+                     format("%.6g", margin) + (meet ? " apart" : " deep in each other") +
+                     (strayed ? "; the nodes that have them were not tested before, so are these "
+                                "their numbers?"
+                              : ""),
+                 {no_index, no_index},
+                 {event.a, event.b},
+                 number});
         }
         row.wasted += judged.wasted_weak + judged.wasted_loose;
         result_.wasted_weak += judged.wasted_weak;
@@ -218,17 +232,13 @@ class RecordingJudge {
                     FrameJudgement& row) {
         row.pairs += judged.reported;
         result_.exact_pairs += judged.exact;
+        result_.not_looked_into += judged.not_looked_into;
         for (const PairProblem& problem : judged.pairs) {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
-            ProblemGroup& group =
-                add(missed ? missed_ : false_, words_of(query, problem.cause), name, {});
-            if (group.count > 1) continue;
-            group.nodes = problem.nodes;
-            group.items = problem.items;
-            group.event = problem.event;
-            group.side = static_cast<int>(problem.side);
-            group.first = words_of(query, problem);
+            add(missed ? missed_ : false_, words_of(query, problem.cause),
+                {name, words_of(query, judged, problem), problem.nodes, problem.items,
+                 test_number(judged, problem.event)});
         }
     }
 
@@ -237,12 +247,14 @@ class RecordingJudge {
         return query.sides[0].mesh ? words : for_objects(words);
     }
 
-    static std::string words_of(const EngineQuery& query, const PairProblem& problem) {
-        const std::string words = triangle_words(query, problem);
+    std::string words_of(const EngineQuery& query, const QueryJudgement& judged,
+                         const PairProblem& problem) const {
+        const std::string words = triangle_words(query, judged, problem);
         return query.sides[0].mesh ? words : for_objects(words);
     }
 
-    static std::string triangle_words(const EngineQuery& query, const PairProblem& problem) {
+    std::string triangle_words(const EngineQuery& query, const QueryJudgement& judged,
+                               const PairProblem& problem) const {
         std::string words = pair_words("triangles", problem.items.a, problem.items.b);
         const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
                             node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;
@@ -264,9 +276,27 @@ class RecordingJudge {
                         " of B";
             words += ", from which the way leads to " + next;
         }
-        if (problem.event != no_index && problem.event < query.events.size())
-            words += ", event " + std::to_string(problem.event) + " of the query";
+        words += test_words(test_number(judged, problem.event));
+        if (problem.event != no_index && problem.event < query.events.size() &&
+            query.events[problem.event].kind == EngineEvent::Kind::volumes &&
+            query.events[problem.event].stage != 0)
+            words += ", stage \"" + stage_name(query.events[problem.event].stage) + "\"";
         return words;
+    }
+
+    /// The test of volumes that the event is, or that came before it, as traces count them.
+    static std::uint32_t test_number(const QueryJudgement& judged, std::uint32_t event) {
+        if (event == no_index) return no_index;
+        const auto after = std::upper_bound(
+            judged.tests.begin(), judged.tests.end(), event,
+            [](std::uint32_t at, const JudgedTest& test) { return at < test.event; });
+        return after == judged.tests.begin()
+                   ? no_index
+                   : static_cast<std::uint32_t>(after - judged.tests.begin() - 1);
+    }
+
+    static std::string test_words(std::uint32_t number) {
+        return number == no_index ? "" : ", test " + std::to_string(number);
     }
 
     /// Another pose with which no test is wrong.
@@ -306,19 +336,12 @@ class RecordingJudge {
     }
 
     using Groups = std::vector<ProblemGroup>;
-    ProblemGroup& add(Groups& groups, const std::string& what, const QueryName& name,
-                      const std::string& first) {
-        for (ProblemGroup& group : groups)
-            if (group.what == what) {
-                ++group.count;
-                return group;
-            }
-        groups.emplace_back();
-        groups.back().what = what;
-        groups.back().query = name;
-        groups.back().first = first;
-        groups.back().count = 1;
-        return groups.back();
+    static void add(Groups& groups, const std::string& what, ProblemCase one) {
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&what](const ProblemGroup& g) { return g.what == what; });
+        if (group == groups.end()) group = groups.insert(group, ProblemGroup{what, 0, {}});
+        ++group->count;
+        if (group->cases.size() < ProblemGroup::most_cases) group->cases.push_back(std::move(one));
     }
 
     void finish() {
@@ -326,7 +349,12 @@ class RecordingJudge {
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         for (const auto& [number, watch] : watches_) {
             const TreeState& tree = recording_->trees().at(number);
-            TreeJudgement judged{number, tree.name, tree.tree.size(), 0, watch.problems()};
+            TreeJudgement judged{number,
+                                 tree.name,
+                                 tree.tree.size(),
+                                 0,
+                                 recording_->unfinished_tree() == number,
+                                 watch.problems()};
             for (const std::uint32_t i : recording_->side_of(number).shape->order)
                 judged.depth = std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
             result_.trees.push_back(std::move(judged));

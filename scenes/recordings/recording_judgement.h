@@ -28,15 +28,23 @@ struct StageJudgement {
     double least_depth = 0, most_depth = 0;  ///< of the wrong ones, at least
 };
 
-/// Something that went wrong several times for one reason.
+/// Something that went wrong.
+struct ProblemCase {
+    QueryName query;
+    std::string words;  ///< a clause: which pair, at which nodes and test
+    IndexPair nodes{no_index, no_index}, items{no_index, no_index};  ///< numbers
+    /// The number of the test of volumes, among those of its query, from 0; of a test of triangles
+    /// that of the test before it.
+    std::uint32_t test = no_index;
+};
+
+/// What went wrong for one reason.
 struct ProblemGroup {
+    static constexpr std::size_t most_cases = 100;
+
     std::string what;  ///< "rejected although the volumes overlap"
     std::uint64_t count = 0;
-    QueryName query;    ///< the first one's
-    std::string first;  ///< a clause: which pair, at which nodes and test
-    int side = 0;       ///< of first
-    IndexPair nodes{no_index, no_index}, items{no_index, no_index};  ///< of the first; numbers
-    std::uint32_t event = no_index;
+    std::vector<ProblemCase> cases;  ///< the first ones
 };
 
 /// A query whose tests fit another pose.
@@ -58,6 +66,7 @@ struct TreeJudgement {
     std::string name;
     std::size_t nodes = 0;
     std::uint32_t depth = 0;
+    bool unfinished = false;  ///< the file breaks off in it: what it was before that was judged
     std::vector<WatchedProblem> problems;
 };
 
@@ -77,6 +86,8 @@ struct RecordingJudgement {
     std::string damage;
     std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, unjudged = 0,
                   self_queries = 0, exact_pairs = 0;
+    std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
+    std::uint64_t ended_early = 0;      ///< queries, of which nothing is said to be missed
     /// Queries of two bodies of whose items too little is known, see has_known_items.
     std::uint64_t unknown_items = 0;
 

@@ -45,6 +45,10 @@ std::vector<int> parse_numbers(const std::string& part, const NumberRange& range
             throw InputError(range.option + ": there is no " + range.noun + " " +
                              std::to_string(number) + "; " + range.whole + " the " + range.noun +
                              "s 0 to " + std::to_string(range.last) + ".");
+    constexpr int most = 10'000'000;
+    if ((last - first) / step >= most)
+        throw InputError(range.option + ": '" + part + "' names more than 10,000,000 " +
+                         range.noun + "s; give fewer.");
     std::vector<int> numbers;
     for (long number = first; number <= last; number += step)
         numbers.push_back(static_cast<int>(number));
@@ -73,7 +77,8 @@ std::vector<int> frames_among(const std::vector<int>& all, const std::string& li
         const std::vector<int> numbers =
             part == "all" ? all
                           : parse_numbers(part, {"--frames " + list, "frame", whose,
-                                                 999'999, "frames such as 0,250 or all"});
+                                                 std::max(999'999, all.back()),
+                                                 "frames such as 0,250 or all"});
         wanted.insert(wanted.end(), numbers.begin(), numbers.end());
     }
     std::sort(wanted.begin(), wanted.end());

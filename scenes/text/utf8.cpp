@@ -34,6 +34,19 @@ std::string printable(std::string text) {
     text = as_utf8(std::move(text));
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    // Of two bytes C2 80 to C2 9F, which terminals obey as well; of three those that turn the
+    // direction of what follows.
+    const auto is = [&text](std::size_t i, unsigned char lowest, unsigned char highest) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        return byte >= lowest && byte <= highest;
+    };
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        if (is(i, 0xc2, 0xc2) && is(i + 1, 0x80, 0x9f)) text.replace(i, 2, "?");
+        if (i + 2 < text.size() && is(i, 0xe2, 0xe2) &&
+            ((is(i + 1, 0x80, 0x80) && (is(i + 2, 0xaa, 0xae) || is(i + 2, 0x8e, 0x8f))) ||
+             (is(i + 1, 0x81, 0x81) && is(i + 2, 0xa6, 0xa9))))
+            text.replace(i, 3, "?");
+    }
     return text;
 }
 

@@ -9,14 +9,19 @@
 namespace scb::scenes {
 namespace {
 
-std::string count_table(const TraceCounts& a, const TraceCounts& b, const TraceNames& names) {
+std::string count_table(const TraceDiff& d, const TraceNames& names) {
     const std::string difference = names.b + " - " + names.a;
     const int width = std::max(14, static_cast<int>(difference.size()));
-    std::string text = format("%-16s %12s %12s %*s\n", "", names.a.c_str(), names.b.c_str(), width,
-                              difference.c_str());
-    for (const CountRow& row : count_rows(a, b)) {
+    const std::vector<CountRow> rows = count_rows(d.sum_a, d.sum_b, d.stages);
+    std::size_t longest = 16;
+    for (const CountRow& row : rows) longest = std::max(longest, row.name.size());
+    std::string text =
+        std::string(longest, ' ') +
+        format(" %12s %12s %*s\n", names.a.c_str(), names.b.c_str(), width, difference.c_str());
+    for (const CountRow& row : rows) {
         const auto change = static_cast<std::int64_t>(row.b - row.a);
-        text += format("%-16s %12" PRIu64 " %12" PRIu64, row.name.c_str(), row.a, row.b) +
+        text += left_aligned(printable(row.name), longest) +
+                format(" %12" PRIu64 " %12" PRIu64, row.a, row.b) +
                 (change == 0 ? format(" %*s\n", width, "0")
                              : format(" %+*" PRId64 "\n", width, change));
     }
@@ -84,21 +89,18 @@ std::string lost_text(const TraceDiff& d, const TraceNames& names) {
 
 }  // namespace
 
-std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b) {
-    std::vector<CountRow> rows = {{"pairs", a.pairs, b.pairs},
-                                  {"N_v", a.n_v, b.n_v},
-                                  {"N_p", a.n_p, b.n_p},
-                                  {"N_u", a.n_u, b.n_u}};
-    std::vector<Stage> stages = {Stage::overlapping};
-    for (const std::span<const Stage> test :
-         {stages_of(OverlapTest::corrected), scb2_stages().subspan(1), convex_stages().subspan(1),
-          obb_stages()})
-        stages.insert(stages.end(), test.begin(), test.end());
-    for (const Stage stage : stages) {
-        const auto s = static_cast<std::size_t>(stage);
-        if (a.stages[s] != 0 || b.stages[s] != 0)
-            rows.push_back({std::string(stage_name(stage)), a.stages[s], b.stages[s]});
-    }
+std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b,
+                                 const std::vector<std::string>& stages) {
+    std::vector<CountRow> rows = {
+        {"pairs", a.pairs, b.pairs}, {"N_v", a.n_v, b.n_v}, {"N_p", a.n_p, b.n_p}};
+    if (a.n_u && b.n_u) rows.push_back({"N_u", *a.n_u, *b.n_u});
+    const auto of = [](const TraceCounts& counts, const std::string& stage) {
+        const auto found = counts.stages.find(stage);
+        return found == counts.stages.end() ? 0 : found->second;
+    };
+    for (const std::string& stage : stages)
+        if (of(a, stage) != 0 || of(b, stage) != 0)
+            rows.push_back({stage, of(a, stage), of(b, stage)});
     return rows;
 }
 
@@ -131,7 +133,7 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
             (d.common == 1
                  ? std::string("Counts of the frame in both:\n")
                  : "Counts, summed over the " + std::to_string(d.common) + " frames in both:\n") +
-            count_table(d.sum_a, d.sum_b, names) + lost_text(d, names);
+            count_table(d, names) + lost_text(d, names);
     if (!d.nodes_comparable)
         text += d.meshes_differ
                     ? "\nThe meshes differ, so nodes and triangles cannot be compared.\n"

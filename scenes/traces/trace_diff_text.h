@@ -14,7 +14,8 @@ struct CountRow {
     std::string name;
     std::uint64_t a, b;
 };
-std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b);
+std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b,
+                                 const std::vector<std::string>& stages);
 
 /// How two traces differ, as lines: what was asked of only one of them, the frames, the counts, the
 /// pairs that only one found, and the first test at which they part.

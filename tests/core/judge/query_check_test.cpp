@@ -134,6 +134,13 @@ TEST(QueryCheck, NamesTheCauseOfAMissedPair) {
     }
     {
         Rows rows;
+        rows.event(Kind::items_meet, 1, 1).a = 4;
+        const QueryJudgement judged = rows.judged();
+        ASSERT_EQ(judged.wrong_item_tests.size(), 1u);
+        EXPECT_TRUE(judged.wrong_item_tests[0].unknown);
+    }
+    {
+        Rows rows;
         rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
         rows.erase(Kind::pair, 1, 1);
         EXPECT_EQ(rows.problem().cause, PairCause::items_apart);

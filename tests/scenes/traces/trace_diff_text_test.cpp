@@ -8,10 +8,11 @@ namespace scb::scenes {
 namespace {
 
 TEST(CountRows, HaveEveryStageOnce) {
-    TraceCounts counts;
-    counts.stages.fill(1);
+    Trace trace;
+    trace.frames.emplace_back().found.stages.fill(1);
+    const TraceDiff d = diff(trace, trace);
     std::set<std::string> names;
-    const std::vector<CountRow> rows = count_rows(counts, counts);
+    const std::vector<CountRow> rows = count_rows(d.sum_a, d.sum_b, d.stages);
     for (const CountRow& row : rows) names.insert(row.name);
     EXPECT_EQ(names.size(), rows.size());
     for (std::size_t s = 0; s < stage_count; ++s)
