@@ -8,6 +8,7 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
+#include "scb/error.h"
 #include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"
 
@@ -27,6 +28,10 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     const std::string& name = options.scene.names[0];
     const bool trace = options.scene.names.size() == 1 && scenes::names_trace(name);
     if (trace) refuse_for_trace(options.recording, name);
+    if (options.scene.is_recording() && asks_for_recorded(options.recording))
+        throw InputError(name +
+                         ": --pair takes nodes of this program's own hierarchies, not the "
+                         "recorded ones; say of which volumes with --volume.");
     if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
     QuerySource source(options.scene, options.hierarchy, query, {}, false);
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);

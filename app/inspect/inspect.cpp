@@ -269,7 +269,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     command
         .add_option(
             "--top", options->top,
-            "List the K worst pairs for each reason; each pair is listed at its worst frame")
+            "List the K worst pairs for each reason, each at its worst frame; of another engine's "
+            "recording the first K cases of whatever went wrong, and not just one")
         .check(decimal_number)
         .type_name("K")
         .show_default();
@@ -292,14 +293,20 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "certificate. Then the queries are made with other volumes, splits, tests and descent "
         "rules, and the best is named (`scb tune`\n"
         "has more of them, and times). Exit status 1 if the test rejected volumes that meet, as "
-        "--test printed "
-        "does.\n\n"
+        "--test printed does.\n\n"
+        "Of another engine's recording: whether its trees are trees that contain their triangles, "
+        "whether each test is right\n"
+        "by its own volumes, which pairs were missed or are false, and why. Exit status 1 if "
+        "anything is wrong, or the file\n"
+        "breaks off. -o draws the first of each kind of what is wrong.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"
-        "  scb inspect knots-l1 --frames 0 --json");
+        "  scb inspect knots-l1 --frames 0 --json\n"
+        "  scb inspect engine.scbrec --top 5 -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
+        options->asks_top = command.count("--top") > 0;
         for (const char* option : {"--size", "--background", "--gl", "--jobs"})
             if (command.count(option) > 0) options->of_pictures.emplace_back(option);
         const std::vector<std::string> of_queries = {

@@ -20,6 +20,7 @@ struct InspectOptions {
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< what was given of the scene, as given_text has it
     int top = 10;
+    bool asks_top = false;  ///< --top was given
     bool time = false;
 
     bool draws() const { return !picture.output.empty(); }

@@ -34,6 +34,10 @@ int inspect_recording(InspectOptions& options, const Console& console) {
             progress.step("frames");
             return watch.signal() == 0;
         });
+    if (judged.trees.empty() && judged.summary.queries == 0)
+        throw InputError(path + ": it has no trees and no queries, so there is nothing to judge." +
+                         (judged.damage.empty() ? "" : " " + judged.damage));
+    if (options.time) console.note("scb: --time has no effect on the recording of another engine.");
     // What is wrong comes first: queries that miss contacts are no measure of others.
     std::optional<RecordingSettings> settings;
     std::string no_settings;
@@ -60,7 +64,8 @@ int inspect_recording(InspectOptions& options, const Console& console) {
         if (settings) json["settings"] = recording_settings_json(*settings);
         text = json_text(json, 2) + "\n";
     } else {
-        text = recording_text(judged, path, static_cast<std::size_t>(options.top));
+        const auto top = static_cast<std::size_t>(options.top);
+        text = recording_text(judged, path, top, options.asks_top ? top : 1);
         if (settings) text += recording_settings_text(*settings);
         if (!drawn.empty()) text += "\nPictures\n";
         for (const ProblemPicture& picture : drawn)
@@ -80,13 +85,12 @@ int inspect_recording(InspectOptions& options, const Console& console) {
     if (judged.wrong() && !pictures)
         console.note("scb: `scb inspect " + file_word(path) +
                      " -o out` draws the first of each kind of what is wrong.");
-    if (!judged.damage.empty()) console.alarm("scb: " + judged.damage);
     if (watch.signal() != 0) {
         console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
                      std::to_string(frames.size()) + " frames were inspected.");
         return exit_interrupted(watch.signal());
     }
-    return judged.wrong() ? exit_different : exit_done;
+    return judged.wrong() || !judged.damage.empty() ? exit_different : exit_done;
 }
 
 }  // namespace scb::app

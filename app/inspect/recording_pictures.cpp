@@ -30,15 +30,16 @@ struct Problem {
 
 Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
                  const std::string& name) {
+    const scenes::ProblemCase& first = group.cases.front();
     return {title,
             name,
             group.what,
-            group.first,
+            first.words,
             group.count,
-            group.query.frame,
-            {group.query.a, group.query.b},
-            {group.nodes.a, group.nodes.b},
-            {group.items.a, group.items.b},
+            first.query.frame,
+            {first.query.a, first.query.b},
+            {first.nodes.a, first.nodes.b},
+            {first.items.a, first.items.b},
             no_index};
 }
 

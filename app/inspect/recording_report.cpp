@@ -72,11 +72,12 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
 std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
     std::string text = "Trees\n";
     for (const TreeJudgement& tree : judged.trees) {
-        text += "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
-                std::to_string(tree.depth) + ": " +
-                (tree.problems.empty() ? "sound"
-                                       : counted(tree.problems.size(), "problem", "problems")) +
-                "\n";
+        const char* sound = tree.unfinished ? "the file breaks off in it, not judged" : "sound";
+        text +=
+            "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
+            std::to_string(tree.depth) + ": " +
+            (tree.problems.empty() ? sound : counted(tree.problems.size(), "problem", "problems")) +
+            "\n";
         std::map<TreeFault, std::vector<const WatchedProblem*>> by_fault;
         for (const WatchedProblem& problem : tree.problems)
             by_fault[problem.problem.fault].push_back(&problem);
@@ -106,12 +107,15 @@ std::string tests_text(const RecordingJudgement& judged) {
     return text + "\n";
 }
 
-std::string groups_text(const char* title, const std::vector<ProblemGroup>& groups) {
+std::string groups_text(const char* title, const std::vector<ProblemGroup>& groups,
+                        std::size_t cases) {
     std::string text;
     for (const ProblemGroup& group : groups) {
         if (text.empty()) text = std::string(title) + "\n";
-        text += "  " + count_text(group.count) + ": " + group.what +
-                "\n      first: " + query_words(group.query) + ": " + group.first + "\n";
+        text += "  " + count_text(group.count) + ": " + group.what + "\n";
+        for (std::size_t i = 0; i < std::min(cases, group.cases.size()); ++i)
+            text += (i == 0 ? "      first: " : "             ") +
+                    query_words(group.cases[i].query) + ": " + group.cases[i].words + "\n";
     }
     return text.empty() ? text : text + "\n";
 }
@@ -141,8 +145,12 @@ std::string verdict_text(const RecordingJudgement& judged) {
     add(sum(judged, &FrameJudgement::missed), "pair missed", "pairs missed");
     add(sum(judged, &FrameJudgement::false_pairs), "false pair", "false pairs");
     add(judged.odd.size() + judged.more_odd, "oddity", "oddities");
-    if (parts.empty()) return judged.wrong() ? "Wrong.\n\n" : "Sound.\n\n";
-    std::string text = "Wrong: ";
+    std::string text = judged.damage.empty() ? "" : "Not whole: " + judged.damage + "\n";
+    if (parts.empty())
+        return text + (judged.wrong()          ? "Wrong.\n\n"
+                       : judged.damage.empty() ? "Sound.\n\n"
+                                               : "What stands before that is sound.\n\n");
+    text += "Wrong: ";
     for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
     return text + ".\n\n";
 }
@@ -161,6 +169,13 @@ std::string results_text(const RecordingJudgement& judged) {
         text += "; " + count_text(judged.grazing) +
                 " touch within the engine's rounding, and are not judged";
     text += ".\n";
+    if (judged.not_looked_into > 0)
+        text += count_text(judged.not_looked_into) +
+                " more were not reported; of queries with so many, the first 100,000 were looked "
+                "into.\n";
+    if (judged.ended_early > 0)
+        text += count_text(judged.ended_early) + (judged.ended_early == 1 ? " query" : " queries") +
+                " ended early, or broke off: of what they did not come to, nothing is missed.\n";
     if (judged.self_queries > 0)
         text += "Of " +
                 counted(judged.self_queries, "query of a body against itself",
@@ -216,16 +231,19 @@ std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
     return "\nThe frames with the most errors, then with the most waste\n" + text;
 }
 
-Json group_json(const ProblemGroup& group) {
-    Json json = {{"what", group.what},
-                 {"count", group.count},
-                 {"frame", group.query.frame},
-                 {"bodies", {group.query.a, group.query.b}},
-                 {"first", group.first}};
-    if (group.nodes.a != no_index) json["nodes"] = {group.nodes.a, group.nodes.b};
-    if (group.items.a != no_index) json["triangles"] = {group.items.a, group.items.b};
-    if (group.event != no_index) json["event"] = group.event;
+Json case_json(const scenes::ProblemCase& one) {
+    Json json = {
+        {"frame", one.query.frame}, {"bodies", {one.query.a, one.query.b}}, {"words", one.words}};
+    if (one.nodes.a != no_index) json["nodes"] = {one.nodes.a, one.nodes.b};
+    if (one.items.a != no_index) json["triangles"] = {one.items.a, one.items.b};
+    if (one.test != no_index) json["test"] = one.test;
     return json;
+}
+
+Json group_json(const ProblemGroup& group) {
+    Json cases = Json::array();
+    for (const scenes::ProblemCase& one : group.cases) cases.push_back(case_json(one));
+    return {{"what", group.what}, {"count", group.count}, {"cases", std::move(cases)}};
 }
 
 Json groups_json(const std::vector<ProblemGroup>& groups) {
@@ -237,7 +255,7 @@ Json groups_json(const std::vector<ProblemGroup>& groups) {
 }  // namespace
 
 std::string recording_text(const RecordingJudgement& judged, const std::string& file,
-                           std::size_t top) {
+                           std::size_t top, std::size_t cases) {
     std::string text = file + (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
                        counted(judged.frames.size(), "frame", "frames") + ", " +
                        counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
@@ -250,9 +268,9 @@ std::string recording_text(const RecordingJudgement& judged, const std::string& 
                 "this.\n";
     if (!judged.poses.empty()) text += "\n";
     text += trees_text(judged, top) + tests_text(judged) +
-            groups_text("Tests that went wrong", judged.test_problems) + results_text(judged) +
-            groups_text("Missed pairs, by cause", judged.missed) +
-            groups_text("False pairs, by cause", judged.false_pairs) + waste_text(judged) +
+            groups_text("Tests that went wrong", judged.test_problems, cases) +
+            results_text(judged) + groups_text("Missed pairs, by cause", judged.missed, cases) +
+            groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
             frames_text(judged, top);
     for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
     if (judged.more_odd > 0) text += "Odd: " + count_text(judged.more_odd) + " more of the kind.\n";
@@ -299,6 +317,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["false"] = groups_json(judged.false_pairs);
     json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
     json["unjudged"] = judged.unjudged;
+    json["not_looked_into"] = judged.not_looked_into;
+    json["ended_early"] = judged.ended_early;
     json["unjudged_results"] = judged.self_queries + judged.unknown_items;
     json["grazing"] = judged.grazing;
     json["frames"] = Json::array();

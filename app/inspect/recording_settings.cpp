@@ -33,7 +33,7 @@ std::string counts_text(const Work& counts, const Work& of) {
                                    static_cast<double>(of.volume_tests))) +
            right_aligned(render::count_text(counts.triangle_tests), 12) +
            (of.triangle_tests == 0
-                ? ""
+                ? std::string(8, ' ')
                 : format("  %6.2f", ratio(static_cast<double>(counts.triangle_tests),
                                           static_cast<double>(of.triangle_tests))));
 }
@@ -88,15 +88,20 @@ std::string recording_settings_text(const RecordingSettings& settings) {
         render::frames_text(tuning.frames) + "\n";
     std::size_t width = character_count(settings.engine);
     const std::vector<std::size_t> rows = best_of_volumes(tuning);
+    const auto cost_of = [&tuning](std::size_t row) {
+        return static_cast<double>(estimated_cost(tuning.rows[row].counts));
+    };
     for (const std::size_t row : rows)
         width = std::max(width, character_count(setting_text(tuning.rows[row].setting)));
-    text += "  " + left_aligned("by cost", width) + "         N_v  /rec'd         N_p  /rec'd\n  " +
+    text += "  " + left_aligned("by cost", width) +
+            "         N_v  /rec'd         N_p  /rec'd    cost\n  " +
             left_aligned(settings.engine, width) +
             counts_text(settings.recorded, settings.recorded) + "\n";
     for (const std::size_t row : rows)
         text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
-                counts_text(tuning.rows[row].counts, settings.recorded) + "\n";
-    return text + "cost: " + cost_words + "\n  " + settings.command + "\n";
+                counts_text(tuning.rows[row].counts, settings.recorded) +
+                format("  %6.2f\n", cost_of(row) / cost_of(rows.front()));
+    return text + "cost, of the least: " + cost_words + "\n  " + settings.command + "\n";
 }
 
 nlohmann::ordered_json recording_settings_json(const RecordingSettings& settings) {

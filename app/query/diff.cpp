@@ -19,9 +19,9 @@ struct DiffOptions {
     bool json = false;
 };
 
-Json counts_json(const TraceCounts& a, const TraceCounts& b) {
+Json counts_json(const TraceDiff& d, const TraceCounts& a, const TraceCounts& b) {
     Json result;
-    for (const scenes::CountRow& row : scenes::count_rows(a, b)) {
+    for (const scenes::CountRow& row : scenes::count_rows(a, b, d.stages)) {
         const std::string name = row.name == "N_v"   ? "n_v"
                                  : row.name == "N_p" ? "n_p"
                                  : row.name == "N_u" ? "n_u"
@@ -38,7 +38,7 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
     for (const FrameDifference& frame : d.frames)
         frames.push_back({{"frame", frame.frame},
                           {"poses_differ", frame.poses_differ},
-                          {"counts", counts_json(frame.a, frame.b)}});
+                          {"counts", counts_json(d, frame.a, frame.b)}});
     Json lost = Json::array();
     for (const LostPair& pair : d.lost)
         lost.push_back(
@@ -60,7 +60,7 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
             {"only_in_b", d.only_in_b},
             {"common_frames", d.common},
             {"nodes_comparable", d.nodes_comparable},
-            {"sum", counts_json(d.sum_a, d.sum_b)},
+            {"sum", counts_json(d, d.sum_a, d.sum_b)},
             {"frames", frames},
             {"pairs_comparable", d.pairs_comparable},
             {"pairs_only_in_a", d.pairs_comparable ? Json(d.pairs_only_in_a) : Json()},
@@ -97,7 +97,8 @@ void add_diff(const Command& program, Action& action) {
         "Compares what was asked, then the frames that are in both, in the order of the tests. "
         "Exit "
         "status: 0 equal,\n"
-        "1 different, 2 a file is not a trace. The versions of scb are not compared.\n\n"
+        "1 different, 2 a file is neither a trace nor a recording. The versions of scb and the "
+        "names of recordings are not compared.\n\n"
         "Example:\n"
         "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbtrace\n"
         "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbtrace\n"

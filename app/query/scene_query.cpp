@@ -71,7 +71,11 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                              scene.name + "'; it has " + known + ".");
         chosen.push_back(i);
     }
-    if (chosen.size() != 2 || chosen[0] == chosen[1])
+    if (chosen.size() == 2 && chosen[0] == chosen[1])
+        throw InputError("The query is of " + scene.bodies[chosen[0]].name +
+                         " against itself, and this project's own are of two bodies; name two "
+                         "with --bodies.");
+    if (chosen.size() != 2)
         throw InputError("--bodies " + names + ": give two bodies, such as " +
                          scene.bodies[0].name + "," + scene.bodies.back().name + ".");
     return {chosen[0], chosen[1]};
@@ -86,6 +90,11 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.build = hierarchy.build();
     result.scene = scene.load();
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
+    for (const scenes::Body& body : result.scene.bodies)
+        if (result.scene.meshes[body.mesh].mesh.triangles.empty())
+            throw InputError(scene.names[0] + ": of the objects of '" + body.name +
+                             "' there are no triangles, and this program's hierarchies are of "
+                             "triangles; ask for what was recorded.");
     result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
     limits.apply(result.options, scenes::deepest(result.topologies));

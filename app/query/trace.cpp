@@ -170,6 +170,11 @@ void add_trace(const Command& program, const Console& console, Action& action) {
             const bool recorded = names.size() == 1 &&
                                   (scenes::names_trace(names[0]) ||
                                    (scenes::names_recording(names[0]) && options->output.empty()));
+            if (!recorded && options->scene.is_recording() && asks_for_recorded(given))
+                throw InputError(names[0] +
+                                 ": -o writes what this program's own query of its meshes and "
+                                 "poses does; say of which volumes with --volume, or print the "
+                                 "recorded query without -o.");
             return recorded ? print(*options, given) : record(*options, console);
         };
     });

@@ -9,6 +9,7 @@
 #include "core/base/text_format.h"
 #include "golden/suite/case_command.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/scene.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
@@ -202,6 +203,16 @@ class Reader {
     static void check_what_is_made(const scenes::JsonPlace& place, GoldenCase& golden,
                                    const Given& given) {
         const std::string run(golden_run_names[golden.run]);
+        const bool recording =
+            golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
+        if (golden.run == GoldenRun::external && !recording)
+            scenes::refuse(place,
+                           "`external` is of a recording, such as engine.scbrec, or of a `command` "
+                           "that makes one; give either.");
+        if (golden.run == GoldenRun::inspect && recording)
+            scenes::refuse(place,
+                           "`inspect` judges recordings, and makes no counts of them to compare; "
+                           "`external` compares those of the engine.");
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)

@@ -21,8 +21,7 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
 /// Whether a node's number means the same node in both, with the same volume.
 bool nodes_comparable(const ComparedQueries& queries) {
     const TraceHeader &a = *queries[0].header, &b = *queries[1].header;
-    if (a.engine && b.engine) return a.engine->trees == b.engine->trees;
-    return !a.engine && !b.engine && a.split == b.split && a.volume == b.volume;
+    return same_nodes(a, b) && (a.engine || a.volume == b.volume);
 }
 
 /// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.

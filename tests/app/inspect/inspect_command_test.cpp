@@ -250,11 +250,12 @@ TEST(InspectCommand, JudgesARecording) {
     EXPECT_EQ(judged["wrong"], true);
     ASSERT_EQ(judged["missed"].size(), 1u);
     EXPECT_EQ(judged["missed"][0]["what"], "rejected although the volumes overlap");
-    EXPECT_EQ(judged["missed"][0]["nodes"], nlohmann::json({0, 0}));
+    EXPECT_EQ(judged["missed"][0]["cases"][0]["nodes"], nlohmann::json({0, 0}));
 
     const std::string bytes = file_text(file);
     folder.write("cut.scbrec", bytes.substr(0, bytes.size() - 5));
     const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
+    EXPECT_EQ(cut.status, 2);
     EXPECT_NE(cut.err.find("cut.scbrec"), std::string::npos) << cut.err;
     const ProgramRun no_frame = run_scb("inspect " + file + " --frames 7");
     EXPECT_EQ(no_frame.status, 2);

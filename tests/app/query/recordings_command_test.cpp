@@ -102,13 +102,50 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
         EXPECT_EQ(of_recording["frames"][i]["tests"], of_trace["frames"][i]["tests"]);
         EXPECT_EQ(of_recording["frames"][i]["stages"], of_trace["frames"][i]["stages"]);
     }
-    EXPECT_EQ(run_scb("diff " + file + " " + file).status, 0);
+    // Neither a file's name nor how many frames it has makes its trees others.
+    const std::string copy = folder / "copy.scbrec";
+    std::filesystem::copy_file(file, copy);
+    EXPECT_EQ(run_scb("diff " + file + " " + copy).status, 0);
+    record("cone --frames 100 --volume obb");
+    const ProgramRun fewer = run_scb("diff --json " + file + " " + copy);
+    EXPECT_EQ(fewer.status, 1);
+    EXPECT_TRUE(json::parse(fewer.out)["nodes_comparable"]);
+    EXPECT_TRUE(json::parse(fewer.out)["frames"].empty());
+    EXPECT_NE(run_scb("diff " + file + " " + copy).out.find("\naxis-a0 "), std::string::npos);
+    std::filesystem::copy_file(copy, file, std::filesystem::copy_options::overwrite_existing);
     const ProgramRun apart = run_scb("diff --json " + file + " " + trace);
     EXPECT_EQ(apart.status, 1);
     const json differences = json::parse(apart.out);
     EXPECT_EQ(differences["pairs_only_in_a"], 0);
     EXPECT_EQ(differences["pairs_only_in_b"], 0);
     EXPECT_EQ(differences["nodes_comparable"], false);
+}
+
+TEST_F(RecordingCommands, WhatIsAboutOwnHierarchiesAsksForTheirVolume) {
+    record("cone --frames 100 --volume obb");
+    const std::string out = " -o " + folder / "own.scbtrace";
+    EXPECT_EQ(run_scb("trace " + file + out).status, 2);
+    EXPECT_EQ(run_scb("trace " + file + " --volume obb" + out).status, 0);
+    EXPECT_EQ(run_scb("explain " + file + " --pair 0,0").status, 2);
+    EXPECT_EQ(run_scb("explain " + file + " --volume obb --pair 0,0").status, 0);
+}
+
+TEST_F(RecordingCommands, OfOneThatBreaksOffWhatStandsBeforeIsJudged) {
+    record("cone --frames 60,100 --volume obb");
+    const ProgramRun whole = run_scb("inspect " + file);
+    EXPECT_EQ(whole.status, 0);
+    EXPECT_NE(whole.out.find("\nSound.\n"), std::string::npos);
+    const std::string bytes = file_text(file);
+    for (const double part : {0.3, 0.6, 0.9}) {
+        folder.write(
+            "cut.scbrec",
+            bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
+        const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
+        EXPECT_EQ(cut.out.find("Wrong"), std::string::npos) << cut.out;
+        EXPECT_NE(cut.status, 0);
+    }
+    folder.write("empty.scbrec", bytes.substr(0, 12));
+    EXPECT_EQ(run_scb("inspect " + folder / "empty.scbrec").status, 2);
 }
 
 TEST_F(RecordingCommands, ItStandsBesideOwnQueries) {
