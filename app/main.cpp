@@ -158,6 +158,7 @@ int run(int argc, char** argv) {
     add_render_pairs(Command(*render), console, action);
     add_render_rejections(Command(*render), console, action);
     add_render_traversal(Command(*render), console, action);
+    add_view(Command(program), console, action);
     add_inspect(Command(program), console, action);
     add_collide(Command(program), console, action);
     add_bench(Command(program), console, action);

@@ -34,5 +34,6 @@ void add_stats(const Command& program, const Console& console, Action& action);
 void add_convert(const Command& program, const Console& console, Action& action);
 void add_export(const Command& program, const Console& console, Action& action);
 void add_scenes(const Command& program, Action& action);
+void add_view(const Command& program, const Console& console, Action& action);
 
 }  // namespace scb::app

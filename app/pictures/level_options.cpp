@@ -35,6 +35,11 @@ void add_level_options(const Command& command, LevelOptions& options) {
         .show_default();
     add_picture_options(command, options.picture, options.camera);
     add_panel_option(command, options.picture);
+    add_level_look(command, options);
+    command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels");
+}
+
+void add_level_look(const Command& command, LevelOptions& options) {
     add_choice(command, "--color-by", options.color_by,
                optional_choices(choices_of(render::color_by_names), "auto"),
                "body, depth, radius, thickness, subtree, or the share of the surface that a volume "
@@ -46,7 +51,6 @@ void add_level_options(const Command& command, LevelOptions& options) {
                        "or 0.25 with --mesh");
     command.add_flag("--mesh", options.mesh, "Show the meshes, through translucent volumes");
     command.add_flag("--edges", options.edges, "Show the meshes with their edges");
-    command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels");
 }
 
 }  // namespace scb::app

@@ -35,5 +35,7 @@ struct LevelOptions {
 };
 
 void add_level_options(const Command& command, LevelOptions& options);
+/// Of these colors, opacity and meshes alone.
+void add_level_look(const Command& command, LevelOptions& options);
 
 }  // namespace scb::app

@@ -162,6 +162,15 @@ void add_picture_options(const Command& command, PictureOptions& options) {
     add_json(command, options);
 }
 
+void add_page_options(const Command& command, PictureOptions& options, CameraOptions& camera,
+                      const char* page) {
+    add_output_size(command, options, page);
+    command.get_option("--output").type_name("FILE.html");
+    command.get_option("--size").description("Size of the still picture in pixels");
+    add_view(command, options, camera);
+    add_drawing(command, options);
+}
+
 void add_figure_options(const Command& command, PictureOptions& options, const char* files) {
     add_output_size(command, options, files);
     add_drawing(command, options);

@@ -54,6 +54,9 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
 void add_panel_option(const Command& command, PictureOptions& options);
 /// Of pictures without a view of the scene: neither camera nor samples nor ids.
 void add_picture_options(const Command& command, PictureOptions& options);
+/// Of a page that has one picture in it: a file in place of the folder.
+void add_page_options(const Command& command, PictureOptions& options, CameraOptions& camera,
+                      const char* page);
 /// Of the pictures that go with tables into a folder: `files` says which, and without -o there are
 /// none.
 void add_figure_options(const Command& command, PictureOptions& options, const char* files);

@@ -4,6 +4,7 @@
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
+#include "app/pictures/level_bodies.h"
 #include "app/pictures/level_index.h"
 #include "app/pictures/level_options.h"
 #include "app/pictures/picture_name.h"
@@ -67,38 +68,6 @@ std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene,
     return text;
 }
 
-render::LevelStyle style_of(const LevelOptions& options, std::size_t bodies, int deepest_level,
-                            double root_diameter) {
-    render::LevelStyle style;
-    style.opacity = options.resolved_opacity();
-    style.mesh = options.mesh || options.edges || style.opacity < 1;
-    style.mesh_edges = options.edges;
-    style.theme = options.picture.theme();
-    style.colors = {options.resolved_color_by(bodies), deepest_level, root_diameter};
-    return style;
-}
-
-// `handles` is empty where no mesh is drawn.
-std::vector<render::LevelBody> bodies_of(const std::vector<scenes::BodyAtFrame>& bodies,
-                                         const std::vector<render::MeshHandle>& handles) {
-    std::vector<render::LevelBody> result;
-    std::uint32_t next_id = 1;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        render::LevelBody b;
-        b.name = bodies[i].name;
-        b.mesh = bodies[i].mesh.get();
-        if (!handles.empty()) b.handle = handles[i];
-        b.pose = bodies[i].pose;
-        b.tree = bodies[i].tree.get();
-        b.first_id = next_id;
-        if (b.tree->size() > 0xffffffffu - next_id)
-            throw InputError("the scene has more nodes than 32-bit ids; use fewer bodies.");
-        next_id += static_cast<std::uint32_t>(b.tree->size());
-        result.push_back(std::move(b));
-    }
-    return result;
-}
-
 // Its volumes are too large for a view to be shared with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
 
@@ -112,11 +81,7 @@ int run(const LevelOptions& options, const Console& console) {
     const std::vector<LevelTrees>& trees = subject.trees;
     const scenes::CameraView wish = camera_view_for(options.camera, scene);
     PictureRun pictures(options.picture, scene.name);
-    double root_diameter = 0;
-    for (const scenes::BodyAtFrame& body : trees[0].bodies)
-        root_diameter = std::max(root_diameter, render::root_diameter(*body.tree));
-    const render::LevelStyle style =
-        style_of(options, trees[0].bodies.size(), subject.deepest, root_diameter);
+    const render::LevelStyle style = level_style(options, trees[0].bodies, subject.deepest);
     std::vector<render::MeshHandle> handles;
     std::map<const Mesh*, render::MeshHandle> uploaded;  // lookups only
     if (style.mesh)
@@ -126,7 +91,7 @@ int run(const LevelOptions& options, const Console& console) {
             handles.push_back(handle->second);
         }
     std::vector<std::vector<render::LevelBody>> bodies;  // per kind
-    for (const LevelTrees& each : trees) bodies.push_back(bodies_of(each.bodies, handles));
+    for (const LevelTrees& each : trees) bodies.push_back(level_bodies(each.bodies, handles));
     const auto support_of = [&bodies](const std::vector<int>& shown) {
         std::vector<render::Support> of_kinds;
         for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));

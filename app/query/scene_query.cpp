@@ -71,12 +71,8 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                              scene.name + "'; it has " + known + ".");
         chosen.push_back(i);
     }
-    if (chosen.size() == 2 && chosen[0] == chosen[1])
-        throw InputError("The query is of " + scene.bodies[chosen[0]].name +
-                         " against itself, and this project's own are of two bodies; name two "
-                         "with --bodies.");
-    if (chosen.size() != 2)
-        throw InputError("--bodies " + names + ": give two bodies, such as " +
+    if (chosen.size() != 2 || chosen[0] == chosen[1])
+        throw InputError("--bodies " + names + ": give two bodies, and not one twice, such as " +
                          scene.bodies[0].name + "," + scene.bodies.back().name + ".");
     return {chosen[0], chosen[1]};
 }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "golden/compare/id_picture.h"
-#include "golden/report/base64.h"
 #include "golden/report/report_values.h"
+#include "render/files/base64.h"
 #include "render/files/image_file.h"
 #include "scb/error.h"
 
@@ -114,7 +114,7 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
             std::string(ids ? "who owns each pixel of " : "") + result.name + ", " + pane.title;
         // Every version is drawn at one scale, also where the sizes differ.
         if (pane.png) {
-            figure["url"] = "data:image/png;base64," + base64(pane.png->bytes);
+            figure["url"] = "data:image/png;base64," + render::base64(pane.png->bytes);
             figure["width"] = std::to_string(pane.png->width);
             figure["height"] = std::to_string(pane.png->height);
             figure["size"] =

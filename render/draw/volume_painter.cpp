@@ -15,6 +15,7 @@ SCB_DECLARE_EMBEDDED(scb2_frag)
 SCB_DECLARE_EMBEDDED(obb_frag)
 SCB_DECLARE_EMBEDDED(convex_vert)
 SCB_DECLARE_EMBEDDED(convex_frag)
+SCB_DECLARE_EMBEDDED(planes_glsl)
 SCB_DECLARE_EMBEDDED(polytope_frag)
 
 namespace scb::render {
@@ -53,9 +54,10 @@ VolumePainter::VolumePainter(const Gl& gl)
       obb_program_(gl, {SCB_EMBEDDED(volume_vert)},
                    {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                     SCB_EMBEDDED(obb_frag)}),
-      polytope_program_(gl, {SCB_EMBEDDED(volume_vert)},
-                        {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl),
-                         SCB_EMBEDDED(volume_glsl), SCB_EMBEDDED(polytope_frag)}),
+      polytope_program_(
+          gl, {SCB_EMBEDDED(volume_vert)},
+          {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
+           SCB_EMBEDDED(planes_glsl), SCB_EMBEDDED(polytope_frag)}),
       convex_program_(gl, {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(convex_vert)},
                       {SCB_EMBEDDED(eye_glsl), SCB_EMBEDDED(light_glsl), SCB_EMBEDDED(volume_glsl),
                        SCB_EMBEDDED(convex_frag)}),

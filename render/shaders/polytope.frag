@@ -1,7 +1,5 @@
 // Ray-casts a polytope exactly: v_a = center and about half its size; its planes, unit normals and distances from the
-// center, are v_tag.w of `planes` from v_tag.z on. Edges are drawn unless the highest bit of v_tag.w is set.
-uniform samplerBuffer planes;
-
+// center, are v_tag.w of `plane_at` from v_tag.z on. Edges are drawn unless the highest bit of v_tag.w is set.
 void main() {
     vec3 origin, ray;
     eye_ray(origin, ray);
@@ -13,7 +11,7 @@ void main() {
     float entry = -1e30, exit = 1e30;
     int entry_face = 0, exit_face = 0;
     for (int i = 0; i < count; ++i) {
-        vec4 face = texelFetch(planes, first + i);
+        vec4 face = plane_at(first + i);
         float slope = dot(face.xyz, ray), room = face.w - dot(face.xyz, q);
         if (abs(slope) < 1e-9) {
             if (room < 0.0) discard;
@@ -31,14 +29,14 @@ void main() {
     }
     float surface = pick_surface(entry, exit, closest, ray.z);
     int hit = surface == entry ? entry_face : exit_face;
-    vec3 p = q + surface * ray, normal = texelFetch(planes, first + hit).xyz;
+    vec3 p = q + surface * ray, normal = plane_at(first + hit).xyz;
     float depth = -(origin.z + (closest + surface) * ray.z);
     float size_of_pixel = pixel_size(depth), line = 0.0;
 
     // Edges: where another face is near, along this one.
     for (int i = 0; i < count; ++i) {
         if (i == hit || v_tag.w >= 0x80000000u) continue;
-        vec4 face = texelFetch(planes, first + i);
+        vec4 face = plane_at(first + i);
         float cosine = dot(face.xyz, normal), sine_squared = 1.0 - cosine * cosine;
         if (sine_squared < 1e-4) continue;
         float sine = sqrt(sine_squared);

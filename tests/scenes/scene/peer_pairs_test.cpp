@@ -117,7 +117,7 @@ class PeerPairs : public testing::TestWithParam<std::string> {};
 TEST_P(PeerPairs, AreFoundByEveryHierarchyTestAndDescentRule) {
     if (!has_model_file("peer_counts.tsv", "pairs against other libraries'")) GTEST_SKIP();
 #ifdef SCB_SANITIZED
-    if (load_mesh(models_folder() / (GetParam() + ".ply")).triangles.size() > 3'000)
+    if (load_mesh(models_folder() / (GetParam() + ".ply")).triangles.size() > 1'000)
         GTEST_SKIP() << "NOT TESTED: large meshes with sanitizers.";
 #endif
     std::map<std::string, BuiltMesh> meshes;

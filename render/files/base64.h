@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-namespace scb::golden {
+namespace scb::render {
 
 /// The bytes as text: base 64 of RFC 4648, section 4, with padding and without line ends.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-}  // namespace scb::golden
+}  // namespace scb::render

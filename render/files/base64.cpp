@@ -1,10 +1,10 @@
-#include "golden/report/base64.h"
+#include "render/files/base64.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
 
-namespace scb::golden {
+namespace scb::render {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
     constexpr std::string_view alphabet =
@@ -22,4 +22,4 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-}  // namespace scb::golden
+}  // namespace scb::render

@@ -5,8 +5,8 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const folder = process.env.REPORT_FOLDER;
-const screenshots = process.env.REPORT_SCREENSHOTS;
+const folder = process.env.PAGE_FOLDER;
+const screenshots = process.env.SCREENSHOTS;
 const hostile = `<script>alert('x')</script> & "more"`;
 
 let browser;

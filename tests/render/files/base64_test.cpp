@@ -1,11 +1,11 @@
-#include "golden/report/base64.h"
+#include "render/files/base64.h"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
 #include <vector>
 
-namespace scb::golden {
+namespace scb::render {
 namespace {
 
 std::string encoded(std::string_view text) {
@@ -35,4 +35,4 @@ TEST(Base64, UsesTheWholeAlphabetInOrder) {
 }
 
 }  // namespace
-}  // namespace scb::golden
+}  // namespace scb::render

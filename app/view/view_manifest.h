@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/query/level_trees.h"
+#include "render/figures/level_figure.h"
+#include "render/view/camera.h"
+#include "render/web/block_store.h"
+
+namespace scb::app {
+
+/// What the page of `scb view` begins with.
+struct ViewStart {
+    int level = 0;
+    render::LevelStyle style;
+    render::Camera camera;
+    double aspect = 1;           ///< width over height of the view that it is fitted to
+    Vec3 center = Vec3::Zero();  ///< of the scene
+    Vec3 up = Vec3::UnitZ();
+    std::string command;  ///< that draws the same picture, but for what is chosen in the page
+};
+
+/// What the blocks of a page mean, and what it begins with: see render/web/main.js. Adds the
+/// hierarchies, meshes and poses of all frames to the store.
+nlohmann::ordered_json view_manifest(const LevelSubject& subject, const ViewStart& start,
+                                     render::BlockStore& store);
+
+}  // namespace scb::app

@@ -1,0 +1,96 @@
+// Where one looks from. Axes are right, up and backward; `up` is the world's.
+class View {
+  constructor(told, up) {
+    this.up = up;
+    this.fov = told.fov;
+    this.aspect = told.aspect;
+    this.widen = 1;
+    this.axes = told.axes;
+    this.orthographic = told.orthographic;
+    const away = dot(subtract(told.center, told.position), scaled(-1, told.axes[2]));
+    this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-9);
+    this.target = subtract(told.position, scaled(told.orthographic ? away : this.distance, told.axes[2]));
+  }
+
+  // Half the height of the view at distance 1: a narrow pane still shows the width that was fitted.
+  get slope() {
+    return Math.tan((this.fov * Math.PI) / 360) * this.widen;
+  }
+  holdIn(width, height) {
+    this.widen = Math.max(1, (this.aspect * height) / width);
+  }
+  get position() {
+    return add(this.target, scaled(this.distance, this.axes[2]));
+  }
+  // World units per pixel at the target.
+  pixel(height) {
+    return (2 * this.distance * this.slope) / height;
+  }
+
+  orbit(x, y) {
+    let axes = this.axes.map((axis) => turned(axis, this.up, -x));
+    const tilted = axes.map((axis) => turned(axis, axes[0], -y));
+    // Not over the pole.
+    if (dot(tilted[1], this.up) > 0.01 || dot(tilted[1], this.up) > dot(axes[1], this.up)) axes = tilted;
+    this.axes = axes;
+  }
+  pan(x, y, height) {
+    const step = this.pixel(height);
+    this.target = add(this.target, add(scaled(-x * step, this.axes[0]), scaled(y * step, this.axes[1])));
+  }
+  zoom(factor) {
+    this.distance *= factor;
+  }
+  // Looks along a direction of the world.
+  along(direction) {
+    const backward = scaled(-1, direction);
+    const upright = Math.abs(dot(direction, this.up)) < 0.9 ? this.up : unit([this.up[1], this.up[2], this.up[0]]);
+    const right = unit(cross(upright, backward));
+    this.axes = [right, cross(backward, right), backward];
+  }
+  // Holds a ball.
+  fit(ball, aspect) {
+    this.target = ball.center;
+    const narrow = Math.atan(this.slope * Math.min(1, aspect));
+    this.distance = ball.radius / Math.sin(narrow);
+  }
+
+  // What shaders/eye.glsl wants, for a rectangle of the target, and how world points get into eye space.
+  eye(rectangle, lineScale, balls) {
+    const depths = balls.map((ball) => [dot(subtract(this.eyePoint, ball.center), this.axes[2]), ball.radius]);
+    const far = Math.max(...depths.map(([depth, radius]) => depth + radius), 1e-9) * 1.02;
+    const near = Math.max(Math.min(...depths.map(([depth, radius]) => depth - radius)) * 0.98, far * 1e-4);
+    const halfHeight = this.orthographic ? (this.distance * this.slope) / far : this.slope;
+    const [x, y, width, height] = rectangle;
+    return {
+      far,
+      uniforms: {
+        orthographic: this.orthographic ? 1 : 0,
+        half_view: [(halfHeight * width) / height, halfHeight],
+        near_plane: near / far,
+        target: [x, y, width, height],
+        pixel: (2 * halfHeight) / height,
+        line_scale: lineScale,
+      },
+    };
+  }
+  // An orthographic camera stands back far enough to see all.
+  get eyePoint() {
+    return this.orthographic ? add(this.target, scaled(this.standBack, this.axes[2])) : this.position;
+  }
+
+  // The rigid transformation of a body's frame into eye space, for points that count from `center`.
+  placement(pose, center, far) {
+    const rows = this.axes;
+    const columns = [0, 1, 2].map((i) => transposedTimes(rows, pose.rotation[i]));
+    const world = add(times(pose.rotation, center), pose.translation);
+    const origin = scaled(1 / far, transposedTimes(rows, subtract(world, this.eyePoint)));
+    return { to_eye: columns.flat(), origin, scale: 1 / far, columns };
+  }
+
+  // Degrees, as `--camera orbit` has them; where z is up.
+  get orbit_angles() {
+    const [x, y, z] = this.axes[2], degrees = (radians) => +((radians * 180) / Math.PI).toFixed(2);
+    return [degrees(Math.atan2(x, -y)), degrees(Math.asin(clamp(z, -1, 1)))];
+  }
+}

@@ -1,0 +1,197 @@
+// Draws panes: meshes and volumes by one camera, with the id of what each pixel shows.
+class Painter {
+  // `grids`: corners of triangles all over a sphere, of few to many volumes.
+  constructor(canvas, grids) {
+    const gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false, powerPreference: 'high-performance' });
+    if (!gl) throw new Error('no WebGL2');
+    this.canvas = canvas;
+    this.gl = gl;
+    this.size = [0, 0];
+    const volume = ['eye.glsl', 'light.glsl', 'volume.glsl'];
+    this.programs = {};
+    for (const shape of ['scb', 'scb2', 'box', 'polytope']) {
+      const fragment = [...volume, ...(shape === 'polytope' ? ['planes'] : []), `${shape}.frag`];
+      const define = `#define SHAPE SHAPE_${shape.toUpperCase()}\n`;
+      this.programs[shape] = new Program(gl, ['eye.glsl', 'volume.vert'], fragment, ['instance'], define);
+    }
+    this.programs.rounded = new Program(gl, ['eye.glsl', 'rounded.vert'], [...volume, 'rounded.frag'], ['instance', 'direction']);
+    this.meshProgram = new Program(gl, ['eye.glsl', 'mesh.vert'], ['eye.glsl', 'light.glsl', 'mesh.frag'], []);
+    this.instances = gl.createBuffer();
+    this.array = gl.createVertexArray();
+    this.grids = grids.map((corners) => {
+      const buffer = gl.createBuffer();
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+      return { buffer, count: corners.length / 3 };
+    });
+  }
+
+  // `samples`: target pixels per pixel of the canvas, in x and y.
+  resize(width, height, samples) {
+    const { gl } = this;
+    this.samples = samples;
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    const size = [width * samples, height * samples];
+    if (size[0] === this.size[0] && size[1] === this.size[1]) return;
+    this.size = size;
+    for (const texture of [this.color, this.ids]) if (texture) gl.deleteTexture(texture);
+    if (this.depth) gl.deleteRenderbuffer(this.depth);
+    this.target ??= gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+    const attach = (format, place) => {
+      const texture = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, format, ...size);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, place, gl.TEXTURE_2D, texture, 0);
+      return texture;
+    };
+    this.color = attach(gl.RGBA8, gl.COLOR_ATTACHMENT0);
+    this.ids = attach(gl.R32UI, gl.COLOR_ATTACHMENT1);
+    this.depth = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, ...size);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
+  }
+
+  draw(panes) {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.depthFunc(gl.LESS);
+    for (const pane of panes) {
+      gl.viewport(...pane.rectangle);
+      gl.scissor(...pane.rectangle);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(true);
+      gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
+      gl.clearBufferfv(gl.COLOR, 0, [...pane.background.map((c) => c / 255), 1]);
+      gl.clearBufferuiv(gl.COLOR, 1, [0, 0, 0, 0]);
+      gl.clearBufferfv(gl.DEPTH, 0, [1]);
+      for (const mesh of pane.meshes) this.drawMesh(pane, mesh);
+      this.drawVolumes(pane, pane.opaque, 1);
+      if (pane.translucent.count === 0) continue;
+      this.sort(pane, pane.translucent);
+      gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
+      gl.depthMask(false);
+      gl.enable(gl.BLEND);
+      gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+      this.drawVolumes(pane, pane.translucent, 2);
+      gl.disable(gl.BLEND);
+      gl.depthMask(true);
+      gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT1]);
+      this.drawVolumes(pane, pane.translucent, 1);
+    }
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target);
+    gl.readBuffer(gl.COLOR_ATTACHMENT0);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, ...this.size, 0, 0, this.canvas.width, this.canvas.height, gl.COLOR_BUFFER_BIT, gl.LINEAR);
+  }
+
+  // The id at a pixel of the canvas, from the top left.
+  idAt(x, y) {
+    const { gl, samples } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+    gl.readBuffer(gl.COLOR_ATTACHMENT1);
+    const id = new Uint32Array(1);
+    gl.readPixels(x * samples, this.size[1] - 1 - y * samples, 1, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, id);
+    return id[0];
+  }
+
+  // Triangles of their own, so that each is flat.
+  uploadMesh(positions, indices) {
+    const { gl } = this, count = indices.length, data = new Float32Array(6 * count);
+    for (let t = 0; t < count; t += 3) {
+      const p = [0, 1, 2].map((k) => [...positions.subarray(3 * indices[t + k], 3 * indices[t + k] + 3)]);
+      const n = cross(subtract(p[1], p[0]), subtract(p[2], p[0])), size = length(n);
+      for (let k = 0; k < 3; ++k) {
+        data.set(p[k], 6 * (t + k));
+        if (size > 0) data.set(scaled(1 / size, n), 6 * (t + k) + 3);
+      }
+    }
+    const array = gl.createVertexArray(), buffer = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    for (const i of [0, 1]) {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
+    }
+    return { array, count };
+  }
+
+  drawMesh(pane, { mesh, placement, color, edges, fade }) {
+    const { gl } = this, { columns: m, origin, scale } = placement;
+    this.meshProgram.use({
+      ...pane.eye.uniforms,
+      to_eye: [...m.map((column) => [...scaled(scale, column), 0]).flat(), ...origin, 1],
+      normal_to_eye: m.flat(),
+      colored: 0,
+      color: [...color.map((c) => c / 255), 1],
+      edges: edges ? 1 : 0,
+      hatched: 0,
+      first_id: 0,
+      shading: 1,
+      fade: [...pane.background.map((c) => c / 255), fade],
+    });
+    gl.bindVertexArray(mesh.array);
+    gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
+  }
+
+  // Far to near, of equal distances by id: `list` is in runs of one tree and shape.
+  sort(pane, list) {
+    const depth = new Float64Array(list.count), backward = pane.view.axes[2];
+    let next = 0;
+    const of = new Uint32Array(list.count), words = list.words;
+    list.groups.forEach((group, g) => {
+      const axis = transposedTimes(group.pose.rotation, backward), at = dot(add(times(group.pose.rotation, group.tree.told.center), group.pose.translation), backward);
+      for (let i = 0; i < group.count; ++i, ++next) {
+        const { numbers } = group.tree.volume(words[3 * next]);
+        depth[next] = at + dot(axis, numbers);
+        of[next] = g;
+      }
+    });
+    const order = Uint32Array.from({ length: list.count }, (_, i) => i);
+    order.sort((a, b) => depth[a] - depth[b] || words[3 * a + 2] - words[3 * b + 2]);
+    const sorted = new Uint32Array(words.length), runs = [];
+    order.forEach((from, to) => {
+      sorted.set(words.subarray(3 * from, 3 * from + 3), 3 * to);
+      const group = list.groups[of[from]];
+      if (runs.at(-1)?.group === group) ++runs.at(-1).count;
+      else runs.push({ group, first: to, count: 1 });
+    });
+    Object.assign(list, { drawn: sorted, runs });
+  }
+
+  drawVolumes(pane, list, sides) {
+    const { gl } = this;
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.instances);
+    gl.bufferData(gl.ARRAY_BUFFER, list.drawn ?? list.words, gl.STREAM_DRAW);
+    let first = 0;
+    const runs = list.runs ?? list.groups.map((group) => ({ group, first: (first += group.count) - group.count, count: group.count }));
+    for (const { group, first: at, count } of runs) {
+      const shape = shapeNames[group.shape], { placement } = group;
+      this.programs[shape].use({ ...pane.eye.uniforms, to_eye: placement.to_eye, origin: placement.origin, scale: placement.scale, volumes: 0, extras: 1, sides });
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, group.tree.volumeTexture);
+      gl.activeTexture(gl.TEXTURE1);
+      gl.bindTexture(gl.TEXTURE_2D, group.tree.extraTexture);
+      gl.bindBuffer(gl.ARRAY_BUFFER, this.instances);
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribIPointer(0, 3, gl.UNSIGNED_INT, 12, 12 * at);
+      gl.vertexAttribDivisor(0, sides);
+      if (shape === 'rounded') {
+        const grid = this.grids[list.count <= 100 ? 0 : list.count <= 4000 ? 1 : 2];  // as pictures do
+        gl.bindBuffer(gl.ARRAY_BUFFER, grid.buffer);
+        gl.enableVertexAttribArray(1);
+        gl.vertexAttribPointer(1, 3, gl.FLOAT, false, 0, 0);
+        gl.drawArraysInstanced(gl.TRIANGLES, 0, grid.count, count * sides);
+        gl.disableVertexAttribArray(1);
+      } else {
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count * sides);
+      }
+    }
+  }
+}

@@ -1,0 +1,182 @@
+// What is beside the scene. Text from files is set as text, never as markup.
+const element = (name, properties = {}, ...children) => {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties))
+    if (key.startsWith('aria-') || key === 'for' || key === 'role') made.setAttribute(key, value);
+    else made[key] = value;
+  made.append(...children);
+  return made;
+};
+const counted = (n) => n.toLocaleString('en-US');
+const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.toExponential(4) : String(+x.toPrecision(6)));
+const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
+
+const keys = [
+  ['arrows', 'turn; with Shift, move'],
+  ['+ −', 'nearer, farther'],
+  ['[ ]', 'one level up, down'],
+  [', .', 'one frame back, on'],
+  ['Space', 'play the frames'],
+  ['X Y Z', 'look along an axis; with Shift, from the other side'],
+  ['F', 'fit'],
+  ['O', 'orthographic or perspective'],
+  ['M', 'the meshes'],
+  ['E', 'edges of the meshes'],
+  ['T', 'light or dark'],
+  ['P', 'the parent of the node'],
+  ['C', 'its first child'],
+  ['N', 'its next sibling'],
+  ['I', 'only what is below the node'],
+  ['/', 'search a node'],
+  ['S', 'save a PNG'],
+  ['Esc', 'no node'],
+  ['H', 'this help'],
+];
+
+class Panel {
+  constructor(app) {
+    this.app = app;
+    this.root = document.getElementById('panel');
+    const { manifest } = app, { state } = app;
+    this.level = this.slider('Level', 0, app.depth, () => state.level, (value) => app.set({ level: value }));
+    this.bodyLevels = manifest.bodies.length > 1
+      ? manifest.bodies.map((body, i) => this.slider(body.name, 0, app.depth, () => state.levels[i] ?? state.level, (value) => app.set({ levels: { ...state.levels, [i]: value } })))
+      : [];
+    this.opacity = this.slider('Opacity', 0, 100, () => Math.round(100 * state.opacity), (value) => app.set({ opacity: value / 100 }), '%');
+    this.frame = manifest.frames.length > 1
+      ? this.slider('Frame', 0, manifest.frames.length - 1, () => state.at, (value) => app.set({ at: value }), '', () => String(manifest.frames[state.at]))
+      : null;
+    this.buttons = [];
+    const button = (text, title, act, pressed) => {
+      const made = element('button', { type: 'button', textContent: text, title });
+      made.addEventListener('click', act);
+      if (pressed) this.buttons.push(() => made.setAttribute('aria-pressed', pressed() ? 'true' : 'false'));
+      return made;
+    };
+    const toggle = (text, key) => button(text, '', () => app.set({ [key]: !state[key] }), () => state[key]);
+    this.search = element('input', { type: 'search', placeholder: manifest.bodies.length > 1 ? 'node, or body:node' : 'node', spellcheck: false });
+    this.search.setAttribute('aria-label', 'Search a node by its number');
+    this.search.addEventListener('keydown', (event) => {
+      event.stopPropagation();
+      if (event.key === 'Enter') app.find(this.search.value);
+      if (event.key === 'Escape') app.canvas.focus();
+    });
+    this.numbers = element('div');
+    this.node = element('div', { 'aria-live': 'polite' });
+    this.command = element('code');
+    this.legend = element('div');
+    this.root.append(
+      ...[
+        element('h2', { textContent: 'Levels' }), this.level, ...(this.bodyLevels.length ? [element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...this.bodyLevels)] : []),
+        this.numbers,
+        ...(this.frame ? [element('h2', { textContent: 'Frames' }), this.frame, element('div', { className: 'row' }, button('Play', 'Space', () => app.play(), () => app.playing))] : []),
+        element('h2', { textContent: 'Look' }), this.opacity,
+        element('div', { className: 'row' }, toggle('Meshes', 'mesh'), toggle('Edges', 'edges'), toggle('Orthographic', 'orthographic'),
+          button('Dark', '', () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }), () => state.theme === 'dark')),
+        element('div', { className: 'row' }, button('Fit', 'F', () => app.fit()), ...['x', 'y', 'z'].map((axis, i) => button(axis.toUpperCase(), `Look along ${axis}`, () => app.along(i, 1))),
+          button('PNG', 'Save what is seen', () => app.save()), button('Keys', 'H', () => app.help())),
+        element('h2', { textContent: 'Color' }), this.legend,
+        element('h2', { textContent: 'Node' }), element('label', {}, element('span', { textContent: 'Search' }), this.search), this.node,
+        element('h2', { textContent: 'A picture from this side, by scb' }), this.command,
+      ],
+    );
+    const help = document.getElementById('help');
+    help.append(element('h2', { textContent: 'Keys' }), element('table', {}, ...keys.map(([key, what]) => element('tr', {}, element('td', {}, element('kbd', { textContent: key })), element('td', { textContent: what })))),
+      element('p', { className: 'faint', textContent: 'Drag to turn, with Shift or the right button to move, wheel or pinch to zoom. Click a volume to ask about it.' }),
+      element('form', { method: 'dialog' }, element('button', { textContent: 'Close' })));
+    this.drawLegend();
+  }
+
+  slider(text, least, most, read, write, unitText = '', words = null) {
+    const input = element('input', { type: 'range', min: least, max: most, step: 1 }), output = element('output');
+    input.setAttribute('aria-label', text);
+    const made = element('label', {}, element('span', { textContent: text }), input, output);
+    input.addEventListener('input', () => write(Number(input.value)));
+    made.update = () => {
+      input.value = read();
+      output.textContent = words ? words() : read() + unitText;
+      input.setAttribute('aria-valuetext', output.textContent);
+    };
+    return made;
+  }
+
+  drawLegend() {
+    const { manifest } = this.app, { legend } = manifest;
+    if (!legend) {
+      this.legend.append(...manifest.bodies.map((body) => element('div', {}, this.key(body.color), body.name)));
+      return;
+    }
+    const bar = element('div', { className: 'scale' });
+    bar.style.background = `linear-gradient(to right, ${legend.stops.map(css).join(',')})`;
+    const ticks = element('div', { className: 'ticks' });
+    for (const [at, text] of legend.ticks) {
+      const tick = element('span', { textContent: text });
+      tick.style.left = `${100 * at}%`;
+      ticks.append(tick);
+    }
+    this.legend.append(element('div', { className: 'faint', textContent: legend.title }), bar, ticks);
+  }
+
+  key(color) {
+    const made = element('span', { className: 'key' });
+    made.style.background = css(color);
+    return made;
+  }
+
+  table(rows) {
+    return element('table', {}, ...rows.map(([name, value]) => element('tr', {}, element('td', { textContent: name }), element('td', {}, value))));
+  }
+
+  update() {
+    for (const slider of [this.level, ...this.bodyLevels, this.opacity, ...(this.frame ? [this.frame] : [])]) slider.update();
+    for (const update of this.buttons) update();
+    this.numbers.replaceChildren(this.table(this.app.counts()));
+    this.command.textContent = this.app.command();
+    const { selected } = this.app.state;
+    if (selected) this.showNode(selected);
+    else this.node.replaceChildren(element('p', { className: 'faint', textContent: 'Click a volume, or search its number.' }));
+  }
+
+  showNode({ body, slot }) {
+    const { app } = this, { manifest } = app;
+    const link = (to) => {
+      const made = element('button', { type: 'button', textContent: app.treeOf(0, body).order[to] });
+      made.addEventListener('click', () => app.select(body, to));
+      return made;
+    };
+    const tree = app.treeOf(0, body), depth = tree.levelOf(slot), chain = [];
+    for (let at = tree.parent[slot]; at >= 0; at = tree.parent[at]) chain.unshift(at);
+    const children = Array.from({ length: Math.min(tree.children[slot], 8) }, (_, i) => tree.firstChild[slot] + i);
+    const rows = [
+      ['body', manifest.bodies[body].name],
+      ['node', String(tree.order[slot])],
+      ['depth', String(depth)],
+    ];
+    const parts = [this.table(rows)];
+    manifest.kinds.forEach((kind, k) => {
+      const of = app.treeOf(k, body);
+      if (of.levels.length > depth) parts.push(element('div', { className: 'faint', textContent: kind.title }), this.table(numbersText(of.volume(slot), of.told.center)));
+    });
+    if (chain.length) parts.push(element('div', { className: 'faint', textContent: 'Above, from the root' }), element('div', { className: 'row' }, ...chain.slice(-12).map(link)));
+    parts.push(element('div', { className: 'faint', textContent: tree.children[slot] ? `Children: ${counted(tree.children[slot])}` : 'A leaf' }), element('div', { className: 'row' }, ...children.map(link)));
+    const only = element('button', { type: 'button', textContent: 'Only what is below it' });
+    only.setAttribute('aria-pressed', app.state.isolated ? 'true' : 'false');
+    only.addEventListener('click', () => app.set({ isolated: !app.state.isolated }));
+    parts.push(element('div', { className: 'row' }, only));
+    this.node.replaceChildren(...parts);
+  }
+}
+
+// The numbers of a volume as its type has them, in the body's frame.
+function numbersText({ shape, numbers, extras }, center) {
+  const n = Array.from(numbers), point = (i) => n.slice(i, i + 3).map(short).join(', ');
+  const at = add(n.slice(0, 3), center).map(short).join(', ');
+  switch (shapeNames[shape]) {
+    case 'scb': return n[8] <= -n[3] && n[7] >= n[3] ? [['c', at], ['r', short(n[3])]] : [['c', at], ['r', short(n[3])], ['n', point(4)], ['e', short(n[7])], ['f', short(n[8])], ['e − f', short(n[7] - n[8])]];
+    case 'scb2': return [['c', at], ['r', short(n[3])], ['n1', point(4)], ['e1, f1', `${short(n[7])}, ${short(n[12])}`], ['n2', point(8)], ['e2, f2', `${short(n[11])}, ${short(n[13])}`]];
+    case 'box': return [['center', at], ['half sides', [n[3], n[7], n[11]].map(short).join(', ')], ['axis 1', point(4)], ['axis 2', point(8)]];
+    case 'polytope': return [['center', at], ['planes', counted(extras & 0x7fffffff)]];
+    case 'rounded': return [['center', at], ['rounding', short(n[4])], ['points of the core', counted(extras)]];
+    default: return [['volume', 'none']];
+  }
+}

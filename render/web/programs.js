@@ -1,0 +1,66 @@
+// What the sources of the pictures' shaders need in front of them here.
+const preamble = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+#define SHAPE_SCB 1
+#define SHAPE_SCB2 2
+#define SHAPE_BOX 3
+#define SHAPE_POLYTOPE 4
+`;
+// Planes of polytopes are in the frame of their tree here.
+const planes = `
+uniform sampler2D extras;
+uniform mat3 to_eye;
+uniform float scale;
+vec4 plane_at(int index) {
+    vec4 plane = texelFetch(extras, ivec2(index & 2047, index >> 11), 0);
+    return vec4(to_eye * plane.xyz, scale * plane.w);
+}
+`;
+
+class Program {
+  constructor(gl, vertex, fragment, attributes, define = '') {
+    this.gl = gl;
+    this.name = gl.createProgram();
+    const text = (part) => (part === 'planes' ? planes : document.getElementById(part).textContent);
+    for (const [stage, parts] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(stage);
+      gl.shaderSource(shader, preamble + define + parts.map(text).join('\n'));
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(this.name, shader);
+    }
+    attributes.forEach((name, i) => gl.bindAttribLocation(this.name, i, name));
+    gl.linkProgram(this.name);
+    if (!gl.getProgramParameter(this.name, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(this.name));
+    this.places = new Map();
+    const count = gl.getProgramParameter(this.name, gl.ACTIVE_UNIFORMS);
+    for (let i = 0; i < count; ++i) {
+      const { name, type } = gl.getActiveUniform(this.name, i);
+      this.places.set(name, { type, at: gl.getUniformLocation(this.name, name) });
+    }
+  }
+
+  use(values) {
+    this.gl.useProgram(this.name);
+    for (const [name, value] of Object.entries(values)) this.set(name, value);
+  }
+
+  // Uniforms that a shader has no use for are not there.
+  set(name, value) {
+    const { gl } = this, place = this.places.get(name);
+    if (!place) return;
+    switch (place.type) {
+      case gl.INT: case gl.SAMPLER_2D: case gl.UNSIGNED_INT_SAMPLER_2D: return gl.uniform1i(place.at, value);
+      case gl.UNSIGNED_INT: return gl.uniform1ui(place.at, value);
+      case gl.FLOAT: return gl.uniform1f(place.at, value);
+      case gl.FLOAT_VEC2: return gl.uniform2fv(place.at, value);
+      case gl.FLOAT_VEC3: return gl.uniform3fv(place.at, value);
+      case gl.FLOAT_VEC4: return gl.uniform4fv(place.at, value);
+      case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(place.at, false, value);
+      case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(place.at, false, value);
+      default: throw new Error(`uniform ${name}`);
+    }
+  }
+}

@@ -1,0 +1,128 @@
+const shapeNames = ['none', 'scb', 'scb2', 'box', 'polytope', 'rounded'];
+const numbersOf = [0, 9, 14, 12, 4, 5];  // of WebShape, see tree_blocks.h
+const texelWidth = 2048;
+
+// A hierarchy. Its nodes are in the order of their levels; a level is unpacked when it is shown. "Slot" is a node's place in this
+// order, "node" its number for the user.
+class Tree {
+  constructor(gl, blocks, told) {
+    Object.assign(this, { gl, blocks, told });
+    this.start = [0];
+    for (const level of told.levels) this.start.push(this.start.at(-1) + level.count);
+    this.depth = told.levels.length - 1;
+    this.levels = [];  // those that are unpacked: a prefix
+    this.loading = Promise.resolve();
+  }
+
+  // Who hangs from whom. Needed before all else.
+  async open() {
+    this.order = await this.blocks.get(this.told.order);
+    this.children = await this.blocks.get(this.told.children);
+    const count = this.order.length;
+    this.firstChild = new Uint32Array(count);
+    this.parent = new Int32Array(count).fill(-1);
+    let next = this.told.levels.length > 0 ? this.told.levels[0].count : 0;
+    for (let slot = 0; slot < count; ++slot) {
+      this.firstChild[slot] = next;
+      for (let i = 0; i < this.children[slot]; ++i) this.parent[next++] = slot;
+    }
+    this.slots = new Map();
+  }
+
+  slotOf(node) {
+    if (this.slots.size === 0) this.order.forEach((number, slot) => this.slots.set(number, slot));
+    return this.slots.get(node) ?? -1;
+  }
+
+  levelOf(slot) {
+    let level = 0;
+    while (this.start[level + 1] <= slot) ++level;
+    return level;
+  }
+
+  // Unpacks all levels down to this one, one after the other.
+  load(level) {
+    const last = Math.min(level, this.depth);
+    this.loading = this.loading.then(async () => {
+      if (this.levels.length > last) return;
+      while (this.levels.length <= last) this.levels.push(await this.unpack(this.levels.length));
+      this.upload();
+    });
+    return this.loading;
+  }
+
+  async unpack(depth) {
+    const told = this.told.levels[depth], { count } = told;
+    const shapes = await this.blocks.get(told.shapes), numbers = await this.blocks.get(told.numbers);
+    const colors = await this.blocks.get(told.colors);
+    const extras = 'extras' in told ? await this.blocks.get(told.extras) : null;
+    const extraTexels = extras ? await this.blocks.get(told.texels) : new Float32Array(0);
+    for (const name of ['shapes', 'numbers', 'colors', 'extras', 'texels']) this.blocks.forget(told[name]);
+    const firstExtra = this.levels.reduce((sum, level) => sum + level.extraTexels.length / 4, 0);
+    const texels = new Float32Array(16 * count), offsets = new Uint32Array(count);
+    for (let i = 0, at = 0, extra = firstExtra; i < count; ++i) {
+      const shape = shapes[i], n = numbersOf[shape];
+      offsets[i] = at;
+      texels.set(numbers.subarray(at, at + n), 16 * i);
+      at += n;
+      if (!extras) continue;
+      const many = extras[i] & 0x7fffffff;
+      if (many > 0) texels.set([extra, many, extras[i] >>> 31], 16 * i + 12);
+      extra += many;
+    }
+    return { shapes, numbers, offsets, colors, texels, extraTexels };
+  }
+
+  texture(unit, arrays) {
+    const { gl } = this, floats = arrays.reduce((sum, array) => sum + array.length, 0);
+    const rows = Math.max(1, Math.ceil(floats / 4 / texelWidth));
+    if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error('This level has more volumes than the graphics system can hold.');
+    const all = new Float32Array(4 * texelWidth * rows);
+    let at = 0;
+    for (const array of arrays) {
+      all.set(array, at);
+      at += array.length;
+    }
+    const texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, texelWidth, rows);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, texelWidth, rows, gl.RGBA, gl.FLOAT, all);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return texture;
+  }
+
+  upload() {
+    const { gl } = this;
+    for (const old of [this.volumeTexture, this.extraTexture]) if (old) gl.deleteTexture(old);
+    this.volumeTexture = this.texture(0, this.levels.map((level) => level.texels));
+    this.extraTexture = this.texture(1, this.levels.map((level) => level.extraTexels));
+  }
+
+  // The slots that cover the body at a level: its nodes, and the leaves above; or of them those below a node.
+  cover(level, root = -1) {
+    const slots = [], last = Math.min(level, this.depth);
+    for (let depth = 0; depth <= last; ++depth)
+      for (let slot = this.start[depth]; slot < this.start[depth + 1]; ++slot)
+        if (depth === last || this.children[slot] === 0) if (root < 0 || this.isBelow(slot, root)) slots.push(slot);
+    return slots;
+  }
+
+  isBelow(slot, root) {
+    while (slot > root) slot = this.parent[slot];
+    return slot === root;
+  }
+
+  // Shape, numbers and color of a slot whose level is unpacked.
+  volume(slot) {
+    const depth = this.levelOf(slot), level = this.levels[depth], i = slot - this.start[depth];
+    const shape = level.shapes[i], at = level.offsets[i];
+    return {
+      shape,
+      numbers: level.numbers.subarray(at, at + numbersOf[shape]),
+      color: level.colors.subarray(3 * i, 3 * i + 3),
+      extras: level.texels[16 * i + 13],
+    };
+  }
+}

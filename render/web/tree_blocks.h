@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+
+#include "core/hierarchy/volume_tree.h"
+#include "render/view/palette.h"
+#include "render/web/block_store.h"
+
+namespace scb::render {
+
+/// How a volume is drawn in a browser; what its numbers are, in the tree's frame, with centers from
+/// TreeBlocks::center.
+enum class WebShape : std::uint8_t {
+    none,      ///< the node has no volume
+    scb,       ///< c, r, n, e, f: 9 numbers; of a ball e = r, f = -r
+    scb2,      ///< c, r, n, e, n, e, f, f: 14
+    box,       ///< center, half, axis, half, axis, half: 12
+    polytope,  ///< center, the radius of a ball about all of it; its planes are extra
+    rounded,   ///< center, the radius of such a ball, rounding; the points of its core are extra
+};
+
+/// The nodes of one depth.
+struct LevelBlocks {
+    std::size_t count = 0;
+    // Numbers of blocks. Of each node:
+    std::size_t shapes = 0;   ///< its WebShape, u8
+    std::size_t numbers = 0;  ///< those of its shape, one node after the other, f32
+    std::size_t extras = 0;   ///< how many planes or points it has, u32
+    std::size_t texels = 0;   ///< these, four f32 each: unit normal and offset; point and 0
+    std::size_t colors = 0;   ///< red, green, blue, u8
+    bool has_extras = false;  ///< else there are no blocks of that name
+};
+
+/// A tree by its levels, from the root down: a page that shows the first ones unpacks no others.
+struct TreeBlocks {
+    Vec3 center = Vec3::Zero();  ///< what all centers count from, so that 32 bits are enough
+    std::size_t nodes = 0;       ///< in the tree; those that no root leads to are left out
+    std::size_t order = 0;  ///< number of a block: the nodes' indices, level by level, and within a
+                            ///< level child after child of node after node, u32
+    std::size_t children = 0;  ///< in this order how many children each has, u32
+    std::vector<LevelBlocks> levels;
+};
+
+/// `color` says that of a node.
+TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::uint32_t)>& color,
+                       BlockStore& store);
+
+}  // namespace scb::render

@@ -1,0 +1,314 @@
+// Opens pages of `scb view` as files, as a reader would, and uses everything on them.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { inflateSync } from 'node:zlib';
+import { chromium } from 'playwright-core';
+
+const folder = process.env.PAGE_FOLDER;
+const screenshots = process.env.SCREENSHOTS;
+const scb = (...words) => execFileSync(process.env.SCB, ['--quiet', ...words], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM,
+    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+  });
+});
+after(() => browser?.close());
+
+const made = new Map();
+// The page that the options give; each is made once.
+function page_of(...options) {
+  const key = options.join(' ');
+  if (!made.has(key)) {
+    made.set(key, join(folder, `page-${made.size}.html`));
+    scb('view', ...options, '-o', made.get(key));
+  }
+  return made.get(key);
+}
+
+// Runs `body` with a page; any request but for the file itself and data, and any message of the console, is a failure.
+async function onPage(file, { hash = '', ...options }, body) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true, ...options });
+  const page = await context.newPage(), wrong = [], main = pathToFileURL(file).href;
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(main)) wrong.push(`request: ${request.url()}`);
+  });
+  page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
+  page.on('console', (message) => wrong.push(`console: ${message.text()}`));
+  page.on('dialog', (dialog) => {
+    wrong.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  await page.goto(main + hash);
+  if (options.javaScriptEnabled !== false) await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+  await body(page, context);
+  // What software rendering says of itself is no fault of the page.
+  assert.deepEqual(wrong.filter((text) => !/GPU stall due to ReadPixels|software WebGL/i.test(text)), []);
+  await context.close();
+}
+
+const settled = (page) => page.evaluate(() => document.getElementById('canvas').app.refresh().then(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))));
+const state = (page) => page.evaluate(() => ({ ...document.getElementById('canvas').app.state }));
+const address = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+async function press(page, ...keys) {
+  for (const key of keys) await page.locator('#canvas').press(key);
+  await settled(page);
+}
+async function shot(page, name) {
+  if (screenshots) await page.screenshot({ path: join(screenshots, `view-${name}.png`) });
+}
+// What the canvas shows: its pixels as text.
+const seen = (page) => page.evaluate(() => {
+  const { app } = document.getElementById('canvas');
+  app.draw();
+  const { gl } = app.painter, [width, height] = app.painter.size, pixels = new Uint8Array(4 * width * height);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, app.painter.target);
+  gl.readBuffer(gl.COLOR_ATTACHMENT0);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let text = '';
+  for (let i = 0; i < pixels.length; i += 4 * 97) text += String.fromCharCode(32 + (pixels[i] >> 2), 32 + (pixels[i + 1] >> 2));
+  return text;
+});
+const share_of_differences = (a, b) => [...a].filter((c, i) => c !== b[i]).length / Math.max(a.length, b.length);
+
+// The four bytes of each pixel of a PNG file without interlacing, of 8 bits a channel.
+function read_png(path) {
+  const bytes = readFileSync(path), width = bytes.readUInt32BE(16), height = bytes.readUInt32BE(20), channels = bytes[25] === 6 ? 4 : 3;
+  const parts = [];
+  for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at))
+    if (bytes.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at)));
+  const lines = inflateSync(Buffer.concat(parts)), pixels = new Uint8Array(4 * width * height), row = channels * width;
+  const above = (x, y, i) => (y > 0 && x >= 0 ? pixels[4 * ((y - 1) * width + x) + i] : 0);
+  for (let y = 0, at = 0; y < height; ++y) {
+    const filter = lines[at++];
+    for (let k = 0; k < row; ++k) {
+      const x = Math.floor(k / channels), i = k % channels, a = x > 0 ? pixels[4 * (y * width + x - 1) + i] : 0, b = above(x, y, i), c = above(x - 1, y, i);
+      const p = a + b - c, near = [a, b, c].sort((u, v) => Math.abs(p - u) - Math.abs(p - v))[0];
+      const paeth = Math.abs(p - a) <= Math.abs(p - b) && Math.abs(p - a) <= Math.abs(p - c) ? a : Math.abs(p - b) <= Math.abs(p - c) ? b : near;
+      pixels[4 * (y * width + x) + i] = lines[at++] + [0, a, b, (a + b) >> 1, paeth][filter];
+    }
+  }
+  return { width, height, ids: Array.from({ length: width * height }, (_, i) => (pixels[4 * i] | (pixels[4 * i + 1] << 8) | (pixels[4 * i + 2] << 16)) >>> 0) };
+}
+
+// Every pixel's node, in the page and in the picture's id buffer, by the same camera.
+for (const [scene, level, ...options] of [
+  ['spheres-l1', 6, '--volume', 'scb'],
+  ['knots-l1', 5, '--volume', 'obb'],
+  ['cone', 7, '--volume', 'scb2'],
+  ['spheres-l1', 4, '--volume', 'dop14'],
+  ['cone', 6, '--volume', 'rss'],
+  ['knots-l1', 7, '--volume', 'ball'],
+]) {
+  test(`the id of each pixel is that of the picture: ${scene} ${options.join(' ')}`, async () => {
+    const camera = ['--camera', 'orbit:30,20,4', '--frames', '0'], size = [320, 240];
+    const out = join(folder, `ids-${scene}-${options[1]}`);
+    mkdirSync(out);
+    scb('render', 'levels', scene, ...options, ...camera, '--levels', String(level), '--size', size.join('x'), '--no-panel', '--samples', '1', '--ids', '-o', out);
+    const picture = read_png(join(out, readdirSync(out).find((name) => /ids.*\.png$/.test(name))));
+    await onPage(page_of(scene, ...options, ...camera, '--level', String(level)), {}, async (page) => {
+      const ids = await page.evaluate(async ([width, height]) => {
+        const canvas = document.getElementById('canvas'), { app } = canvas;
+        canvas.style.width = `${width}px`;
+        canvas.style.height = `${height}px`;
+        app.view.aspect = 0;
+        app.painter.resize(width, height, 1);
+        const resize = app.painter.resize.bind(app.painter);
+        app.painter.resize = () => resize(width, height, 1);
+        app.draw();
+        const { gl } = app.painter, all = new Uint32Array(width * height);
+        app.painter.idAt(0, 0);  // binds the ids
+        gl.readPixels(0, 0, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, all);
+        const ids = Array.from({ length: width * height }, (_, i) => all[(height - 1 - Math.floor(i / width)) * width + (i % width)]);
+        for (let i = 0; i < ids.length; i += 997)
+          if (app.painter.idAt(i % width, Math.floor(i / width)) !== ids[i]) throw new Error(`pixel ${i}`);
+        return ids;
+      }, size);
+      assert.equal(ids.length, picture.ids.length);
+      const covered = picture.ids.filter((id) => id > 0).length, differ = ids.filter((id, i) => id !== picture.ids[i]).length;
+      assert.ok(covered > 3000, `the picture shows something: ${covered} pixels`);
+      assert.ok(differ <= 0.001 * ids.length, `${differ} of ${ids.length} pixels are of other nodes`);
+    });
+  });
+}
+
+test('levels, opacity, meshes, theme and frames change what is shown, and the address', async () => {
+  await onPage(page_of('spheres-l1', '--level', '5'), {}, async (page) => {
+    const seen_before = new Set([await seen(page)]);
+    const changes = async (what) => {
+      await settled(page);
+      const now = await seen(page);
+      assert.ok(!seen_before.has(now), `${what} changes the picture`);
+      seen_before.add(now);
+    };
+    await page.getByLabel('Level', { exact: true }).fill('6');
+    await changes('the level');
+    assert.equal((await address(page)).level, '6');
+    await page.getByText('Each body by itself').click();
+    await page.getByLabel('B', { exact: true }).fill('2');
+    await changes('the level of one body');
+    assert.equal((await address(page)).level1, '2');
+    await page.getByLabel('Opacity').fill('40');
+    await changes('opacity');
+    await page.getByRole('button', { name: 'Meshes' }).click();
+    await changes('meshes');
+    await page.getByRole('button', { name: 'Edges' }).click();
+    await changes('edges');
+    await page.getByRole('button', { name: 'Orthographic' }).click();
+    await changes('orthographic');
+    await page.getByLabel('Frame', { exact: true }).fill('300');
+    await changes('the frame');
+    assert.equal((await address(page)).frame, '300');
+    await page.getByRole('button', { name: 'Dark' }).click();
+    await changes('the theme');
+    await shot(page, 'dark');
+    for (const name of ['X', 'Y', 'Z']) {
+      await page.getByRole('button', { name, exact: true }).click();
+      await changes(`the view along ${name}`);
+    }
+    await page.getByRole('button', { name: 'Fit' }).click();
+    await changes('fit');
+    // The address opens the same view.
+    const hash = await page.evaluate(() => location.hash), picture = await seen(page);
+    await onPage(page_of('spheres-l1', '--level', '5'), { hash }, async (again) => {
+      await settled(again);
+      // Rounded in the address.
+      assert.ok(share_of_differences(await seen(again), picture) < 0.005);
+    });
+  });
+});
+
+test('keys do all of it', async () => {
+  await onPage(page_of('spheres-l1', '--level', '5'), {}, async (page) => {
+    await press(page, ']', ']', '[');
+    assert.equal((await state(page)).level, 6);
+    await press(page, '.', '.', ',');
+    assert.equal((await state(page)).at, 1);
+    await press(page, 'm', 'e', 'o', 't');
+    const now = await state(page);
+    assert.deepEqual([now.mesh, now.edges, now.orthographic, now.theme], [true, true, true, 'dark']);
+    const picture = await seen(page);
+    await press(page, 'ArrowLeft', 'ArrowUp', '+');
+    assert.notEqual(await seen(page), picture);
+    await press(page, 'f', 'x', 'Y');
+    await press(page, '/');
+    await page.keyboard.type('A:5');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    assert.match(await page.locator('#panel').innerText(), /node\s+5\b/);
+    await press(page, 'p');
+    const parent = (await address(page)).node;
+    assert.notEqual(parent, '5');
+    await press(page, 'c', 'n');
+    await press(page, 'i');
+    assert.equal((await address(page)).only, '1');
+    await press(page, 'Escape');
+    assert.equal((await state(page)).selected, null);
+    await press(page, 'h');
+    assert.ok(await page.locator('#help').isVisible());
+    await page.keyboard.press('Escape');
+    await press(page, ' ');
+    await page.waitForTimeout(400);
+    await press(page, ' ');
+    assert.ok((await state(page)).at > 1, 'frames are played');
+  });
+});
+
+test('a click names the node, and what hangs on it', async () => {
+  await onPage(page_of('cone', '--volume', 'scb2,obb', '--level', '4'), {}, async (page) => {
+    const box = await page.locator('#canvas').boundingBox();
+    const [x, y] = await page.evaluate(() => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas');
+      for (let x = clientWidth / 4; x > 0; x -= 10) if (app.pick(x, clientHeight / 2)) return [x, clientHeight / 2];
+      return [0, 0];
+    });
+    await page.mouse.click(box.x + x, box.y + y);
+    await settled(page);
+    const panel = await page.locator('#panel').innerText();
+    assert.match(panel, /depth\s+4/);
+    assert.match(panel, /SCB2/);
+    assert.match(panel, /half sides/);
+    const { node } = await address(page);
+    assert.match(node, /^\d+$/);
+    await shot(page, 'node');
+    await page.getByRole('button', { name: 'Only what is below it' }).click();
+    await settled(page);
+    await shot(page, 'isolated');
+    await page.getByLabel('Search a node by its number').fill('no such');
+    await page.getByLabel('Search a node by its number').press('Enter');
+    assert.match(await page.locator('#panel').innerText(), /There is no node no such/);
+  });
+});
+
+test('it turns by dragging, moves, zooms, and follows its size', async () => {
+  await onPage(page_of('cone', '--level', '4'), {}, async (page) => {
+    const box = await page.locator('#canvas').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+    const drag = async (modifier) => {
+      if (modifier) await page.keyboard.down(modifier);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 60, y + 30, { steps: 4 });
+      await page.mouse.up();
+      if (modifier) await page.keyboard.up(modifier);
+      await settled(page);
+      return address(page);
+    };
+    const before = await address(page), turned = await drag(null), moved = await drag('Shift');
+    assert.notEqual(turned.backward, before.backward);
+    assert.equal(turned.target, before.target);
+    assert.notEqual(moved.target, turned.target);
+    await page.mouse.wheel(0, 300);
+    await page.waitForTimeout(400);
+    assert.ok(Number((await address(page)).distance) > Number(moved.distance));
+    await page.setViewportSize({ width: 700, height: 500 });
+    await page.waitForTimeout(300);
+    const [width, shown] = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').clientWidth]);
+    assert.equal(width, shown);
+  });
+});
+
+test('it fits a phone, and is touched', async () => {
+  await onPage(page_of('spheres-l1', '--level', '5'), { viewport: { width: 400, height: 800 }, hasTouch: true, deviceScaleFactor: 2 }, async (page) => {
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), 'nothing sticks out');
+    const box = await page.locator('#canvas').boundingBox();
+    assert.ok(box.height > 250);
+    await page.touchscreen.tap(box.x + box.width * 0.3, box.y + box.height / 2);
+    await settled(page);
+    assert.match(await page.locator('#panel').innerText(), /depth\s+5/);
+    await shot(page, 'phone');
+  });
+});
+
+test('without script, or without WebGL2, the still picture is shown', async () => {
+  await onPage(page_of('cone', '--level', '4'), { javaScriptEnabled: false }, async (page) => {
+    assert.ok(await page.locator('#instead img').isVisible());
+    assert.ok(await page.locator('#instead p').isVisible());
+    await shot(page, 'still');
+  });
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 } }), page = await context.newPage();
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(pathToFileURL(page_of('cone', '--level', '4')).href);
+  await page.waitForFunction(() => document.querySelector('#instead p').textContent.includes('no WebGL2'));
+  assert.ok(await page.locator('#instead img').isVisible());
+  await context.close();
+});
+
+test('names from files are text', async () => {
+  const name = '<img src=x onerror=alert(1)>', mesh = join(folder, 'plain.off');
+  writeFileSync(mesh, 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n');
+  const scene = join(folder, 'hostile.json'), body = { model: 'm' };
+  writeFileSync(scene, JSON.stringify({ scb_scene: 1, name: 'hostile', models: [{ name: 'm', file: 'plain.off' }], bodies: [{ name, ...body }, { name: 'B', ...body }] }));
+  const file = page_of(scene, '--level', '1');
+  await onPage(file, {}, async (page) => {
+    assert.equal(await page.locator('#panel img').count(), 0);
+    assert.ok((await page.locator('#panel').innerText()).includes(name));
+  });
+});
