@@ -107,7 +107,7 @@ class App {
       const { shape, color: usual } = tree.volume(slot), [r, g, b] = color ?? usual;
       if (shape > 0) byShape[shape].push(slot, (r | (g << 8) | (b << 16) | (transparency << 24)) >>> 0, this.manifest.bodies[body].first_id + tree.order[slot]);
     };
-    for (const slot of slots) if (slot !== own) put(slot, null, alpha);
+    for (const slot of slots) if (slot !== own || isolated) put(slot, null, alpha);
     if (own >= 0 && !isolated) put(own, accent, Math.max(alpha, 64));
     const groups = byShape.map((words, shape) => ({ tree, body, shape, words: Uint32Array.from(words), count: words.length / 3 })).filter((group) => group.count > 0);
     this.cache.set(key, groups);

@@ -239,6 +239,7 @@ test('a click names the node, and what hangs on it', async () => {
     await shot(page, 'node');
     await page.getByRole('button', { name: 'Only what is below it' }).click();
     await settled(page);
+    assert.ok(await page.evaluate(() => document.getElementById('canvas').app.groupsOf(0, Number(new URLSearchParams(location.hash.slice(1)).get('body'))).length > 0));
     await shot(page, 'isolated');
     await page.getByLabel('Search a node by its number').fill('no such');
     await page.getByLabel('Search a node by its number').press('Enter');
