@@ -1,0 +1,39 @@
+#include "render/web/web_page.h"
+
+#include <gtest/gtest.h>
+
+namespace scb::render {
+namespace {
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+TEST(WebPage, TakesNamesForText) {
+    const std::string hostile = "</title></script><script>alert(1)</script> @BLOCKS@ & \"'";
+    BlockStore store;
+    store.add(std::vector<std::uint8_t>{1, 2, 3});
+    const std::string plain = web_page({"name", "text", "{}", {}}, store),
+                      page =
+                          web_page({hostile, hostile, "{\"a\": \"" + hostile + "\"}", {}}, store);
+    EXPECT_EQ(count_of(page, "<script"), count_of(plain, "<script"));
+    EXPECT_EQ(count_of(page, "</script"), count_of(plain, "</script"));
+    EXPECT_EQ(count_of(page, "class=\"block\""), 1u);
+    EXPECT_NE(page.find("&#60;script&#62;alert(1)"), std::string::npos);
+    // What is a placeholder in the template is one there alone.
+    EXPECT_NE(page.find("@BLOCKS@"), std::string::npos);
+    EXPECT_EQ(plain.find('@' + std::string("MANIFEST@")), std::string::npos);
+}
+
+TEST(WebPage, AllowsNoOtherScriptAndNoNetwork) {
+    const std::string page = web_page({"a", "b", "{}", {}}, BlockStore());
+    EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
+    for (const char* forbidden : {"unsafe-inline", "unsafe-eval", "http:", "https:", "eval("})
+        EXPECT_EQ(page.find(forbidden), std::string::npos) << forbidden;
+}
+
+}  // namespace
+}  // namespace scb::render
