@@ -12,6 +12,7 @@
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/view/view_manifest.h"
+#include "app/view/view_query.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/draw/renderer.h"
@@ -29,7 +30,11 @@ namespace {
 /// How the page is asked for, but for what LevelOptions have.
 struct ViewOptions {
     LevelOptions level;
-    std::string given;  ///< what was given of the scene and the hierarchies, as given_text has it
+    QueryOptions query;
+    std::string queries = "auto";  ///< frames, auto or none
+    // As given_text has it, what was given: of the scene, the volumes, other things of hierarchies
+    // that all pictures take, and of levels alone.
+    std::string scene, volumes, hierarchies, levels;
 
     void check() const {
         level.check();
@@ -84,6 +89,34 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const LevelSubje
     return render::encode_png(renderer.draw(picture, &overlay).image);
 }
 
+/// The queries of each kind, where there are two bodies; else none.
+nlohmann::ordered_json queries_of(const ViewOptions& options, const LevelSubject& subject,
+                                  render::BlockStore& store) {
+    nlohmann::ordered_json queries = nlohmann::ordered_json::array();
+    if (options.queries == "none") return queries;
+    if (subject.scene.bodies.size() != 2) {
+        if (options.queries != "auto")
+            throw InputError("--queries " + options.queries +
+                             ": the scene has no two bodies, and so no query; leave it out.");
+        return queries;
+    }
+    for (const LevelTrees& kind : subject.trees) {
+        QueryOptions query = options.query;
+        query.frames = options.queries == "auto" || subject.recorded ? std::to_string(subject.frame)
+                                                                     : options.queries;
+        HierarchyOptions hierarchy = options.level.hierarchy;
+        if (!subject.recorded) hierarchy.volumes = kind.name;
+        try {
+            QuerySource source(options.level.scene, hierarchy, query, {}, subject.recorded);
+            queries.push_back(view_query_json(source, kind, store));
+        } catch (const InputError&) {
+            // A recording may have no query at this frame.
+            if (!subject.recorded || options.queries != "auto") throw;
+        }
+    }
+    return queries;
+}
+
 int run(const ViewOptions& options, const Console& console) {
     options.check();
     const LevelOptions& asked = options.level;
@@ -104,7 +137,15 @@ int run(const ViewOptions& options, const Console& console) {
     start.camera = camera_for(wish, support, start.aspect);
     start.center = render::center_of(support);
     start.up = asked.camera.up.empty() ? start.up : asked.camera.up_vector();
-    start.command = "scb render levels" + options.given;
+    start.commands["levels"] = "scb render levels" + options.scene + options.volumes +
+                               options.hierarchies + options.levels;
+    const std::size_t kinds_count = subject.trees.size();
+    if (kinds_count <= 2)
+        for (const char* picture : {"rejections", "pairs"})
+            start.commands[picture] =
+                std::string("scb render ") + picture + options.scene +
+                (kinds_count == 1 ? options.volumes : " --compare " + asked.hierarchy.volumes) +
+                options.hierarchies;
 
     const std::string scene = scenes::printable(subject.scene.name);
     std::string kinds;
@@ -115,8 +156,9 @@ int run(const ViewOptions& options, const Console& console) {
     page.description = format("%zu %s, %d levels, scb ", first.size(),
                               first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
                        SCB_VERSION;
-    page.manifest = view_manifest(subject, start, store)
-                        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    nlohmann::ordered_json manifest = view_manifest(subject, start, store);
+    manifest["queries"] = queries_of(options, subject, store);
+    page.manifest = manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     page.still = still_of(asked, subject, start, std::move(bodies), page.title);
     const std::string html = render::web_page(page, store);
     check_output(asked.picture.output, "-o " + asked.picture.output);
@@ -143,6 +185,13 @@ void add_view(const Command& program, const Console& console, Action& action) {
                     "The level that is shown first; auto: the deepest with 500 volumes a body")
         .type_name("LEVEL")
         .show_default();
+    command
+        .add_option("--queries", options->queries,
+                    "Frames whose query is in the page, test by test: a list, all, none; auto: "
+                    "the frame that is shown first. Of scenes with two bodies")
+        .type_name("FRAMES")
+        .show_default();
+    add_overlap_options(command, options->query, false);
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
     command.footer(
@@ -155,8 +204,11 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html");
     command.callback([&action, &console, command, options] {
         options->level.recording = given_hierarchy_options(command);
-        options->given = given_text(command, {"SCENE", "--pose", "--models", "--volume", "--growth",
-                                              "--margin", "--split", "--color-by", "--up"});
+        options->scene = given_text(command, {"SCENE", "--pose", "--models"});
+        options->volumes = given_text(command, {"--volume"});
+        options->hierarchies = given_text(
+            command, {"--growth", "--margin", "--split", "--test", "--threshold", "--up"});
+        options->levels = given_text(command, {"--color-by"});
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -8,6 +8,7 @@
 
 #include "app/pictures/level_bodies.h"
 #include "core/volumes/direction_grid.h"
+#include "render/figures/query_body.h"
 #include "render/web/tree_blocks.h"
 #include "scenes/text/utf8.h"
 
@@ -24,6 +25,8 @@ Json json_of(const Mat3& axes) {
 
 Json theme_json(const render::Theme& theme) {
     return {{"background", json_of(theme.background)},
+            {"text", json_of(theme.text)},
+            {"faint", json_of(theme.faint_text)},
             {"mesh", json_of(theme.mesh)},
             {"accent", json_of(theme.accent)}};
 }
@@ -88,6 +91,8 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
             {"radius", reach_of(tree, blocks.center)},
             {"order", blocks.order},
             {"children", blocks.children},
+            {"item_counts", blocks.item_counts},
+            {"items", blocks.items},
             {"levels", std::move(levels)}};
 }
 
@@ -159,6 +164,9 @@ Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::
         const scenes::BodyAtFrame& body = subject.trees[0].bodies[b];
         Json of_body = {{"name", scenes::printable(body.name)},
                         {"color", json_of(render::category_color(b))},
+                        {"dimmed",
+                         {{"light", json_of(render::dimmed_body_color(b, render::light_theme))},
+                          {"dark", json_of(render::dimmed_body_color(b, render::dark_theme))}}},
                         {"first_id", level[b].first_id},
                         {"mesh", nullptr},
                         {"trees", Json::array()},
@@ -181,7 +189,7 @@ Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::
     return {
         {"scb_view", 1},
         {"scene", subject.scene.name},
-        {"command", start.command},
+        {"commands", start.commands},
         {"frames", frames},
         {"up", json_of(start.up)},
         {"bodies", std::move(bodies)},

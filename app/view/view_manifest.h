@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -19,7 +20,9 @@ struct ViewStart {
     double aspect = 1;           ///< width over height of the view that it is fitted to
     Vec3 center = Vec3::Zero();  ///< of the scene
     Vec3 up = Vec3::UnitZ();
-    std::string command;  ///< that draws the same picture, but for what is chosen in the page
+    /// By kind of picture, "levels" and so on: the command that draws it, but for what is chosen in
+    /// the page.
+    std::map<std::string, std::string> commands;
 };
 
 /// What the blocks of a page mean, and what it begins with: see render/web/main.js. Adds the

@@ -5,7 +5,7 @@ class App {
     this.canvas = document.getElementById('canvas');
     this.blocks = new Blocks();
     const { manifest } = this;
-    this.state = { ...manifest.start, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
+    this.state = { ...manifest.start, mode: 'levels', hidden: [], focus: 0.5, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
     this.view = new View(manifest.camera, manifest.up);
     this.cache = new Map();
     this.queued = false;
@@ -19,6 +19,8 @@ class App {
     this.depth = Math.max(...this.trees.map((tree) => tree.depth));
     await Promise.all(this.trees.map((tree) => tree.open()));
     this.poses = await Promise.all(this.manifest.bodies.map((body) => this.blocks.get(body.poses)));
+    this.queries = this.manifest.queries.map((told, k) => new Query(this.blocks, told, told.bodies.map((body) => this.treeOf(k, body))));
+    this.made = [];
     document.documentElement.classList.add('draws');
     this.readAddress();
     this.panel = new Panel(this);
@@ -59,18 +61,15 @@ class App {
   async refresh() {
     const turn = (this.turn = (this.turn ?? 0) + 1);
     this.unpacked = false;
-    const { bodies, kinds } = this.manifest;
-    const selected = this.state.selected ? this.treeOf(0, this.state.selected.body).levelOf(this.state.selected.slot) : 0;
-    const needed = [];
-    bodies.forEach((body, b) => kinds.forEach((_, k) => needed.push(this.treeOf(k, b).load(Math.max(this.levelOf(b), selected)))));
-    if (this.state.mesh || this.state.edges) needed.push(this.loadMeshes());
     try {
-      await Promise.all(needed);
+      const scenes = await this.prepare();
+      if (turn !== this.turn) return;
+      this.scenes = scenes;
+      this.upload();
     } catch (error) {
       this.panel.node.replaceChildren(element('p', { textContent: error.message }));
       return;
     }
-    if (turn !== this.turn) return;
     this.unpacked = true;
     document.documentElement.dataset.theme = this.state.theme;
     this.panel.update();
@@ -78,9 +77,113 @@ class App {
     this.ask();
   }
 
+  // What there is to draw, per kind of volumes.
+  async prepare() {
+    const { bodies, kinds, frames } = this.manifest, { state } = this;
+    const selected = state.selected ? this.treeOf(0, state.selected.body).levelOf(state.selected.slot) : 0;
+    if (state.mode === 'levels') {
+      const needed = bodies.flatMap((body, b) => kinds.map((_, k) => this.treeOf(k, b).load(Math.max(this.levelOf(b), selected))));
+      if (state.mesh || state.edges) needed.push(this.loadMeshes());
+      await Promise.all(needed);
+      return kinds.map(() => ({}));
+    }
+    await this.loadMeshes();
+    return Promise.all(this.queries.map(async (query, k) => {
+      const frame = await query.get(frames[state.at]), load = (side, level) => query.trees[side].load(Math.max(level, selected));
+      await Promise.all([0, 1].map((side) => load(side, 0)));
+      if (!frame || state.mode === 'pairs') return { frame };
+      const ended = query.ended(frame, query.told.groups.map((_, i) => !state.hidden.includes(i)), state.focus);
+      await Promise.all([0, 1].map((side) => load(side, ended.all[side].reduce((most, { slot }) => Math.max(most, query.trees[side].levelOf(slot)), 0))));
+      await Promise.all(query.trees.map((tree) => tree.openItems()));
+      return { frame, nodes: query.drawn(ended, (node) => this.areaOf(k, node)) };
+    }));
+  }
+
+  // Triangles and lines of the frame.
+  upload() {
+    for (const made of this.made) this.painter.release(made);
+    this.made = [];
+    if (this.state.mode === 'levels') return;
+    const keep = (made) => (this.made.push(made), made);
+    this.scenes.forEach((scene, k) => {
+      const query = this.queries[k], { groups, bodies } = query.told;
+      if (!scene.frame) return;
+      scene.marked = [0, 1].map((side) => {
+        const mesh = this.arrays[this.manifest.bodies[bodies[side]].mesh];
+        if (!mesh) return null;
+        const triangles = [], colors = [];
+        const put = (triangle, color) => {
+          triangles.push(...mesh.indices.subarray(3 * triangle, 3 * triangle + 3));
+          colors.push(...color);
+        };
+        if (this.state.mode === 'pairs') for (const triangle of scene.frame.meeting[side]) put(triangle, this.manifest.bodies[bodies[side]].color);
+        else for (const { slot, group } of scene.nodes.filter((node) => node.side === side && this.isTriangle(k, node))) for (const item of query.trees[side].itemsOf(slot)) put(item, groups[group][this.state.theme]);
+        return triangles.length ? keep(this.painter.uploadMesh(mesh.positions, Uint32Array.from(triangles), colors)) : null;
+      });
+      const points = this.linesOf(query, scene.frame);
+      scene.lines = points.length ? keep(this.painter.uploadSegments(Float32Array.from(points))) : null;
+    });
+  }
+
+  // The lines in which the pairs of triangles meet, from the middle of A's tree.
+  linesOf(query, frame) {
+    const { bodies } = query.told, { manifest } = this, meshes = bodies.map((b) => manifest.bodies[b].mesh);
+    if (query.told.objects || meshes.includes(null)) return [];
+    const [of_a, of_b] = bodies.map((b) => this.poseOf(b)), middle = query.trees[0].told.center, points = [];
+    const corners = (side, triangle) => {
+      const { positions, indices } = this.arrays[meshes[side]], { center } = manifest.meshes[meshes[side]];
+      return [0, 1, 2].map((k) => add(positions.subarray(3 * indices[3 * triangle + k], 3 * indices[3 * triangle + k] + 3), center));
+    };
+    // In A's frame.
+    const across = (p) => transposedTimes(of_a.rotation, subtract(add(times(of_b.rotation, p), of_b.translation), of_a.translation));
+    for (let i = 0; i < frame.pairs.length; i += 2) {
+      const line = lineOf(corners(0, frame.pairs[i]), corners(1, frame.pairs[i + 1]).map(across));
+      if (line) points.push(...subtract(line[0], middle), ...subtract(line[1], middle));
+    }
+    return points;
+  }
+
+  // Of the triangles that are drawn in place of a node; else 0.
+  areaOf(kind, node) {
+    if (!this.isTriangle(kind, node)) return 0;
+    const query = this.queries[kind], { positions, indices } = this.arrays[this.manifest.bodies[query.told.bodies[node.side]].mesh];
+    let area = 0;
+    for (const triangle of query.trees[node.side].itemsOf(node.slot)) {
+      const [p, q, r] = [0, 1, 2].map((k) => positions.subarray(3 * indices[3 * triangle + k], 3 * indices[3 * triangle + k] + 3));
+      area += length(cross(subtract(q, p), subtract(r, p))) / 2;
+    }
+    return area;
+  }
+
+  // Whether a node of the rejections is drawn as the triangles of its leaf, which were tested.
+  isTriangle(kind, { side, slot, group }) {
+    const query = this.queries[kind], tree = query.trees[side];
+    return query.told.groups[group].triangles && tree.children[slot] === 0 && this.manifest.bodies[query.told.bodies[side]].mesh !== null;
+  }
+
+  // The volumes of the rejections, those of B hatched.
+  rejected(kind, side) {
+    const query = this.queries[kind], tree = query.trees[side], body = query.told.bodies[side], { selected, theme } = this.state;
+    const byShape = shapeNames.map(() => []), accent = this.manifest.themes[theme].accent;
+    for (const node of this.scenes[kind].nodes) {
+      if (node.side !== side || this.isTriangle(kind, node)) continue;
+      const own = selected?.body === body && selected.slot === node.slot, [r, g, b] = own ? accent : query.told.groups[node.group][theme];
+      const id = this.manifest.bodies[body].first_id + tree.order[node.slot];
+      byShape[tree.volume(node.slot).shape].push(node.slot, (r | (g << 8) | (b << 16) | (255 << 24)) >>> 0, (id | (side === 1 ? 0x80000000 : 0)) >>> 0);
+    }
+    return this.asGroups(tree, body, byShape);
+  }
+
+  asGroups(tree, body, byShape) {
+    return byShape.map((words, shape) => ({ tree, body, shape, words: Uint32Array.from(words), count: words.length / 3 })).filter((group, shape) => shape > 0 && group.count > 0);
+  }
+
   loadMeshes() {
-    this.meshes ??= Promise.all(this.manifest.meshes.map(async (mesh) => this.painter.uploadMesh(await this.blocks.get(mesh.positions), await this.blocks.get(mesh.indices))))
-      .then((uploaded) => (this.uploaded = uploaded));
+    this.meshes ??= Promise.all(this.manifest.meshes.map(async (mesh) => ({ positions: await this.blocks.get(mesh.positions), indices: await this.blocks.get(mesh.indices) })))
+      .then((arrays) => {
+        this.arrays = arrays;
+        this.uploaded = arrays.map(({ positions, indices }) => this.painter.uploadMesh(positions, indices));
+      });
     return this.meshes;
   }
 
@@ -109,7 +212,7 @@ class App {
     };
     for (const slot of slots) if (slot !== own || isolated) put(slot, null, alpha);
     if (own >= 0 && !isolated) put(own, accent, Math.max(alpha, 64));
-    const groups = byShape.map((words, shape) => ({ tree, body, shape, words: Uint32Array.from(words), count: words.length / 3 })).filter((group) => group.count > 0);
+    const groups = this.asGroups(tree, body, byShape);
     this.cache.set(key, groups);
     return groups;
   }
@@ -131,27 +234,54 @@ class App {
     const panes = manifest.kinds.map((_, k) => {
       const [x, y, w, h] = this.rectangles[k], rectangle = [x, height - y - h, w, h].map((n) => n * samples);
       const eye = view.eye(rectangle, samples, balls);
-      const lists = [[], []];
-      manifest.bodies.forEach((body, b) => {
-        const pose = this.poseOf(b);
-        for (const group of this.groupsOf(k, b))
-          lists[state.opacity >= 1 ? 0 : 1].push({ ...group, pose, placement: view.placement(pose, group.tree.told.center, eye.far) });
-      });
       const list = (groups) => {
         const words = new Uint32Array(groups.reduce((sum, group) => sum + group.words.length, 0));
         groups.reduce((at, group) => (words.set(group.words, at), at + group.words.length), 0);
         return { groups, words, count: words.length / 3 };
       };
-      const meshes = (state.mesh || state.edges) && this.uploaded
-        ? manifest.bodies.filter((body) => body.mesh !== null).map((body) => ({
-          mesh: this.uploaded[body.mesh], color: theme.mesh, edges: state.edges, fade: 0,
-          placement: view.placement(this.poseOf(manifest.bodies.indexOf(body)), manifest.meshes[body.mesh].center, eye.far),
-        }))
-        : [];
-      return { rectangle, background: theme.background, view, eye, meshes, opaque: list(lists[0]), translucent: list(state.opacity > 0 ? lists[1] : []) };
+      const placed = (group) => {
+        const pose = this.poseOf(group.body);
+        return { ...group, pose, placement: view.placement(pose, group.tree.told.center, eye.far) };
+      };
+      const content = state.mode === 'levels' ? this.levelContent(k, eye) : this.queryContent(k, eye);
+      return {
+        rectangle, background: theme.background, view, eye, meshes: content.meshes, segments: content.segments,
+        opaque: list(content.opaque.map(placed)), translucent: list(content.translucent.map(placed)),
+      };
     });
     this.painter.draw(panes);
     this.drawLabels(ratio);
+  }
+
+  levelContent(k, eye) {
+    const { manifest, state, view } = this, groups = manifest.bodies.flatMap((_, b) => this.groupsOf(k, b));
+    const meshes = state.mesh || state.edges
+      ? manifest.bodies.flatMap((body, b) => (body.mesh === null ? [] : [{
+        mesh: this.uploaded[body.mesh], color: manifest.themes[state.theme].mesh, edges: state.edges,
+        placement: view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far),
+      }]))
+      : [];
+    const opaque = state.opacity >= 1 ? groups : [], translucent = state.opacity > 0 && state.opacity < 1 ? groups : [];
+    return { meshes, opaque, translucent, segments: [] };
+  }
+
+  queryContent(k, eye) {
+    const { manifest, state, view } = this, query = this.queries[k], scene = this.scenes[k], pairs = state.mode === 'pairs', theme = manifest.themes[state.theme];
+    const meshes = [], segments = [];
+    query.told.bodies.forEach((b, side) => {
+      const body = manifest.bodies[b];
+      if (body.mesh === null) return;
+      const placement = view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far);
+      if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, shading: 0.3, hatched: !pairs && side === 1 });
+      meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
+    });
+    const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
+    if (scene.lines && (pairs || (meet >= 0 && !state.hidden.includes(meet)))) {
+      const placement = view.placement(this.poseOf(query.told.bodies[0]), query.trees[0].told.center, eye.far), line = { segments: scene.lines, placement };
+      if (pairs) segments.push({ ...line, color: theme.faint, width: 1.5, on_top: true }, { ...line, color: theme.text, width: 3, on_top: false });
+      else segments.push({ ...line, color: query.told.groups[meet][state.theme], width: 1.5, on_top: true });
+    }
+    return { meshes, segments, opaque: scene.nodes ? [0, 1].flatMap((side) => this.rejected(k, side)) : [], translucent: [] };
   }
 
   drawLabels(ratio) {
@@ -172,7 +302,7 @@ class App {
 
   // Counts of the level that is shown.
   counts() {
-    const { bodies, kinds } = this.manifest, rows = [];
+    const { bodies } = this.manifest, rows = [];
     bodies.forEach((body, b) => {
       const tree = this.treeOf(0, b), level = Math.min(this.levelOf(b), tree.depth);
       rows.push([`${bodies.length > 1 ? `${body.name}, ` : ''}volumes at level ${level} of ${tree.depth}`, counted(tree.cover(level).length)]);
@@ -181,9 +311,14 @@ class App {
   }
 
   command() {
-    const { manifest, state } = this;
-    return `${manifest.command}${manifest.up[2] === 1 ? ` --camera orbit:${this.view.orbit_angles}` : ''} --levels ${state.level} --opacity ${+state.opacity.toFixed(2)}${state.mesh ? ' --mesh' : ''}${state.edges ? ' --edges' : ''}` +
-      `${manifest.frames.length > 1 ? ` --frames ${manifest.frames[state.at]}` : ''}${state.orthographic ? ' --ortho' : ''}${state.theme === 'dark' ? ' --background dark' : ''} -o out/`;
+    const { manifest, state } = this, command = manifest.commands[state.mode];
+    if (!command) return 'scb compares two kinds of volumes at a time.';
+    const words = [command];
+    if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbit_angles}`);
+    if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
+    if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
+    if (manifest.frames.length > 1) words.push(`--frames ${manifest.frames[state.at]}`);
+    return [...words, ...(state.orthographic ? ['--ortho'] : []), ...(state.theme === 'dark' ? ['--background dark'] : []), '-o out/'].join(' ');
   }
 
   // What is at a point of the canvas, in pixels of the page.
@@ -324,6 +459,7 @@ class App {
       c: () => selected && tree.children[selected.slot] > 0 && go(tree.firstChild[selected.slot]),
       n: () => selected && tree.parent[selected.slot + 1] === tree.parent[selected.slot] && go(selected.slot + 1),
       i: () => selected && this.set({ isolated: !state.isolated }),
+      1: () => this.set({ mode: 'levels' }), 2: () => this.queries.length && this.set({ mode: 'rejections' }), 3: () => this.queries.length && this.set({ mode: 'pairs' }),
       '/': () => this.panel.search.focus(), s: () => this.save(), escape: () => this.select(0, -1), h: () => this.help(), '?': () => this.help(),
     };
     const name = event.key.toLowerCase(), act = acts[name];
@@ -336,6 +472,9 @@ class App {
   writeAddress() {
     const { state, view, manifest } = this, number = (x) => String(+x.toPrecision(7));
     const words = new URLSearchParams();
+    if (state.mode !== 'levels') words.set('show', state.mode);
+    if (state.hidden.length) words.set('hide', state.hidden.join());
+    if (state.focus !== 0.5) words.set('focus', state.focus);
     words.set('level', state.level);
     for (const [body, level] of Object.entries(state.levels)) words.set(`level${body}`, level);
     if (manifest.frames.length > 1) words.set('frame', manifest.frames[state.at]);
@@ -363,6 +502,9 @@ class App {
       const parts = (words.get(name) ?? '').split(',').map(Number);
       return parts.length === 3 && parts.every(Number.isFinite) ? parts : null;
     };
+    state.mode = this.queries.length && ['rejections', 'pairs'].includes(words.get('show')) ? words.get('show') : 'levels';
+    state.hidden = words.has('hide') ? words.get('hide').split(',').map(Number).filter((n) => Number.isInteger(n) && n >= 0) : [];
+    if (number('focus') !== null) state.focus = clamp(number('focus'), 0.01, 1);
     if (number('level') !== null) state.level = clamp(Math.round(number('level')), 0, this.depth);
     manifest.bodies.forEach((_, b) => {
       if (number(`level${b}`) !== null) state.levels[b] = clamp(Math.round(number(`level${b}`)), 0, this.depth);

@@ -16,6 +16,7 @@ class Painter {
     }
     this.programs.rounded = new Program(gl, ['eye.glsl', 'rounded.vert'], [...volume, 'rounded.frag'], ['instance', 'direction']);
     this.meshProgram = new Program(gl, ['eye.glsl', 'mesh.vert'], ['eye.glsl', 'light.glsl', 'mesh.frag'], []);
+    this.segmentProgram = new Program(gl, ['eye.glsl', 'segment.vert'], ['eye.glsl', 'segment.frag'], ['from', 'to']);
     this.instances = gl.createBuffer();
     this.array = gl.createVertexArray();
     this.grids = grids.map((corners) => {
@@ -67,26 +68,33 @@ class Painter {
       gl.clearBufferfv(gl.COLOR, 0, [...pane.background.map((c) => c / 255), 1]);
       gl.clearBufferuiv(gl.COLOR, 1, [0, 0, 0, 0]);
       gl.clearBufferfv(gl.DEPTH, 0, [1]);
-      for (const mesh of pane.meshes) this.drawMesh(pane, mesh);
+      for (const mesh of pane.meshes) if (mesh.backdrop) this.drawMesh(pane, mesh);
+      if (pane.meshes.some((mesh) => mesh.backdrop)) gl.clearBufferfv(gl.DEPTH, 0, [1]);
+      for (const mesh of pane.meshes) if (!mesh.backdrop) this.drawMesh(pane, mesh);
       this.drawVolumes(pane, pane.opaque, 1);
-      if (pane.translucent.count === 0) continue;
-      this.sort(pane, pane.translucent);
-      gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
-      gl.depthMask(false);
-      gl.enable(gl.BLEND);
-      gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      this.drawVolumes(pane, pane.translucent, 2);
-      gl.disable(gl.BLEND);
-      gl.depthMask(true);
-      gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT1]);
-      this.drawVolumes(pane, pane.translucent, 1);
+      if (pane.translucent.count > 0) this.drawTranslucent(pane);
+      for (const segments of pane.segments) this.drawSegments(pane, segments);
     }
-    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
     gl.disable(gl.SCISSOR_TEST);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target);
     gl.readBuffer(gl.COLOR_ATTACHMENT0);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
     gl.blitFramebuffer(0, 0, ...this.size, 0, 0, this.canvas.width, this.canvas.height, gl.COLOR_BUFFER_BIT, gl.LINEAR);
+  }
+
+  drawTranslucent(pane) {
+    const { gl } = this;
+    this.sort(pane, pane.translucent);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
+    gl.depthMask(false);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.drawVolumes(pane, pane.translucent, 2);
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT1]);
+    this.drawVolumes(pane, pane.translucent, 1);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
   }
 
   // The id at a pixel of the canvas, from the top left.
@@ -99,8 +107,8 @@ class Painter {
     return id[0];
   }
 
-  // Triangles of their own, so that each is flat.
-  uploadMesh(positions, indices) {
+  // Triangles of their own, so that each is flat; of a mesh all, or some, which have colors then.
+  uploadMesh(positions, indices, colors = null) {
     const { gl } = this, count = indices.length, data = new Float32Array(6 * count);
     for (let t = 0; t < count; t += 3) {
       const p = [0, 1, 2].map((k) => [...positions.subarray(3 * indices[t + k], 3 * indices[t + k] + 3)]);
@@ -118,21 +126,58 @@ class Painter {
       gl.enableVertexAttribArray(i);
       gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
     }
-    return { array, count };
+    const buffers = [buffer];
+    if (colors) {
+      buffers.push(gl.createBuffer());
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffers[1]);
+      gl.bufferData(gl.ARRAY_BUFFER, Uint8Array.from({ length: 4 * count }, (_, i) => (i % 4 === 3 ? 255 : colors[3 * Math.floor(i / 12) + (i % 4)])), gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(2);
+      gl.vertexAttribPointer(2, 4, gl.UNSIGNED_BYTE, true, 4, 0);
+    }
+    return { array, count, buffers, colored: colors !== null };
   }
 
-  drawMesh(pane, { mesh, placement, color, edges, fade }) {
+  release({ array, buffers }) {
+    this.gl.deleteVertexArray(array);
+    for (const buffer of buffers) this.gl.deleteBuffer(buffer);
+  }
+
+  uploadSegments(points) {
+    const { gl } = this, array = gl.createVertexArray(), buffer = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW);
+    for (const i of [0, 1]) {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
+      gl.vertexAttribDivisor(i, 1);
+    }
+    return { array, count: points.length / 6, buffers: [buffer] };
+  }
+
+  drawSegments(pane, { segments, placement, color, width, on_top }) {
+    const { gl } = this;
+    this.segmentProgram.use({ ...pane.eye.uniforms, to_eye: placement.to_eye, origin: placement.origin, scale: placement.scale, color: [...color.map((c) => c / 255), 1], width: width * this.samples });
+    if (on_top) gl.disable(gl.DEPTH_TEST);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
+    gl.bindVertexArray(segments.array);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, segments.count);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  drawMesh(pane, { mesh, placement, color, edges = false, fade = 0, hatched = false, shading = 1 }) {
     const { gl } = this, { columns: m, origin, scale } = placement;
     this.meshProgram.use({
       ...pane.eye.uniforms,
       to_eye: [...m.map((column) => [...scaled(scale, column), 0]).flat(), ...origin, 1],
       normal_to_eye: m.flat(),
-      colored: 0,
+      colored: mesh.colored ? 1 : 0,
       color: [...color.map((c) => c / 255), 1],
       edges: edges ? 1 : 0,
-      hatched: 0,
+      hatched: hatched ? 1 : 0,
       first_id: 0,
-      shading: 1,
+      shading,
       fade: [...pane.background.map((c) => c / 255), fade],
     });
     gl.bindVertexArray(mesh.array);

@@ -12,6 +12,7 @@ const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.
 const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
 
 const keys = [
+  ['1 2 3', 'levels, rejections, pairs'],
   ['arrows', 'turn; with Shift, move'],
   ['+ −', 'nearer, farther'],
   ['[ ]', 'one level up, down'],
@@ -65,17 +66,22 @@ class Panel {
     this.node = element('div', { 'aria-live': 'polite' });
     this.command = element('code');
     this.legend = element('div');
+    this.query = element('div');
+    const modes = app.queries.length ? [element('div', { className: 'row', role: 'group', 'aria-label': 'What is shown' },
+      ...[['Levels', 'levels'], ['Rejections', 'rejections'], ['Pairs', 'pairs']].map(([text, mode], i) => button(text, `Key ${i + 1}`, () => app.set({ mode }), () => state.mode === mode)))] : [];
+    this.ofLevels = [];
+    const ofLevels = (...elements) => (this.ofLevels.push(...elements), elements);
     this.root.append(
       ...[
-        element('h2', { textContent: 'Levels' }), this.level, ...(this.bodyLevels.length ? [element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...this.bodyLevels)] : []),
-        this.numbers,
+        ...modes, this.query, ...ofLevels(element('h2', { textContent: 'Levels' }), this.level), ...(this.bodyLevels.length ? ofLevels(element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...this.bodyLevels)) : []),
+        ...ofLevels(this.numbers),
         ...(this.frame ? [element('h2', { textContent: 'Frames' }), this.frame, element('div', { className: 'row' }, button('Play', 'Space', () => app.play(), () => app.playing))] : []),
-        element('h2', { textContent: 'Look' }), this.opacity,
+        element('h2', { textContent: 'Look' }), ...ofLevels(this.opacity),
         element('div', { className: 'row' }, toggle('Meshes', 'mesh'), toggle('Edges', 'edges'), toggle('Orthographic', 'orthographic'),
           button('Dark', '', () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }), () => state.theme === 'dark')),
         element('div', { className: 'row' }, button('Fit', 'F', () => app.fit()), ...['x', 'y', 'z'].map((axis, i) => button(axis.toUpperCase(), `Look along ${axis}`, () => app.along(i, 1))),
           button('PNG', 'Save what is seen', () => app.save()), button('Keys', 'H', () => app.help())),
-        element('h2', { textContent: 'Color' }), this.legend,
+        ...ofLevels(element('h2', { textContent: 'Color' }), this.legend),
         element('h2', { textContent: 'Node' }), element('label', {}, element('span', { textContent: 'Search' }), this.search), this.node,
         element('h2', { textContent: 'A picture from this side, by scb' }), this.command,
       ],
@@ -130,11 +136,66 @@ class Panel {
   update() {
     for (const slider of [this.level, ...this.bodyLevels, this.opacity, ...(this.frame ? [this.frame] : [])]) slider.update();
     for (const update of this.buttons) update();
+    for (const part of this.ofLevels) part.hidden = this.app.state.mode !== 'levels';
+    this.query.replaceChildren(...(this.app.state.mode === 'levels' ? [] : this.queryParts()));
     this.numbers.replaceChildren(this.table(this.app.counts()));
     this.command.textContent = this.app.command();
     const { selected } = this.app.state;
     if (selected) this.showNode(selected);
     else this.node.replaceChildren(element('p', { className: 'faint', textContent: 'Click a volume, or search its number.' }));
+  }
+
+  // Numbers and endings of the query of each kind.
+  queryParts() {
+    const { app } = this, { manifest, state } = app, parts = [];
+    app.queries.forEach((query, k) => {
+      const { frame, nodes } = app.scenes[k];
+      if (manifest.kinds.length > 1) parts.push(element('h2', { textContent: manifest.kinds[k].title }));
+      if (!frame) {
+        const have = query.told.frames.map((f) => f.frame);
+        parts.push(element('p', { className: 'faint', textContent: `The page has no query of this frame, but of ${have.slice(0, 8).join(', ')}${have.length > 8 ? ', ...' : ''}; \u201c--queries\u201d of scb view adds others.` }));
+        const go = element('button', { type: 'button', textContent: `Frame ${have[0]}` });
+        go.addEventListener('click', () => app.set({ at: manifest.frames.indexOf(have[0]) }));
+        if (have.length) parts.push(go);
+        return;
+      }
+      const { told } = frame, passed = frame.outcomes.length - frame.counts.reduce((sum, n) => sum + n, 0);
+      parts.push(this.table([['pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)]]));
+      if (state.mode === 'pairs') {
+        parts.push(...query.told.bodies.map((b, side) => element('div', {}, this.key(manifest.bodies[b].color), `${manifest.bodies[b].name}: ${counted(frame.meeting[side].size)} triangles meet others`)));
+        return;
+      }
+      parts.push(element('div', { className: 'faint', textContent: `Paths that ended; ${counted(nodes.length)} nodes drawn, B hatched` }));
+      query.told.groups.forEach((group, i) => {
+        if (frame.counts[i] === 0) return;
+        const box = element('input', { type: 'checkbox', checked: !state.hidden.includes(i) }), output = element('output', { textContent: counted(frame.counts[i]) });
+        box.addEventListener('change', () => app.set({ hidden: box.checked ? state.hidden.filter((n) => n !== i) : [...state.hidden, i] }));
+        parts.push(element('label', { className: 'ending' }, box, element('span', {}, this.key(group[state.theme]), group.label), output));
+      });
+    });
+    if (state.mode === 'rejections') {
+      const all = element('button', { type: 'button', textContent: 'Large volumes too' });
+      all.setAttribute('aria-pressed', state.focus === 1 ? 'true' : 'false');
+      all.addEventListener('click', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }));
+      parts.push(element('div', { className: 'row' }, all));
+    }
+    return parts;
+  }
+
+  // What became of the tests of a node.
+  testParts(body, slot) {
+    const { app } = this, parts = [];
+    app.queries.forEach((query, k) => {
+      const side = query.told.bodies.indexOf(body), frame = app.scenes[k]?.frame;
+      if (side < 0 || !frame) return;
+      const found = query.testsOf(frame, side, slot);
+      const title = app.manifest.kinds.length > 1 ? `Tests, ${app.manifest.kinds[k].title}` : 'Tests';
+      parts.push(element('div', { className: 'faint', textContent: `${title}: ${found.tests ? counted(found.tests) : 'none'}` }));
+      if (!found.tests) return;
+      parts.push(element('table', {}, ...found.rows.map(([group, n]) => element('tr', {}, element('td', {}, this.key(group[app.state.theme]), group.label), element('td', { textContent: counted(n) }))),
+        ...(found.passed ? [element('tr', {}, element('td', { textContent: 'passed on' }), element('td', { textContent: counted(found.passed) }))] : [])));
+    });
+    return parts;
   }
 
   showNode({ body, slot }) {
@@ -157,6 +218,7 @@ class Panel {
       const of = app.treeOf(k, body);
       if (of.levels.length > depth) parts.push(element('div', { className: 'faint', textContent: kind.title }), this.table(numbersText(of.volume(slot), of.told.center)));
     });
+    parts.push(...this.testParts(body, slot));
     if (chain.length) parts.push(element('div', { className: 'faint', textContent: 'Above, from the root' }), element('div', { className: 'row' }, ...chain.slice(-12).map(link)));
     parts.push(element('div', { className: 'faint', textContent: tree.children[slot] ? `Children: ${counted(tree.children[slot])}` : 'A leaf' }), element('div', { className: 'row' }, ...children.map(link)));
     const only = element('button', { type: 'button', textContent: 'Only what is below it' });

@@ -29,6 +29,20 @@ class Tree {
     this.slots = new Map();
   }
 
+  // Which triangles, or objects, a node has itself.
+  async openItems() {
+    if (this.firstItem) return;
+    const counts = await this.blocks.get(this.told.item_counts);
+    this.items = await this.blocks.get(this.told.items);
+    const first = new Uint32Array(counts.length + 1);
+    counts.forEach((count, slot) => (first[slot + 1] = first[slot] + count));
+    this.firstItem = first;
+  }
+
+  itemsOf(slot) {
+    return this.items.subarray(this.firstItem[slot], this.firstItem[slot + 1]);
+  }
+
   slotOf(node) {
     if (this.slots.size === 0) this.order.forEach((number, slot) => this.slots.set(number, slot));
     return this.slots.get(node) ?? -1;

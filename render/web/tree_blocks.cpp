@@ -111,7 +111,7 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
     TreeBlocks result;
     result.center = middle_of(tree);
     result.nodes = tree.size();
-    std::vector<std::uint32_t> order, children, here = shape.roots;
+    std::vector<std::uint32_t> order, children, item_counts, items, here = shape.roots;
     while (!here.empty()) {
         Level level;
         std::vector<std::uint32_t> below;
@@ -122,6 +122,9 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
                 below.push_back(child);
             order.push_back(node);
             children.push_back(count);
+            const std::span<const std::uint32_t> own = tree.items(node);
+            item_counts.push_back(static_cast<std::uint32_t>(own.size()));
+            items.insert(items.end(), own.begin(), own.end());
             const std::size_t before = level.extras.size();
             if (tree.has_volume(node))
                 std::visit(Append{level, result.center}, tree.volume(node));
@@ -145,6 +148,8 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
     }
     result.order = store.add(order);
     result.children = store.add(children);
+    result.item_counts = store.add(item_counts);
+    result.items = store.add(items);
     return result;
 }
 

@@ -37,7 +37,9 @@ struct TreeBlocks {
     std::size_t nodes = 0;       ///< in the tree; those that no root leads to are left out
     std::size_t order = 0;  ///< number of a block: the nodes' indices, level by level, and within a
                             ///< level child after child of node after node, u32
-    std::size_t children = 0;  ///< in this order how many children each has, u32
+    std::size_t children = 0;     ///< in this order how many children each has, u32
+    std::size_t item_counts = 0;  ///< and how many triangles, or objects, u32
+    std::size_t items = 0;        ///< these, one node after the other, u32
     std::vector<LevelBlocks> levels;
 };
 

@@ -17,10 +17,13 @@ SCB_DECLARE_EMBEDDED(web_programs_js)
 SCB_DECLARE_EMBEDDED(web_tree_js)
 SCB_DECLARE_EMBEDDED(web_camera_js)
 SCB_DECLARE_EMBEDDED(web_painter_js)
+SCB_DECLARE_EMBEDDED(web_query_js)
 SCB_DECLARE_EMBEDDED(web_panel_js)
 SCB_DECLARE_EMBEDDED(web_main_js)
 SCB_DECLARE_EMBEDDED(web_volume_vert)
 SCB_DECLARE_EMBEDDED(web_rounded_vert)
+SCB_DECLARE_EMBEDDED(web_segment_vert)
+SCB_DECLARE_EMBEDDED(segment_frag)
 SCB_DECLARE_EMBEDDED(eye_glsl)
 SCB_DECLARE_EMBEDDED(light_glsl)
 SCB_DECLARE_EMBEDDED(volume_glsl)
@@ -83,6 +86,8 @@ std::string shader_elements() {
         {"mesh.frag", SCB_EMBEDDED(mesh_frag)},
         {"volume.vert", SCB_EMBEDDED(web_volume_vert)},
         {"rounded.vert", SCB_EMBEDDED(web_rounded_vert)},
+        {"segment.vert", SCB_EMBEDDED(web_segment_vert)},
+        {"segment.frag", SCB_EMBEDDED(segment_frag)},
     };
     std::string text;
     for (const auto& [name, source] : shaders)
@@ -96,7 +101,7 @@ std::string script() {
     for (const std::string_view part :
          {SCB_EMBEDDED(web_linear_js), SCB_EMBEDDED(web_blocks_js), SCB_EMBEDDED(web_programs_js),
           SCB_EMBEDDED(web_tree_js), SCB_EMBEDDED(web_camera_js), SCB_EMBEDDED(web_painter_js),
-          SCB_EMBEDDED(web_panel_js), SCB_EMBEDDED(web_main_js)})
+          SCB_EMBEDDED(web_query_js), SCB_EMBEDDED(web_panel_js), SCB_EMBEDDED(web_main_js)})
         text += part;
     return text + "})();\n";
 }

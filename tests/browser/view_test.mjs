@@ -184,6 +184,91 @@ test('levels, opacity, meshes, theme and frames change what is shown, and the ad
   });
 });
 
+// The numbers of the query, and the nodes at which its paths ended, are those of the pictures.
+for (const options of [['--volume', 'scb'], ['--volume', 'obb', '--split', 'cost'], ['--volume', 'scb2', '--focus', '1']]) {
+  test(`rejections are those of the picture: ${options.join(' ')}`, async () => {
+    const out = join(folder, `rejections-${options.join('')}`), whole = options.includes('--focus'), own = options.filter((word, i) => word !== '--focus' && options[i - 1] !== '--focus');
+    mkdirSync(out);
+    scb('render', 'rejections', 'cone', ...options, '--frames', '100', '--size', '320x240', '--no-panel', '-o', out);
+    const told = JSON.parse(readFileSync(join(out, 'index.json'))).files[0];
+    await onPage(page_of('cone', ...own, '--frames', '100'), { hash: whole ? '#show=rejections&focus=1' : '#show=rejections' }, async (page) => {
+      const found = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), { frame, nodes } = app.scenes[0];
+        return {
+          ...frame.told, counts: frame.counts, groups: app.queries[0].told.groups, drawn: [0, 1].map((side) => nodes.filter((node) => node.side === side).length),
+          lines: app.linesOf(app.queries[0], frame).length / 6,
+        };
+      });
+      assert.deepEqual([found.n_v, found.n_p, found.pairs], [told.n_v, told.n_p, told.pairs]);
+      // Equally large ones are told apart by the last digit, which is another one here.
+      found.drawn.forEach((n, side) => assert.ok(Math.abs(n - told.volumes[side]) <= (whole ? 0 : 0.05 * told.volumes[side]), `${n} of ${told.volumes[side]} nodes`));
+      const rejected = Object.entries(told.stages).filter(([name]) => name !== 'overlapping').reduce((sum, [, n]) => sum + n, 0);
+      const of = (wanted) => found.counts.filter((_, i) => wanted(found.groups[i])).reduce((sum, n) => sum + n, 0);
+      assert.equal(of((group) => !group.triangles && group.label !== 'left over'), rejected);
+      assert.equal(of((group) => group.label === 'triangles meet'), told.pairs);
+      assert.ok(found.lines > 0.95 * told.pairs, 'pairs of triangles meet in lines');
+    });
+  });
+}
+
+test('rejections and pairs change what is shown, filter, and answer', async () => {
+  await onPage(page_of('cone', '--frames', '100', '--queries', '90:110:10'), {}, async (page) => {
+    const before = new Set([await seen(page)]);
+    const changes = async (what) => {
+      await settled(page);
+      const now = await seen(page);
+      assert.ok(!before.has(now), `${what} changes the picture`);
+      before.add(now);
+    };
+    await page.getByRole('button', { name: 'Rejections' }).click();
+    await changes('rejections');
+    assert.equal((await address(page)).show, 'rejections');
+    assert.ok(!(await page.getByLabel('Level', { exact: true }).isVisible()));
+    await page.getByLabel(/triangles apart/).uncheck();
+    await changes('a filter');
+    assert.match((await address(page)).hide, /^\d+$/);
+    await page.getByRole('button', { name: 'Large volumes too' }).click();
+    await changes('large volumes');
+    await shot(page, 'rejections');
+    const [x, y] = await page.evaluate(() => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas');
+      for (let i = 0; i < 4000; ++i) {
+        const at = [(i * 7919) % clientWidth, (i * 104729) % clientHeight];
+        if (app.pick(...at)) return at;
+      }
+      return [0, 0];
+    });
+    const box = await page.locator('#canvas').boundingBox();
+    await page.mouse.click(box.x + x, box.y + y);
+    await settled(page);
+    assert.match(await page.locator('#panel').innerText(), /Tests: [\d,]+/);
+    await page.getByRole('button', { name: 'Pairs', exact: true }).click();
+    await changes('pairs');
+    assert.match(await page.locator('#panel').innerText(), /A: [\d,]+ triangles meet others/);
+    await shot(page, 'pairs');
+    await press(page, '.');
+    assert.match(await page.locator('#panel').innerText(), /no query of this frame, but of 90, 100, 110/);
+    await page.getByRole('button', { name: 'Frame 90' }).click();
+    await settled(page);
+    assert.equal((await address(page)).frame, '90');
+    await press(page, '1');
+    assert.equal((await state(page)).mode, 'levels');
+  });
+});
+
+test('another engine\'s recording is a page like any other', async () => {
+  const file = join(folder, 'own.scbrec');
+  scb('trace', 'cone', '--frames', '100', '--volume', 'rss', '-o', file);
+  await onPage(page_of(file), { hash: '#show=rejections' }, async (page) => {
+    const [recorded, own] = [await seen(page), page_of('cone', '--volume', 'rss', '--frames', '100')];
+    const view = await page.evaluate(() => location.hash);
+    await onPage(own, { hash: view }, async (page) => {
+      assert.equal((await state(page)).mode, 'rejections');
+      assert.ok(share_of_differences(await seen(page), recorded) < 0.02);
+    });
+  });
+});
+
 test('keys do all of it', async () => {
   await onPage(page_of('spheres-l1', '--level', '5'), {}, async (page) => {
     await press(page, ']', ']', '[');

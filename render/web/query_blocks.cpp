@@ -1,0 +1,77 @@
+#include "render/web/query_blocks.h"
+
+#include <algorithm>
+
+namespace scb::render {
+namespace {
+
+/// Whether the nodes of all tests follow from their outcomes, as query.js has it.
+bool follow_from_outcomes(const QueryBodies& bodies, const TraceFrame& frame,
+                          const TraversalTree& tree) {
+    const TreeShape &a = bodies[0].tree->shape(), &b = bodies[1].tree->shape();
+    if (a.roots.size() != 1 || b.roots.size() != 1) return false;
+    std::vector<IndexPair> divided;  // whose children are still to be tested: the last one first
+    std::size_t next = 0;
+    const auto visit = [&](IndexPair nodes) {
+        if (next >= tree.outcomes.size() || frame.events.volume_tests[next].nodes != nodes)
+            return false;
+        const Outcome outcome = tree.outcomes[next];
+        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b)
+            divided.push_back(nodes);
+        ++next;
+        return true;
+    };
+    std::vector<std::size_t> tests;  // of those in `divided`
+    if (!visit({a.roots[0], b.roots[0]})) return false;
+    if (!divided.empty()) tests.push_back(0);
+    while (!divided.empty()) {
+        const IndexPair nodes = divided.back();
+        const bool of_a = tree.outcomes[tests.back()] == Outcome::divided_a;
+        divided.pop_back();
+        tests.pop_back();
+        const TreeShape& shape = of_a ? a : b;
+        for (std::uint32_t child = shape.first_child[of_a ? nodes.a : nodes.b]; child != no_index;
+             child = shape.next_sibling[child]) {
+            const std::size_t before = divided.size();
+            if (!visit(of_a ? IndexPair{child, nodes.b} : IndexPair{nodes.a, child})) return false;
+            if (divided.size() > before) tests.push_back(next - 1);
+        }
+    }
+    return next == tree.outcomes.size();
+}
+
+}  // namespace
+
+QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
+                         const TraceFrame& frame, const std::vector<EndingGroup>& groups,
+                         BlockStore& store) {
+    const TraversalTree tree = traversal_tree(header, frame);
+    std::vector<std::uint8_t> outcomes;
+    outcomes.reserve(tree.outcomes.size());
+    for (const Outcome outcome : tree.outcomes) {
+        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b) {
+            outcomes.push_back(outcome == Outcome::divided_a ? 0 : 1);
+            continue;
+        }
+        const auto group =
+            std::find_if(groups.begin(), groups.end(), [outcome](const EndingGroup& g) {
+                return std::find(g.endings.begin(), g.endings.end(), outcome) != g.endings.end();
+            });
+        outcomes.push_back(static_cast<std::uint8_t>(2 + (group - groups.begin())));
+    }
+    QueryBlocks result;
+    result.tests = outcomes.size();
+    result.outcomes = store.add(outcomes);
+    if (!follow_from_outcomes(bodies, frame, tree)) {
+        std::vector<std::uint32_t> nodes;
+        for (const VolumeTest& test : frame.events.volume_tests)
+            nodes.insert(nodes.end(), {test.nodes.a, test.nodes.b});
+        result.nodes = store.add(nodes);
+    }
+    std::vector<std::uint32_t> pairs;
+    for (const IndexPair pair : frame.found.pairs) pairs.insert(pairs.end(), {pair.a, pair.b});
+    result.pairs = store.add(pairs);
+    return result;
+}
+
+}  // namespace scb::render

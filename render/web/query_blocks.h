@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "core/analysis/trace.h"
+#include "render/figures/query_body.h"
+#include "render/plots/ending_colors.h"
+#include "render/web/block_store.h"
+
+namespace scb::render {
+
+/// The tests of a query, and what it found.
+struct QueryBlocks {
+    std::size_t tests = 0;
+    /// Number of a block: of each test of volumes, in their order, 0 where the children of A's node
+    /// were tested next, 1 where those of B's node were, else 2 and the index of its ending's
+    /// group, u8.
+    std::size_t outcomes = 0;
+    /// A's and B's node of each test, u32; nothing where they follow from the outcomes: first the
+    /// roots, then, of the pair that was divided last and is still to be gone into, all children.
+    std::optional<std::size_t> nodes;
+    std::size_t pairs = 0;  ///< of triangles, u32
+};
+
+/// `groups` are those of the header, see ending_groups. Of `bodies` the trees are needed.
+QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
+                         const TraceFrame& frame, const std::vector<EndingGroup>& groups,
+                         BlockStore& store);
+
+}  // namespace scb::render
