@@ -92,7 +92,7 @@ class App {
       const frame = await query.get(frames[state.at]), load = (side, level) => query.trees[side].load(Math.max(level, selected));
       await Promise.all([0, 1].map((side) => load(side, 0)));
       if (!frame || state.mode === 'pairs') return { frame };
-      const ended = query.ended(frame, query.told.groups.map((_, i) => !state.hidden.includes(i)), state.focus);
+      const ended = query.ended(frame, query.told.groups.map((group) => !state.hidden.includes(group.label)), state.focus);
       await Promise.all([0, 1].map((side) => load(side, ended.all[side].reduce((most, { slot }) => Math.max(most, query.trees[side].levelOf(slot)), 0))));
       await Promise.all(query.trees.map((tree) => tree.openItems()));
       return { frame, nodes: query.drawn(ended, (node) => this.areaOf(k, node)) };
@@ -276,7 +276,7 @@ class App {
       meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
     });
     const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
-    if (scene.lines && (pairs || (meet >= 0 && !state.hidden.includes(meet)))) {
+    if (scene.lines && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {
       const placement = view.placement(this.poseOf(query.told.bodies[0]), query.trees[0].told.center, eye.far), line = { segments: scene.lines, placement };
       if (pairs) segments.push({ ...line, color: theme.faint, width: 1.5, on_top: true }, { ...line, color: theme.text, width: 3, on_top: false });
       else segments.push({ ...line, color: query.told.groups[meet][state.theme], width: 1.5, on_top: true });
@@ -473,7 +473,7 @@ class App {
     const { state, view, manifest } = this, number = (x) => String(+x.toPrecision(7));
     const words = new URLSearchParams();
     if (state.mode !== 'levels') words.set('show', state.mode);
-    if (state.hidden.length) words.set('hide', state.hidden.join());
+    if (state.hidden.length) words.set('hide', state.hidden.join('|'));
     if (state.focus !== 0.5) words.set('focus', state.focus);
     words.set('level', state.level);
     for (const [body, level] of Object.entries(state.levels)) words.set(`level${body}`, level);
@@ -503,7 +503,7 @@ class App {
       return parts.length === 3 && parts.every(Number.isFinite) ? parts : null;
     };
     state.mode = this.queries.length && ['rejections', 'pairs'].includes(words.get('show')) ? words.get('show') : 'levels';
-    state.hidden = words.has('hide') ? words.get('hide').split(',').map(Number).filter((n) => Number.isInteger(n) && n >= 0) : [];
+    state.hidden = words.has('hide') ? words.get('hide').split('|') : [];
     if (number('focus') !== null) state.focus = clamp(number('focus'), 0.01, 1);
     if (number('level') !== null) state.level = clamp(Math.round(number('level')), 0, this.depth);
     manifest.bodies.forEach((_, b) => {

@@ -168,8 +168,8 @@ class Panel {
       parts.push(element('div', { className: 'faint', textContent: `Paths that ended; ${counted(nodes.length)} nodes drawn, B hatched` }));
       query.told.groups.forEach((group, i) => {
         if (frame.counts[i] === 0) return;
-        const box = element('input', { type: 'checkbox', checked: !state.hidden.includes(i) }), output = element('output', { textContent: counted(frame.counts[i]) });
-        box.addEventListener('change', () => app.set({ hidden: box.checked ? state.hidden.filter((n) => n !== i) : [...state.hidden, i] }));
+        const box = element('input', { type: 'checkbox', checked: !state.hidden.includes(group.label) }), output = element('output', { textContent: counted(frame.counts[i]) });
+        box.addEventListener('change', () => app.set({ hidden: box.checked ? state.hidden.filter((label) => label !== group.label) : [...state.hidden, group.label] }));
         parts.push(element('label', { className: 'ending' }, box, element('span', {}, this.key(group[state.theme]), group.label), output));
       });
     });

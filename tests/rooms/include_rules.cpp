@@ -24,9 +24,10 @@ const std::map<std::string, Floors> rooms = {
       {"packed", "analysis"},
       {"judge"}}},
     {"scenes", {{"text"}, {"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},
-    {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}}},
+    {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}, {"web"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
-    {"app", {{"cli"}, {"query"}, {"pictures"}, {"timing", "explain", "golden"}, {"inspect"}}},
+    {"app",
+     {{"cli"}, {"query"}, {"pictures"}, {"timing", "explain", "golden", "view"}, {"inspect"}}},
 };
 
 // To which room of core a public header belongs.
