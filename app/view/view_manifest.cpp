@@ -78,14 +78,14 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
                                     subtrees.empty() ? body : subtrees[node], node);
     };
     const render::TreeBlocks blocks = render::tree_blocks(tree, color, store);
-    Json levels = Json::array();
-    for (const render::LevelBlocks& level : blocks.levels) {
-        Json entry = {{"count", level.count},
-                      {"shapes", level.shapes},
-                      {"numbers", level.numbers},
-                      {"colors", level.colors}};
-        if (level.has_extras) entry.update({{"extras", level.extras}, {"texels", level.texels}});
-        levels.push_back(std::move(entry));
+    Json parts = Json::array();
+    for (const render::LevelBlocks& part : blocks.parts) {
+        Json entry = {{"levels", part.levels},
+                      {"shapes", part.shapes},
+                      {"numbers", part.numbers},
+                      {"colors", part.colors}};
+        if (part.has_extras) entry.update({{"extras", part.extras}, {"texels", part.texels}});
+        parts.push_back(std::move(entry));
     }
     return {{"center", json_of(blocks.center)},
             {"radius", reach_of(tree, blocks.center)},
@@ -93,7 +93,8 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
             {"children", blocks.children},
             {"item_counts", blocks.item_counts},
             {"items", blocks.items},
-            {"levels", std::move(levels)}};
+            {"counts", blocks.counts},
+            {"parts", std::move(parts)}};
 }
 
 /// The poses of a body at the frames, twelve numbers each: the rows of a 3x4 matrix.

@@ -216,7 +216,7 @@ class Panel {
     const parts = [this.table(rows)];
     manifest.kinds.forEach((kind, k) => {
       const of = app.treeOf(k, body);
-      if (of.levels.length > depth) parts.push(element('div', { className: 'faint', textContent: kind.title }), this.table(numbersText(of.volume(slot), of.told.center)));
+      if (of.has(depth)) parts.push(element('div', { className: 'faint', textContent: kind.title }), this.table(numbersText(of.volume(slot), of.told.center)));
     });
     parts.push(...this.testParts(body, slot));
     if (chain.length) parts.push(element('div', { className: 'faint', textContent: 'Above, from the root' }), element('div', { className: 'row' }, ...chain.slice(-12).map(link)));

@@ -2,15 +2,15 @@ const shapeNames = ['none', 'scb', 'scb2', 'box', 'polytope', 'rounded'];
 const numbersOf = [0, 9, 14, 12, 4, 5];  // of WebShape, see tree_blocks.h
 const texelWidth = 2048;
 
-// A hierarchy. Its nodes are in the order of their levels; a level is unpacked when it is shown. "Slot" is a node's place in this
+// A hierarchy. Its nodes are in the order of their levels; levels are unpacked when they are shown, small ones together. "Slot" is a node's place in this
 // order, "node" its number for the user.
 class Tree {
   constructor(gl, blocks, told) {
     Object.assign(this, { gl, blocks, told });
     this.start = [0];
-    for (const level of told.levels) this.start.push(this.start.at(-1) + level.count);
-    this.depth = told.levels.length - 1;
-    this.levels = [];  // those that are unpacked: a prefix
+    for (const count of told.counts) this.start.push(this.start.at(-1) + count);
+    this.depth = told.counts.length - 1;
+    this.parts = [];  // those that are unpacked: the first ones
     this.loading = Promise.resolve();
   }
 
@@ -21,7 +21,7 @@ class Tree {
     const count = this.order.length;
     this.firstChild = new Uint32Array(count);
     this.parent = new Int32Array(count).fill(-1);
-    let next = this.told.levels.length > 0 ? this.told.levels[0].count : 0;
+    let next = this.told.counts[0] ?? 0;
     for (let slot = 0; slot < count; ++slot) {
       this.firstChild[slot] = next;
       for (let i = 0; i < this.children[slot]; ++i) this.parent[next++] = slot;
@@ -49,42 +49,50 @@ class Tree {
   }
 
   levelOf(slot) {
-    let level = 0;
-    while (this.start[level + 1] <= slot) ++level;
-    return level;
+    let least = 0, most = this.depth;
+    while (least < most) {
+      const middle = (least + most + 1) >> 1;
+      if (this.start[middle] <= slot) least = middle;
+      else most = middle - 1;
+    }
+    return least;
   }
 
-  // Unpacks all levels down to this one, one after the other.
+  // Whether the volumes of a level are unpacked.
+  has(level) {
+    return this.parts.length > 0 && Math.min(level, this.depth) < this.parts.at(-1).end;
+  }
+
+  // Unpacks all levels down to this one, part after part.
   load(level) {
-    const last = Math.min(level, this.depth);
     this.loading = this.loading.then(async () => {
-      if (this.levels.length > last) return;
-      while (this.levels.length <= last) this.levels.push(await this.unpack(this.levels.length));
+      if (this.has(level) || this.depth < 0) return;
+      while (!this.has(level)) this.parts.push(await this.unpack(this.told.parts[this.parts.length]));
       this.upload();
     });
     return this.loading;
   }
 
-  async unpack(depth) {
-    const told = this.told.levels[depth], { count } = told;
+  async unpack(told) {
     const shapes = await this.blocks.get(told.shapes), numbers = await this.blocks.get(told.numbers);
-    const colors = await this.blocks.get(told.colors);
+    const colors = await this.blocks.get(told.colors), count = shapes.length;
     const extras = 'extras' in told ? await this.blocks.get(told.extras) : null;
     const extraTexels = extras ? await this.blocks.get(told.texels) : new Float32Array(0);
     for (const name of ['shapes', 'numbers', 'colors', 'extras', 'texels']) this.blocks.forget(told[name]);
-    const firstExtra = this.levels.reduce((sum, level) => sum + level.extraTexels.length / 4, 0);
+    const first = this.parts.at(-1)?.last ?? 0, before = this.parts.at(-1)?.extrasEnd ?? 0;
     const texels = new Float32Array(16 * count), offsets = new Uint32Array(count);
-    for (let i = 0, at = 0, extra = firstExtra; i < count; ++i) {
+    let extra = before;
+    for (let i = 0, at = 0; i < count; ++i) {
       const shape = shapes[i], n = numbersOf[shape];
       offsets[i] = at;
       texels.set(numbers.subarray(at, at + n), 16 * i);
       at += n;
-      if (!extras) continue;
-      const many = extras[i] & 0x7fffffff;
+      const many = extras ? extras[i] & 0x7fffffff : 0;
       if (many > 0) texels.set([extra, many, extras[i] >>> 31], 16 * i + 12);
       extra += many;
     }
-    return { shapes, numbers, offsets, colors, texels, extraTexels };
+    const end = (this.parts.at(-1)?.end ?? 0) + told.levels;  // the first level behind it
+    return { shapes, numbers, offsets, colors, texels, extraTexels, first, last: first + count, extrasEnd: extra, end };
   }
 
   texture(unit, arrays) {
@@ -110,8 +118,8 @@ class Tree {
   upload() {
     const { gl } = this;
     for (const old of [this.volumeTexture, this.extraTexture]) if (old) gl.deleteTexture(old);
-    this.volumeTexture = this.texture(0, this.levels.map((level) => level.texels));
-    this.extraTexture = this.texture(1, this.levels.map((level) => level.extraTexels));
+    this.volumeTexture = this.texture(0, this.parts.map((part) => part.texels));
+    this.extraTexture = this.texture(1, this.parts.map((part) => part.extraTexels));
   }
 
   // The slots that cover the body at a level: its nodes, and the leaves above; or of them those below a node.
@@ -130,13 +138,14 @@ class Tree {
 
   // Shape, numbers and color of a slot whose level is unpacked.
   volume(slot) {
-    const depth = this.levelOf(slot), level = this.levels[depth], i = slot - this.start[depth];
-    const shape = level.shapes[i], at = level.offsets[i];
+    let part = this.lastPart ?? this.parts[0];
+    if (slot < part.first || slot >= part.last) this.lastPart = part = this.parts.find(({ last }) => slot < last);
+    const i = slot - part.first, shape = part.shapes[i], at = part.offsets[i];
     return {
       shape,
-      numbers: level.numbers.subarray(at, at + numbersOf[shape]),
-      color: level.colors.subarray(3 * i, 3 * i + 3),
-      extras: level.texels[16 * i + 13],
+      numbers: part.numbers.subarray(at, at + numbersOf[shape]),
+      color: part.colors.subarray(3 * i, 3 * i + 3),
+      extras: part.texels[16 * i + 13],
     };
   }
 }

@@ -6,8 +6,12 @@
 namespace scb::render {
 namespace {
 
-/// What a level has, before it is packed.
+/// Fewer nodes than that are packed with those of the next level.
+constexpr std::size_t least_nodes = 512;
+
+/// What a few levels have, before they are packed.
 struct Level {
+    std::size_t levels = 0;
     std::vector<std::uint8_t> shapes, colors;
     std::vector<float> numbers, texels;
     std::vector<std::uint32_t> extras;
@@ -110,10 +114,22 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
     const TreeShape& shape = tree.shape();
     TreeBlocks result;
     result.center = middle_of(tree);
-    result.nodes = tree.size();
     std::vector<std::uint32_t> order, children, item_counts, items, here = shape.roots;
+    Level level;
+    const auto pack = [&] {
+        LevelBlocks& blocks = result.parts.emplace_back();
+        blocks.levels = level.levels;
+        blocks.shapes = store.add(level.shapes);
+        blocks.numbers = store.add(level.numbers);
+        blocks.colors = store.add(level.colors);
+        blocks.has_extras = !level.texels.empty();
+        if (blocks.has_extras) {
+            blocks.extras = store.add(level.extras);
+            blocks.texels = store.add(level.texels);
+        }
+        level = {};
+    };
     while (!here.empty()) {
-        Level level;
         std::vector<std::uint32_t> below;
         for (const std::uint32_t node : here) {
             std::uint32_t count = 0;
@@ -134,16 +150,9 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
             const Rgba8 c = color(node);
             level.colors.insert(level.colors.end(), {c.r, c.g, c.b});
         }
-        LevelBlocks& blocks = result.levels.emplace_back();
-        blocks.count = here.size();
-        blocks.shapes = store.add(level.shapes);
-        blocks.numbers = store.add(level.numbers);
-        blocks.colors = store.add(level.colors);
-        blocks.has_extras = !level.texels.empty();
-        if (blocks.has_extras) {
-            blocks.extras = store.add(level.extras);
-            blocks.texels = store.add(level.texels);
-        }
+        result.counts.push_back(here.size());
+        ++level.levels;
+        if (level.shapes.size() >= least_nodes || below.empty()) pack();
         here = std::move(below);
     }
     result.order = store.add(order);

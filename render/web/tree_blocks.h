@@ -19,9 +19,9 @@ enum class WebShape : std::uint8_t {
     rounded,   ///< center, the radius of such a ball, rounding; the points of its core are extra
 };
 
-/// The nodes of one depth.
+/// The nodes of a few levels that follow each other: small ones are packed together.
 struct LevelBlocks {
-    std::size_t count = 0;
+    std::size_t levels = 0;
     // Numbers of blocks. Of each node:
     std::size_t shapes = 0;   ///< its WebShape, u8
     std::size_t numbers = 0;  ///< those of its shape, one node after the other, f32
@@ -33,14 +33,16 @@ struct LevelBlocks {
 
 /// A tree by its levels, from the root down: a page that shows the first ones unpacks no others.
 struct TreeBlocks {
-    Vec3 center = Vec3::Zero();  ///< what all centers count from, so that 32 bits are enough
-    std::size_t nodes = 0;       ///< in the tree; those that no root leads to are left out
-    std::size_t order = 0;  ///< number of a block: the nodes' indices, level by level, and within a
-                            ///< level child after child of node after node, u32
-    std::size_t children = 0;     ///< in this order how many children each has, u32
-    std::size_t item_counts = 0;  ///< and how many triangles, or objects, u32
-    std::size_t items = 0;        ///< these, one node after the other, u32
-    std::vector<LevelBlocks> levels;
+    Vec3 center = Vec3::Zero();       ///< what all centers count from, so that 32 bits are enough
+    std::vector<std::size_t> counts;  ///< the nodes of each level; those that no root leads to are
+                                      ///< left out
+    // Numbers of blocks, each u32:
+    std::size_t order = 0;        ///< the nodes' indices, level by level, and within a level child
+                                  ///< after child of node after node
+    std::size_t children = 0;     ///< in this order how many children each has,
+    std::size_t item_counts = 0;  ///< and how many triangles, or objects
+    std::size_t items = 0;        ///< these, one node after the other
+    std::vector<LevelBlocks> parts;
 };
 
 /// `color` says that of a node.

@@ -79,27 +79,31 @@ TEST_P(TreeBlocksOf, HaveEachNodeOnceLevelByLevel) {
         for (std::uint32_t i = 0; i < children[slot]; ++i)
             EXPECT_EQ(tree->shape().parents[order[next++]], order[slot]);
     EXPECT_EQ(next, order.size());
-    for (std::size_t depth = 0; depth < blocks.levels.size(); ++depth) {
-        const LevelBlocks& level = blocks.levels[depth];
-        const auto shapes = unpacked<std::uint8_t>(store, level.shapes),
-                   colors = unpacked<std::uint8_t>(store, level.colors);
-        const auto numbers = unpacked<float>(store, level.numbers);
-        ASSERT_EQ(shapes.size(), level.count);
-        ASSERT_EQ(numbers.size() % level.count, 0u) << "all are of one shape";
-        std::size_t extras = 0;
-        for (std::size_t i = 0; i < level.count; ++i, ++at) {
-            EXPECT_EQ(tree->shape().depths[order[at]], depth);
-            EXPECT_EQ(colors[3 * i], static_cast<std::uint8_t>(order[at]));
-            const Vec3 center = scb::center(tree->volume(order[at])) - blocks.center;
-            const float* first = &numbers[i * (numbers.size() / level.count)];
-            for (int k = 0; k < 3; ++k) EXPECT_EQ(first[k], static_cast<float>(center[k]));
-            if (level.has_extras)
-                extras += unpacked<std::uint32_t>(store, level.extras)[i] & 0x7fffffffu;
-        }
-        if (level.has_extras) {
-            EXPECT_EQ(unpacked<float>(store, level.texels).size(), 4 * extras);
+    std::size_t depth = 0;
+    for (const LevelBlocks& part : blocks.parts) {
+        const auto shapes = unpacked<std::uint8_t>(store, part.shapes),
+                   colors = unpacked<std::uint8_t>(store, part.colors);
+        const auto numbers = unpacked<float>(store, part.numbers);
+        ASSERT_EQ(numbers.size() % shapes.size(), 0u) << "all are of one shape";
+        const std::size_t each = numbers.size() / shapes.size();
+        std::size_t extras = 0, first = at;
+        for (std::size_t level = 0; level < part.levels; ++level, ++depth)
+            for (std::size_t i = 0; i < blocks.counts.at(depth); ++i, ++at) {
+                EXPECT_EQ(tree->shape().depths[order[at]], depth);
+                EXPECT_EQ(colors.at(3 * (at - first)), static_cast<std::uint8_t>(order[at]));
+                const Vec3 center = scb::center(tree->volume(order[at])) - blocks.center;
+                for (std::size_t k = 0; k < 3; ++k)
+                    EXPECT_EQ(numbers.at(each * (at - first) + k),
+                              static_cast<float>(center[static_cast<int>(k)]));
+                if (part.has_extras)
+                    extras += unpacked<std::uint32_t>(store, part.extras)[at - first] & 0x7fffffffu;
+            }
+        EXPECT_EQ(at - first, shapes.size());
+        if (part.has_extras) {
+            EXPECT_EQ(unpacked<float>(store, part.texels).size(), 4 * extras);
         }
     }
+    EXPECT_EQ(depth, blocks.counts.size());
     EXPECT_EQ(at, order.size());
 }
 
