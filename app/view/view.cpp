@@ -141,8 +141,11 @@ int run(const ViewOptions& options, const Console& console) {
                                options.hierarchies + options.levels;
     const std::size_t kinds_count = subject.trees.size();
     if (kinds_count <= 2)
-        for (const char* picture : {"rejections", "pairs"})
-            start.commands[picture] =
+        for (const auto& [mode, picture] : {std::pair{"rejections", "rejections"},
+                                            {"pairs", "pairs"},
+                                            {"tests", "pairs --heat volumes"},
+                                            {"wasted", "pairs --heat wasted"}})
+            start.commands[mode] =
                 std::string("scb render ") + picture + options.scene +
                 (kinds_count == 1 ? options.volumes : " --compare " + asked.hierarchy.volumes) +
                 options.hierarchies;

@@ -124,12 +124,18 @@ std::vector<int> frames_of(const LevelSubject& subject) {
 Json legend_json(const render::ColorScale& scale) {
     const std::optional<render::PanelScale> legend = render::legend_of(scale);
     if (!legend) return nullptr;
-    Json ticks = Json::array(), stops = Json::array();
+    Json ticks = Json::array();
     for (const auto& [at, text] : legend->ticks) ticks.push_back({at, text});
-    constexpr int steps = 32;
+    return {{"title", legend->title}, {"ticks", ticks}};
+}
+
+/// The colors of magnitudes from 0 to 1, in even steps.
+Json viridis_json() {
+    Json stops = Json::array();
+    constexpr int steps = 60;  // the stops of the palette are among them
     for (int i = 0; i <= steps; ++i)
         stops.push_back(json_of(render::viridis(static_cast<double>(i) / steps)));
-    return {{"title", legend->title}, {"ticks", ticks}, {"stops", stops}};
+    return stops;
 }
 
 /// Corners of triangles whose directions cover the sphere, one after the other: for few, some and
@@ -199,6 +205,7 @@ Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::
         {"trees", std::move(trees)},
         {"grids", add_grids(store)},
         {"legend", legend_json(start.style.colors)},
+        {"viridis", viridis_json()},
         {"camera", camera_json(start)},
         {"themes",
          {{"light", theme_json(render::light_theme)}, {"dark", theme_json(render::dark_theme)}}},

@@ -24,10 +24,15 @@ Json groups_json(const TraceHeader& header) {
             std::all_of(light[i].endings.begin(), light[i].endings.end(), [](Outcome ending) {
                 return ending == Outcome::triangles_apart || ending == Outcome::triangles_meet;
             });
+        const bool finds =
+            std::any_of(light[i].endings.begin(), light[i].endings.end(), [](Outcome ending) {
+                return ending == Outcome::triangles_meet || ending == Outcome::found;
+            });
         groups.push_back({{"label", scenes::printable(light[i].label)},
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},
-                          {"triangles", triangles}});
+                          {"triangles", triangles},
+                          {"finds", finds}});
     }
     return groups;
 }

@@ -57,6 +57,17 @@ class App {
     return this.refresh();
   }
 
+  get isHeat() {
+    return this.state.mode === 'tests' || this.state.mode === 'wasted';
+  }
+
+  // The color of a count on a logarithmic scale with its end, as heat_figure.cpp has it.
+  heatColor(count, end) {
+    const { viridis } = this.manifest, at = count > 0 ? clamp(Math.log(count / 0.25) / Math.log(end / 0.25), 0, 1) * (viridis.length - 1) : 0;
+    const below = Math.min(Math.floor(at), viridis.length - 2), t = at - below;
+    return viridis[below].map((c, i) => Math.round(c + t * (viridis[below + 1][i] - c)));
+  }
+
   // Unpacks what is needed, then draws; what was asked for in the meantime wins.
   async refresh() {
     const turn = (this.turn = (this.turn ?? 0) + 1);
@@ -92,6 +103,11 @@ class App {
       const frame = await query.get(frames[state.at]), load = (side, level) => query.trees[side].load(Math.max(level, selected));
       await Promise.all([0, 1].map((side) => load(side, 0)));
       if (!frame || state.mode === 'pairs') return { frame };
+      if (this.isHeat) {
+        await Promise.all(query.trees.map((tree) => tree.openItems()));
+        const triangles = query.told.bodies.map((b) => (bodies[b].mesh === null ? 0 : this.arrays[bodies[b].mesh].indices.length / 3));
+        return { frame, heat: query.heat(frame, state.mode === 'wasted', triangles) };
+      }
       const ended = query.ended(frame, query.told.groups.map((group) => !state.hidden.includes(group.label)), state.focus);
       await Promise.all([0, 1].map((side) => load(side, ended.all[side].reduce((most, { slot }) => Math.max(most, query.trees[side].levelOf(slot)), 0))));
       await Promise.all(query.trees.map((tree) => tree.openItems()));
@@ -116,11 +132,12 @@ class App {
           triangles.push(...mesh.indices.subarray(3 * triangle, 3 * triangle + 3));
           colors.push(...color);
         };
-        if (this.state.mode === 'pairs') for (const triangle of scene.frame.meeting[side]) put(triangle, this.manifest.bodies[bodies[side]].color);
+        if (scene.heat) scene.heat.counts[side].forEach((count, triangle) => put(triangle, this.heatColor(count, scene.heat.end)));
+        else if (this.state.mode === 'pairs') for (const triangle of scene.frame.meeting[side]) put(triangle, this.manifest.bodies[bodies[side]].color);
         else for (const { slot, group } of scene.nodes.filter((node) => node.side === side && this.isTriangle(k, node))) for (const item of query.trees[side].itemsOf(slot)) put(item, groups[group][this.state.theme]);
         return triangles.length ? keep(this.painter.uploadMesh(mesh.positions, Uint32Array.from(triangles), colors)) : null;
       });
-      const points = this.linesOf(query, scene.frame);
+      const points = scene.heat ? [] : this.linesOf(query, scene.frame);
       scene.lines = points.length ? keep(this.painter.uploadSegments(Float32Array.from(points))) : null;
     });
   }
@@ -272,11 +289,11 @@ class App {
       const body = manifest.bodies[b];
       if (body.mesh === null) return;
       const placement = view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far);
-      if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, shading: 0.3, hatched: !pairs && side === 1 });
-      meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
+      if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, edges: this.isHeat && state.edges, shading: this.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && side === 1 });
+      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: state.mode === 'rejections', fade: state.mode === 'rejections' ? 0.5 : 0 });
     });
     const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
-    if (scene.lines && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {
+    if (scene.lines && !scene.heat && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {
       const placement = view.placement(this.poseOf(query.told.bodies[0]), query.trees[0].told.center, eye.far), line = { segments: scene.lines, placement };
       if (pairs) segments.push({ ...line, color: theme.faint, width: 1.5, on_top: true }, { ...line, color: theme.text, width: 3, on_top: false });
       else segments.push({ ...line, color: query.told.groups[meet][state.theme], width: 1.5, on_top: true });
@@ -460,6 +477,7 @@ class App {
       n: () => selected && tree.parent[selected.slot + 1] === tree.parent[selected.slot] && go(selected.slot + 1),
       i: () => selected && this.set({ isolated: !state.isolated }),
       1: () => this.set({ mode: 'levels' }), 2: () => this.queries.length && this.set({ mode: 'rejections' }), 3: () => this.queries.length && this.set({ mode: 'pairs' }),
+      4: () => this.queries.length && this.set({ mode: 'tests' }), 5: () => this.queries.length && this.set({ mode: 'wasted' }),
       '/': () => this.panel.search.focus(), s: () => this.save(), escape: () => this.select(0, -1), h: () => this.help(), '?': () => this.help(),
     };
     const name = event.key.toLowerCase(), act = acts[name];
@@ -502,7 +520,7 @@ class App {
       const parts = (words.get(name) ?? '').split(',').map(Number);
       return parts.length === 3 && parts.every(Number.isFinite) ? parts : null;
     };
-    state.mode = this.queries.length && ['rejections', 'pairs'].includes(words.get('show')) ? words.get('show') : 'levels';
+    state.mode = this.queries.length && ['rejections', 'pairs', 'tests', 'wasted'].includes(words.get('show')) ? words.get('show') : 'levels';
     state.hidden = words.has('hide') ? words.get('hide').split('|') : [];
     if (number('focus') !== null) state.focus = clamp(number('focus'), 0.01, 1);
     if (number('level') !== null) state.level = clamp(Math.round(number('level')), 0, this.depth);

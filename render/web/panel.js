@@ -12,7 +12,7 @@ const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.
 const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
 
 const keys = [
-  ['1 2 3', 'levels, rejections, pairs'],
+  ['1 to 5', 'levels, rejections, pairs, tests, wasted tests'],
   ['arrows', 'turn; with Shift, move'],
   ['+ −', 'nearer, farther'],
   ['[ ]', 'one level up, down'],
@@ -68,7 +68,7 @@ class Panel {
     this.legend = element('div');
     this.query = element('div');
     const modes = app.queries.length ? [element('div', { className: 'row', role: 'group', 'aria-label': 'What is shown' },
-      ...[['Levels', 'levels'], ['Rejections', 'rejections'], ['Pairs', 'pairs']].map(([text, mode], i) => button(text, `Key ${i + 1}`, () => app.set({ mode }), () => state.mode === mode)))] : [];
+      ...[['Levels', 'levels'], ['Rejections', 'rejections'], ['Pairs', 'pairs'], ['Tests', 'tests'], ['Wasted', 'wasted']].map(([text, mode], i) => button(text, `Key ${i + 1}`, () => app.set({ mode }), () => state.mode === mode)))] : [];
     this.ofLevels = [];
     const ofLevels = (...elements) => (this.ofLevels.push(...elements), elements);
     this.root.append(
@@ -108,19 +108,20 @@ class Panel {
 
   drawLegend() {
     const { manifest } = this.app, { legend } = manifest;
-    if (!legend) {
-      this.legend.append(...manifest.bodies.map((body) => element('div', {}, this.key(body.color), body.name)));
-      return;
-    }
-    const bar = element('div', { className: 'scale' });
-    bar.style.background = `linear-gradient(to right, ${legend.stops.map(css).join(',')})`;
-    const ticks = element('div', { className: 'ticks' });
-    for (const [at, text] of legend.ticks) {
+    if (legend) this.legend.append(...this.scale(legend.title, legend.ticks));
+    else this.legend.append(...manifest.bodies.map((body) => element('div', {}, this.key(body.color), body.name)));
+  }
+
+  // Colors from 0 to 1, and what they mean.
+  scale(title, labels) {
+    const bar = element('div', { className: 'scale' }), ticks = element('div', { className: 'ticks' });
+    bar.style.background = `linear-gradient(to right, ${this.app.manifest.viridis.map(css).join(',')})`;
+    for (const [at, text] of labels) {
       const tick = element('span', { textContent: text });
       tick.style.left = `${100 * at}%`;
       ticks.append(tick);
     }
-    this.legend.append(element('div', { className: 'faint', textContent: legend.title }), bar, ticks);
+    return [element('div', { className: 'faint', textContent: title }), bar, ticks];
   }
 
   key(color) {
@@ -161,6 +162,15 @@ class Panel {
       }
       const { told } = frame, passed = frame.outcomes.length - frame.counts.reduce((sum, n) => sum + n, 0);
       parts.push(this.table([['pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)]]));
+      const { heat } = app.scenes[k];
+      if (heat) {
+        if (state.mode === 'wasted') parts.push(this.table([['wasted N_v', `${counted(heat.total)}, ${((100 * heat.total) / told.n_v).toFixed(1)} %`]]));
+        query.told.bodies.forEach((b, side) => parts.push(this.table([[`${manifest.bodies[b].name}, most tests of a triangle`, counted(heat.counts[side].reduce((most, n) => Math.max(most, n), 0))]])));
+        const at = (n) => Math.log(n / 0.25) / Math.log(heat.end / 0.25), labels = [[0, '0']];
+        for (let n = 1; at(n) < 0.85; n *= 10) labels.push([at(n), counted(n)]);
+        parts.push(...this.scale(state.mode === 'wasted' ? 'wasted tests of a triangle' : 'volume tests of a triangle', [...labels, [1, counted(heat.end)]]));
+        return;
+      }
       if (state.mode === 'pairs') {
         parts.push(...query.told.bodies.map((b, side) => element('div', {}, this.key(manifest.bodies[b].color), `${manifest.bodies[b].name}: ${counted(frame.meeting[side].size)} triangles meet others`)));
         return;

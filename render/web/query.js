@@ -40,30 +40,32 @@ class Query {
     const outcomes = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
     const nodes = 'nodes' in told ? await this.blocks.get(told.nodes) : null;
     for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
-    const count = outcomes.length, a = new Uint32Array(count), b = new Uint32Array(count);
+    const count = outcomes.length, a = new Uint32Array(count), b = new Uint32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
       for (let i = 0; i < count; ++i) {
-        a[i] = this.trees[0].slotOf(nodes[2 * i]);
-        b[i] = this.trees[1].slotOf(nodes[2 * i + 1]);
+        a[i] = this.trees[0].slotOf(nodes[3 * i]);
+        b[i] = this.trees[1].slotOf(nodes[3 * i + 1]);
+        parents[i] = nodes[3 * i + 2] | 0;  // none is -1
       }
     } else {
       // As the query went on: first the roots, then all children of the pair that was divided last.
       const divided = [];
       let next = 0;
-      const visit = (slot_a, slot_b) => {
+      const visit = (slot_a, slot_b, parent) => {
+        parents[next] = parent;
         a[next] = slot_a;
         b[next] = slot_b;
         if (outcomes[next] < 2) divided.push(next);
         ++next;
       };
-      if (count > 0) visit(0, 0);
+      if (count > 0) visit(0, 0, -1);
       while (divided.length > 0) {
         const test = divided.pop(), of_a = outcomes[test] === 0, slot = of_a ? a[test] : b[test], tree = this.trees[of_a ? 0 : 1];
         const first = tree.firstChild[slot], end = first + tree.children[slot];
-        for (let child = first; child < end; ++child) of_a ? visit(child, b[test]) : visit(a[test], child);
+        for (let child = first; child < end; ++child) of_a ? visit(child, b[test], test) : visit(a[test], child, test);
       }
     }
-    const frame = { told, outcomes, a, b, pairs };
+    const frame = { told, outcomes, a, b, parents, pairs };
     frame.sides = [0, 1].map((side) => this.tally(side === 0 ? a : b, outcomes));
     frame.counts = new Array(this.told.groups.length).fill(0);
     for (const outcome of outcomes) if (outcome > 1) ++frame.counts[outcome - 2];
@@ -81,6 +83,34 @@ class Query {
       if (outcomes[i] > 1) ++entry.ended[outcomes[i] - 2];
     });
     return of;
+  }
+
+  // Of each triangle of both sides the tests of volumes that hold it; of those alone that followed from a pair below which no triangles
+  // meet, where `wasted` says so. `end`: of the scale, the next of 1, 2 and 5 times a power of ten. Needs the trees' items.
+  heat(frame, wasted, triangles) {
+    const { outcomes, parents } = frame, count = outcomes.length, meets = new Uint8Array(count);
+    const found = new Set(this.told.groups.flatMap(({ finds }, i) => (finds ? [i + 2] : [])));
+    for (let i = count - 1; i >= 0; --i) {
+      if (found.has(outcomes[i])) meets[i] = 1;
+      if (meets[i] && parents[i] >= 0) meets[parents[i]] = 1;
+    }
+    let total = 0, most = 0;
+    const counts = [0, 1].map((side) => {
+      const tree = this.trees[side], slots = side === 0 ? frame.a : frame.b, tests = new Float64Array(tree.order.length), of = new Float64Array(triangles[side]);
+      for (let i = 0; i < count; ++i) {
+        if (wasted && (parents[i] < 0 || meets[parents[i]])) continue;
+        ++tests[slots[i]];
+        total += side === 0 ? 1 : 0;
+      }
+      tree.parent.forEach((parent, slot) => {
+        if (parent >= 0) tests[slot] += tests[parent];
+        for (const item of tree.itemsOf(slot)) if (item < of.length) most = Math.max(most, (of[item] = tests[slot]));
+      });
+      return of;
+    });
+    let end = 10;
+    for (let i = 0; end < most; ++i) end *= i % 3 === 1 ? 2.5 : 2;
+    return { counts, most, end, total };
   }
 
   // The slots of a side at which paths ended in groups that are shown, without those that have another one below: slot, the most frequent

@@ -64,8 +64,10 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
     result.outcomes = store.add(outcomes);
     if (!follow_from_outcomes(bodies, frame, tree)) {
         std::vector<std::uint32_t> nodes;
-        for (const VolumeTest& test : frame.events.volume_tests)
-            nodes.insert(nodes.end(), {test.nodes.a, test.nodes.b});
+        for (std::size_t i = 0; i < tree.parents.size(); ++i) {
+            const IndexPair of_test = frame.events.volume_tests[i].nodes;
+            nodes.insert(nodes.end(), {of_test.a, of_test.b, tree.parents[i]});
+        }
         result.nodes = store.add(nodes);
     }
     std::vector<std::uint32_t> pairs;

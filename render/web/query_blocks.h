@@ -16,7 +16,8 @@ struct QueryBlocks {
     /// were tested next, 1 where those of B's node were, else 2 and the index of its ending's
     /// group, u8.
     std::size_t outcomes = 0;
-    /// A's and B's node of each test, u32; nothing where they follow from the outcomes: first the
+    /// A's and B's node of each test, and the test that led to it or 2^32 - 1, u32; nothing where
+    /// they follow from the outcomes: first the
     /// roots, then, of the pair that was divided last and is still to be gone into, all children.
     std::optional<std::size_t> nodes;
     std::size_t pairs = 0;  ///< of triangles, u32

@@ -211,6 +211,26 @@ for (const options of [['--volume', 'scb'], ['--volume', 'obb', '--split', 'cost
   });
 }
 
+test('wasted tests are those that scb inspect counts', async () => {
+  const sum = JSON.parse(scb('inspect', 'cone', '--frames', '100', '--json')).sum;
+  await onPage(page_of('cone', '--volume', 'scb', '--frames', '100'), { hash: '#show=wasted' }, async (page) => {
+    const total = await page.evaluate(() => document.getElementById('canvas').app.scenes[0].heat.total);
+    assert.equal(total, sum.wasted.n_v);
+    await press(page, '4');
+    const [all, tests, first] = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { heat, frame } = app.scenes[0], tree = app.queries[0].trees[0];
+      const of = (slot) => frame.sides[0].get(slot)?.tests ?? 0;
+      let slot = tree.order.length - 1, sum = of(slot);
+      const item = tree.itemsOf(slot)[0];
+      for (let up = tree.parent[slot]; up >= 0; up = tree.parent[up]) sum += of(up);
+      return [heat.total, frame.outcomes.length, [heat.counts[0][item], sum]];
+    });
+    assert.equal(all, tests);
+    assert.equal(first[0], first[1]);
+    await shot(page, 'heat');
+  });
+});
+
 test('rejections and pairs change what is shown, filter, and answer', async () => {
   await onPage(page_of('cone', '--frames', '100', '--queries', '90:110:10'), {}, async (page) => {
     const before = new Set([await seen(page)]);
