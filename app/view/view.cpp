@@ -144,7 +144,8 @@ int run(const ViewOptions& options, const Console& console) {
         for (const auto& [mode, picture] : {std::pair{"rejections", "rejections"},
                                             {"pairs", "pairs"},
                                             {"tests", "pairs --heat volumes"},
-                                            {"wasted", "pairs --heat wasted"}})
+                                            {"wasted", "pairs --heat wasted"},
+                                            {"traversal", "traversal"}})
             start.commands[mode] =
                 std::string("scb render ") + picture + options.scene +
                 (kinds_count == 1 ? options.volumes : " --compare " + asked.hierarchy.volumes) +

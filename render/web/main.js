@@ -5,7 +5,7 @@ class App {
     this.canvas = document.getElementById('canvas');
     this.blocks = new Blocks();
     const { manifest } = this;
-    this.state = { ...manifest.start, mode: 'levels', hidden: [], focus: 0.5, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
+    this.state = { ...manifest.start, mode: 'levels', hidden: [], focus: 0.5, test: -1, root: 0, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
     this.view = new View(manifest.camera, manifest.up);
     this.cache = new Map();
     this.queued = false;
@@ -24,6 +24,7 @@ class App {
     document.documentElement.classList.add('draws');
     this.readAddress();
     this.panel = new Panel(this);
+    this.icicle = new Icicle(this);
     this.listen();
     await this.refresh();
     document.documentElement.dataset.ready = 'true';
@@ -45,8 +46,15 @@ class App {
     return { center: add(times(pose.rotation, tree.center), pose.translation), radius: tree.radius };
   }
 
+  // Shows the nodes of a test of the traversal.
+  hover(test) {
+    this.state.test = test;
+    return this.refresh();
+  }
+
   // Changes what is shown, and shows it.
   set(change) {
+    if ('at' in change || 'mode' in change) Object.assign(this.state, { test: -1, root: 0, ...change });
     if ('level' in change) this.state.levels = {};
     Object.assign(this.state, change);
     this.state.level = clamp(this.state.level, 0, this.depth);
@@ -55,6 +63,12 @@ class App {
     this.view.orthographic = this.state.orthographic;
     this.cache.clear();
     return this.refresh();
+  }
+
+  // The nodes of the test that is looked at, or of that which is enlarged; of A and B.
+  slotsOfTest(frame) {
+    const { test, root } = this.state, i = [test, root, 0].find((n) => n >= 0 && n < frame.outcomes.length) ?? -1;
+    return i < 0 ? [0, 0] : [frame.a[i], frame.b[i]];
   }
 
   get isHeat() {
@@ -83,6 +97,10 @@ class App {
     }
     this.unpacked = true;
     document.documentElement.dataset.theme = this.state.theme;
+    const traversal = this.state.mode === 'traversal' && Boolean(this.scenes[0].frame);
+    document.documentElement.classList.toggle('traversal', traversal);
+    this.icicle.canvas.hidden = !traversal;
+    if (traversal) this.icicle.show(this.queries[0], this.scenes[0].frame, this.state.root);
     this.panel.update();
     this.writeAddress();
     this.ask();
@@ -103,6 +121,11 @@ class App {
       const frame = await query.get(frames[state.at]), load = (side, level) => query.trees[side].load(Math.max(level, selected));
       await Promise.all([0, 1].map((side) => load(side, 0)));
       if (!frame || state.mode === 'pairs') return { frame };
+      if (state.mode === 'traversal') {
+        const slots = this.slotsOfTest(frame);
+        await Promise.all([0, 1].map((side) => load(side, query.trees[side].levelOf(slots[side]))));
+        return { frame, nodes: [0, 1].map((side) => ({ side, slot: slots[side] })) };
+      }
       if (this.isHeat) {
         await Promise.all(query.trees.map((tree) => tree.openItems()));
         const triangles = query.told.bodies.map((b) => (bodies[b].mesh === null ? 0 : this.arrays[bodies[b].mesh].indices.length / 3));
@@ -119,7 +142,7 @@ class App {
   upload() {
     for (const made of this.made) this.painter.release(made);
     this.made = [];
-    if (this.state.mode === 'levels') return;
+    if (this.state.mode === 'levels' || this.state.mode === 'traversal') return;
     const keep = (made) => (this.made.push(made), made);
     this.scenes.forEach((scene, k) => {
       const query = this.queries[k], { groups, bodies } = query.told;
@@ -189,6 +212,16 @@ class App {
       byShape[tree.volume(node.slot).shape].push(node.slot, (r | (g << 8) | (b << 16) | (255 << 24)) >>> 0, (id | (side === 1 ? 0x80000000 : 0)) >>> 0);
     }
     return this.asGroups(tree, body, byShape);
+  }
+
+  // The two volumes of the test that is looked at, in the bodies' colors.
+  tested(kind) {
+    const query = this.queries[kind];
+    return this.scenes[kind].nodes.flatMap(({ side, slot }) => {
+      const tree = query.trees[side], body = query.told.bodies[side], { color, first_id } = this.manifest.bodies[body], byShape = shapeNames.map(() => []);
+      byShape[tree.volume(slot).shape].push(slot, (color[0] | (color[1] << 8) | (color[2] << 16) | (110 << 24)) >>> 0, ((first_id + tree.order[slot]) | (side === 1 ? 0x80000000 : 0)) >>> 0);
+      return this.asGroups(tree, body, byShape);
+    });
   }
 
   asGroups(tree, body, byShape) {
@@ -290,7 +323,7 @@ class App {
       if (body.mesh === null) return;
       const placement = view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far);
       if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, edges: this.isHeat && state.edges, shading: this.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && side === 1 });
-      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: state.mode === 'rejections', fade: state.mode === 'rejections' ? 0.5 : 0 });
+      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: state.mode === 'rejections', fade: state.mode === 'rejections' || state.mode === 'traversal' ? 0.5 : 0 });
     });
     const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
     if (scene.lines && !scene.heat && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {
@@ -298,6 +331,7 @@ class App {
       if (pairs) segments.push({ ...line, color: theme.faint, width: 1.5, on_top: true }, { ...line, color: theme.text, width: 3, on_top: false });
       else segments.push({ ...line, color: query.told.groups[meet][state.theme], width: 1.5, on_top: true });
     }
+    if (state.mode === 'traversal') return { meshes, segments, opaque: [], translucent: scene.nodes ? this.tested(k) : [] };
     return { meshes, segments, opaque: scene.nodes ? [0, 1].flatMap((side) => this.rejected(k, side)) : [], translucent: [] };
   }
 
@@ -478,6 +512,7 @@ class App {
       i: () => selected && this.set({ isolated: !state.isolated }),
       1: () => this.set({ mode: 'levels' }), 2: () => this.queries.length && this.set({ mode: 'rejections' }), 3: () => this.queries.length && this.set({ mode: 'pairs' }),
       4: () => this.queries.length && this.set({ mode: 'tests' }), 5: () => this.queries.length && this.set({ mode: 'wasted' }),
+      6: () => this.queries.length && this.set({ mode: 'traversal' }),
       '/': () => this.panel.search.focus(), s: () => this.save(), escape: () => this.select(0, -1), h: () => this.help(), '?': () => this.help(),
     };
     const name = event.key.toLowerCase(), act = acts[name];
@@ -493,6 +528,10 @@ class App {
     if (state.mode !== 'levels') words.set('show', state.mode);
     if (state.hidden.length) words.set('hide', state.hidden.join('|'));
     if (state.focus !== 0.5) words.set('focus', state.focus);
+    if (state.mode === 'traversal') {
+      if (state.test >= 0) words.set('test', state.test);
+      if (state.root > 0) words.set('root', state.root);
+    }
     words.set('level', state.level);
     for (const [body, level] of Object.entries(state.levels)) words.set(`level${body}`, level);
     if (manifest.frames.length > 1) words.set('frame', manifest.frames[state.at]);
@@ -520,8 +559,10 @@ class App {
       const parts = (words.get(name) ?? '').split(',').map(Number);
       return parts.length === 3 && parts.every(Number.isFinite) ? parts : null;
     };
-    state.mode = this.queries.length && ['rejections', 'pairs', 'tests', 'wasted'].includes(words.get('show')) ? words.get('show') : 'levels';
+    state.mode = this.queries.length && ['rejections', 'pairs', 'tests', 'wasted', 'traversal'].includes(words.get('show')) ? words.get('show') : 'levels';
     state.hidden = words.has('hide') ? words.get('hide').split('|') : [];
+    state.test = Math.round(number('test') ?? -1);
+    state.root = Math.max(0, Math.round(number('root') ?? 0));
     if (number('focus') !== null) state.focus = clamp(number('focus'), 0.01, 1);
     if (number('level') !== null) state.level = clamp(Math.round(number('level')), 0, this.depth);
     manifest.bodies.forEach((_, b) => {

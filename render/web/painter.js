@@ -17,6 +17,7 @@ class Painter {
     this.programs.rounded = new Program(gl, ['eye.glsl', 'rounded.vert'], [...volume, 'rounded.frag'], ['instance', 'direction']);
     this.meshProgram = new Program(gl, ['eye.glsl', 'mesh.vert'], ['eye.glsl', 'light.glsl', 'mesh.frag'], []);
     this.segmentProgram = new Program(gl, ['eye.glsl', 'segment.vert'], ['eye.glsl', 'segment.frag'], ['from', 'to']);
+    this.resolveProgram = new Program(gl, ['resolve.vert'], ['resolve.frag'], []);
     this.instances = gl.createBuffer();
     this.array = gl.createVertexArray();
     this.grids = grids.map((corners) => {
@@ -76,10 +77,16 @@ class Painter {
       for (const segments of pane.segments) this.drawSegments(pane, segments);
     }
     gl.disable(gl.SCISSOR_TEST);
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target);
-    gl.readBuffer(gl.COLOR_ATTACHMENT0);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-    gl.blitFramebuffer(0, 0, ...this.size, 0, 0, this.canvas.width, this.canvas.height, gl.COLOR_BUFFER_BIT, gl.LINEAR);
+    // Not by blitFramebuffer, which some browsers no longer do once the canvas has another size.
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.disable(gl.DEPTH_TEST);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.color);
+    this.resolveProgram.use({ picture: 0, per_pixel: this.samples });
+    gl.bindVertexArray(this.array);
+    gl.disableVertexAttribArray(0);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   drawTranslucent(pane) {

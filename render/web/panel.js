@@ -12,7 +12,7 @@ const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.
 const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
 
 const keys = [
-  ['1 to 5', 'levels, rejections, pairs, tests, wasted tests'],
+  ['1 to 6', 'levels, rejections, pairs, tests, wasted tests, traversal'],
   ['arrows', 'turn; with Shift, move'],
   ['+ −', 'nearer, farther'],
   ['[ ]', 'one level up, down'],
@@ -68,7 +68,7 @@ class Panel {
     this.legend = element('div');
     this.query = element('div');
     const modes = app.queries.length ? [element('div', { className: 'row', role: 'group', 'aria-label': 'What is shown' },
-      ...[['Levels', 'levels'], ['Rejections', 'rejections'], ['Pairs', 'pairs'], ['Tests', 'tests'], ['Wasted', 'wasted']].map(([text, mode], i) => button(text, `Key ${i + 1}`, () => app.set({ mode }), () => state.mode === mode)))] : [];
+      ...[['Levels', 'levels'], ['Rejections', 'rejections'], ['Pairs', 'pairs'], ['Tests', 'tests'], ['Wasted', 'wasted'], ['Traversal', 'traversal']].map(([text, mode], i) => button(text, `Key ${i + 1}`, () => app.set({ mode }), () => state.mode === mode)))] : [];
     this.ofLevels = [];
     const ofLevels = (...elements) => (this.ofLevels.push(...elements), elements);
     this.root.append(
@@ -171,6 +171,10 @@ class Panel {
         parts.push(...this.scale(state.mode === 'wasted' ? 'wasted tests of a triangle' : 'volume tests of a triangle', [...labels, [1, counted(heat.end)]]));
         return;
       }
+      if (state.mode === 'traversal') {
+        parts.push(...this.testOf(query, frame));
+        return;
+      }
       if (state.mode === 'pairs') {
         parts.push(...query.told.bodies.map((b, side) => element('div', {}, this.key(manifest.bodies[b].color), `${manifest.bodies[b].name}: ${counted(frame.meeting[side].size)} triangles meet others`)));
         return;
@@ -190,6 +194,27 @@ class Panel {
       parts.push(element('div', { className: 'row' }, all));
     }
     return parts;
+  }
+
+  // The test of the traversal that is looked at.
+  testOf(query, frame) {
+    const { app } = this, { manifest, state } = app, slots = app.slotsOfTest(frame), i = [state.test, state.root, 0].find((n) => n >= 0 && n < frame.outcomes.length) ?? -1;
+    if (i < 0) return [element('p', { className: 'faint', textContent: 'There are no tests.' })];
+    Icicle.follow(frame);
+    const outcome = frame.outcomes[i], group = query.told.groups[outcome - 2];
+    const rows = [
+      ['test', counted(i)],
+      ...[0, 1].map((side) => [`node of ${manifest.bodies[query.told.bodies[side]].name}`, `${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`]),
+      ['how it ended', group ? group.label : `they overlap: ${manifest.bodies[query.told.bodies[outcome]].name} was divided`],
+      ['tests that follow', counted(frame.sizes[i] - 1)],
+    ];
+    const go = (side) => {
+      const made = element('button', { type: 'button', textContent: `Node of ${manifest.bodies[query.told.bodies[side]].name}` });
+      made.addEventListener('click', () => app.select(query.told.bodies[side], slots[side]));
+      return made;
+    };
+    return [element('div', { className: 'faint', textContent: 'A test, above those that follow from it' }), this.table(rows), element('div', { className: 'row' }, go(0), go(1)),
+      ...query.told.groups.flatMap((g, k) => (frame.counts[k] ? [element('div', {}, this.key(g[state.theme]), `${g.label}: ${counted(frame.counts[k])}`)] : []))];
   }
 
   // What became of the tests of a node.

@@ -8,6 +8,21 @@ precision highp sampler2D;
 #define SHAPE_BOX 3
 #define SHAPE_POLYTOPE 4
 `;
+// All of the canvas, each pixel the mean of those of the target.
+const resolve = {
+  'resolve.vert': `void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`,
+  'resolve.frag': `
+uniform sampler2D picture;
+uniform int per_pixel;
+layout(location = 0) out vec4 out_color;
+void main() {
+    ivec2 first = ivec2(gl_FragCoord.xy) * per_pixel;
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < per_pixel; ++y)
+        for (int x = 0; x < per_pixel; ++x) sum += texelFetch(picture, first + ivec2(x, y), 0);
+    out_color = sum / float(per_pixel * per_pixel);
+}`,
+};
 // Planes of polytopes are in the frame of their tree here.
 const planes = `
 uniform sampler2D extras;
@@ -23,7 +38,7 @@ class Program {
   constructor(gl, vertex, fragment, attributes, define = '') {
     this.gl = gl;
     this.name = gl.createProgram();
-    const text = (part) => (part === 'planes' ? planes : document.getElementById(part).textContent);
+    const text = (part) => (part === 'planes' ? planes : resolve[part] ?? document.getElementById(part).textContent);
     for (const [stage, parts] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
       const shader = gl.createShader(stage);
       gl.shaderSource(shader, preamble + define + parts.map(text).join('\n'));

@@ -12,6 +12,12 @@ const folder = process.env.PAGE_FOLDER;
 const screenshots = process.env.SCREENSHOTS;
 const scb = (...words) => execFileSync(process.env.SCB, ['--quiet', ...words], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
 
+function traced() {
+  const file = join(folder, 'cone.scbtrace');
+  scb('trace', 'cone', '--volume', 'scb', '--frames', '100', '-o', file);
+  return execFileSync(process.env.SCB, ['--quiet', 'trace', file, '--json', '--events'], { encoding: 'utf8', maxBuffer: 1 << 28 });
+}
+
 let browser;
 before(async () => {
   browser = await chromium.launch({
@@ -231,6 +237,37 @@ test('wasted tests are those that scb inspect counts', async () => {
   });
 });
 
+test('the traversal leads from test to test, and shows their nodes', async () => {
+  const { frames: [{ tests }] } = JSON.parse(traced());
+  await onPage(page_of('cone', '--volume', 'scb', '--frames', '100'), { hash: '#show=traversal' }, async (page) => {
+    // Each test is the one that scb trace tells, and followed from the same one.
+    const told = await page.evaluate(() => {
+      const { frame } = document.getElementById('canvas').app.scenes[0], [a, b] = document.getElementById('canvas').app.queries[0].trees;
+      return Array.from(frame.outcomes, (_, i) => [a.order[frame.a[i]], b.order[frame.b[i]], frame.parents[i]]);
+    });
+    assert.deepEqual(told, tests.map((t) => [...t.nodes, t.parent_test ?? -1]));
+    const box = await page.locator('#icicle').boundingBox(), picture = await seen(page);
+    await page.mouse.move(box.x + box.width / 3, box.y + box.height / 3);
+    await settled(page);
+    const { test } = await state(page);
+    assert.ok(test > 0);
+    assert.notEqual(await seen(page), picture);
+    await page.mouse.click(box.x + box.width / 3, box.y + box.height / 3);
+    await settled(page);
+    const there = await address(page);
+    assert.equal(Number(there.root), test);
+    await shot(page, 'traversal');
+    await page.locator('#icicle').press('ArrowDown');
+    await page.locator('#icicle').press('ArrowRight');
+    await settled(page);
+    assert.notEqual((await state(page)).test, test);
+    assert.match(await page.locator('#panel').innerText(), /tests that follow/);
+    await page.getByRole('button', { name: 'Node of A' }).click();
+    await settled(page);
+    assert.match((await address(page)).node, /^\d+$/);
+  });
+});
+
 test('rejections and pairs change what is shown, filter, and answer', async () => {
   await onPage(page_of('cone', '--frames', '100', '--queries', '90:110:10'), {}, async (page) => {
     const before = new Set([await seen(page)]);
@@ -376,6 +413,15 @@ test('it turns by dragging, moves, zooms, and follows its size', async () => {
     await page.waitForTimeout(300);
     const [width, shown] = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').clientWidth]);
     assert.equal(width, shown);
+    // It is drawn in the new size, too: a corner has the color of the background.
+    const corner = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { gl } = app.painter, pixel = new Uint8Array(4);
+      app.draw();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      gl.readPixels(2, 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      return [...pixel];
+    });
+    assert.deepEqual(corner, [255, 255, 255, 255]);
   });
 });
 
