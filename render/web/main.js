@@ -323,7 +323,7 @@ class App {
       if (body.mesh === null) return;
       const placement = view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far);
       if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, edges: this.isHeat && state.edges, shading: this.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && side === 1 });
-      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: state.mode === 'rejections', fade: state.mode === 'rejections' || state.mode === 'traversal' ? 0.5 : 0 });
+      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
     });
     const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
     if (scene.lines && !scene.heat && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {

@@ -40,7 +40,7 @@ function page_of(...options) {
 
 // Runs `body` with a page; any request but for the file itself and data, and any message of the console, is a failure.
 async function onPage(file, { hash = '', ...options }, body) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true, ...options });
+  const context = await browser.newContext({ viewport: { width: 960, height: 600 }, offline: true, ...options });
   const page = await context.newPage(), wrong = [], main = pathToFileURL(file).href;
   page.on('request', (request) => {
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(main)) wrong.push(`request: ${request.url()}`);
