@@ -389,6 +389,18 @@ test('a click names the node, and what hangs on it', async () => {
   });
 });
 
+test('what is seen is saved as PNG', async () => {
+  await onPage(page_of('cone', '--level', '4'), {}, async (page) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);
+    assert.equal(download.suggestedFilename(), 'cone.png');
+    const file = join(folder, 'saved.png');
+    await download.saveAs(file);
+    const { width, height, ids } = read_png(file), size = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
+    assert.deepEqual([width, height], size);
+    assert.ok(new Set(ids).size > 50, 'it has colors');
+  });
+});
+
 test('it turns by dragging, moves, zooms, and follows its size', async () => {
   await onPage(page_of('cone', '--level', '4'), {}, async (page) => {
     const box = await page.locator('#canvas').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
