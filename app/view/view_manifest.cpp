@@ -52,6 +52,7 @@ Json mesh_json(const Mesh& mesh, render::BlockStore& store) {
     for (const Triangle& triangle : mesh.triangles)
         indices.insert(indices.end(), triangle.begin(), triangle.end());
     return {{"center", json_of(center)},
+            {"triangles", mesh.triangles.size()},
             {"positions", store.add(positions)},
             {"indices", store.add(indices)}};
 }
@@ -89,6 +90,7 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
     }
     return {{"center", json_of(blocks.center)},
             {"radius", reach_of(tree, blocks.center)},
+            {"nodes", tree.size()},
             {"order", blocks.order},
             {"children", blocks.children},
             {"item_counts", blocks.item_counts},

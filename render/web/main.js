@@ -21,6 +21,10 @@ class App {
     this.poses = await Promise.all(this.manifest.bodies.map((body) => this.blocks.get(body.poses)));
     this.queries = this.manifest.queries.map((told, k) => new Query(this.blocks, told, told.bodies.map((body) => this.treeOf(k, body))));
     this.made = [];
+    // Ids of triangles are behind those of all nodes: of the whole mesh of a body, then of those of them that are drawn by themselves.
+    const counts = this.manifest.bodies.map((body) => (body.mesh === null ? 0 : this.manifest.meshes[body.mesh].triangles));
+    let next = Math.max(...this.manifest.bodies.map((body, b) => body.first_id + this.treeOf(0, b).told.nodes));
+    this.triangleIds = ['whole', 'marked'].map(() => counts.map((count) => (next += count) - count));
     document.documentElement.classList.add('draws');
     this.readAddress();
     this.panel = new Panel(this);
@@ -147,11 +151,13 @@ class App {
     this.scenes.forEach((scene, k) => {
       const query = this.queries[k], { groups, bodies } = query.told;
       if (!scene.frame) return;
+      scene.markedTriangles = [];
       scene.marked = [0, 1].map((side) => {
         const mesh = this.arrays[this.manifest.bodies[bodies[side]].mesh];
         if (!mesh) return null;
-        const triangles = [], colors = [];
+        const triangles = [], colors = [], numbers = (scene.markedTriangles[side] = []);
         const put = (triangle, color) => {
+          numbers.push(triangle);
           triangles.push(...mesh.indices.subarray(3 * triangle, 3 * triangle + 3));
           colors.push(...color);
         };
@@ -307,7 +313,7 @@ class App {
     const { manifest, state, view } = this, groups = manifest.bodies.flatMap((_, b) => this.groupsOf(k, b));
     const meshes = state.mesh || state.edges
       ? manifest.bodies.flatMap((body, b) => (body.mesh === null ? [] : [{
-        mesh: this.uploaded[body.mesh], color: manifest.themes[state.theme].mesh, edges: state.edges,
+        mesh: this.uploaded[body.mesh], color: manifest.themes[state.theme].mesh, edges: state.edges, first_id: this.triangleIds[0][b],
         placement: view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far),
       }]))
       : [];
@@ -322,8 +328,8 @@ class App {
       const body = manifest.bodies[b];
       if (body.mesh === null) return;
       const placement = view.placement(this.poseOf(b), manifest.meshes[body.mesh].center, eye.far);
-      if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, edges: this.isHeat && state.edges, shading: this.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && side === 1 });
-      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
+      if (scene.marked?.[side]) meshes.push({ mesh: scene.marked[side], color: body.color, placement, first_id: this.triangleIds[1][b], edges: this.isHeat && state.edges, shading: this.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && side === 1 });
+      if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, first_id: pairs ? this.triangleIds[0][b] : 0, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
     });
     const meet = query.told.groups.findIndex((group) => group.label === 'triangles meet');
     if (scene.lines && !scene.heat && (pairs || (meet >= 0 && !state.hidden.includes('triangles meet')))) {
@@ -375,14 +381,31 @@ class App {
   // What is at a point of the canvas, in pixels of the page.
   pick(x, y) {
     const ratio = this.canvas.width / this.canvas.clientWidth, px = Math.floor(x * ratio), py = Math.floor(y * ratio);
-    const id = this.painter.idAt(px, py), { bodies } = this.manifest;
-    for (let b = bodies.length - 1; b >= 0 && id > 0; --b)
-      if (id >= bodies[b].first_id) return { body: b, slot: this.treeOf(0, b).slotOf(id - bodies[b].first_id), id };
-    return null;
+    const id = this.painter.idAt(px, py), { bodies } = this.manifest, [whole, marked] = this.triangleIds;
+    const body = (firsts) => firsts.findLastIndex((first) => id >= first);
+    if (id === 0) return null;
+    if (id >= marked[0]) {
+      const b = body(marked), k = this.rectangles.findIndex(([left, top, width, height]) => px >= left && px < left + width && py >= top && py < top + height);
+      const triangle = this.scenes[k].markedTriangles?.[this.queries[k].told.bodies.indexOf(b)]?.[id - marked[b]];
+      return triangle === undefined ? null : { body: b, triangle };
+    }
+    if (id >= whole[0]) return { body: body(whole), triangle: id - whole[body(whole)] };
+    const b = body(bodies.map((one) => one.first_id));
+    return { body: b, slot: this.treeOf(0, b).slotOf(id - bodies[b].first_id) };
   }
 
-  select(body, slot) {
-    return this.set({ selected: slot >= 0 ? { body, slot } : null });
+  select(body, slot, triangle = null) {
+    return this.set({ selected: slot >= 0 ? { body, slot, triangle } : null });
+  }
+
+  // The leaf that has the triangle.
+  async selectTriangle(body, triangle) {
+    const tree = this.treeOf(0, body);
+    await tree.openItems();
+    const at = tree.items.indexOf(triangle);
+    let slot = -1;
+    if (at >= 0) for (slot = 0; tree.firstItem[slot + 1] <= at; ) ++slot;
+    return this.select(body, slot, triangle);
   }
 
   find(text) {
@@ -458,7 +481,8 @@ class App {
       if (!pointers.delete(event.pointerId)) return;
       if (moved < 4 && event.type === 'pointerup') {
         const found = this.pick(event.offsetX, event.offsetY);
-        this.select(found?.body ?? 0, found?.slot ?? -1);
+        if (found && 'triangle' in found) this.selectTriangle(found.body, found.triangle);
+        else this.select(found?.body ?? 0, found?.slot ?? -1);
       } else {
         this.writeAddress();
       }
@@ -538,6 +562,7 @@ class App {
     if (state.selected) {
       words.set('body', state.selected.body);
       words.set('node', this.treeOf(0, state.selected.body).order[state.selected.slot]);
+      if (state.selected.triangle !== null) words.set('triangle', state.selected.triangle);
     }
     if (state.isolated) words.set('only', 1);
     words.set('opacity', number(state.opacity));
@@ -571,7 +596,7 @@ class App {
     if (manifest.frames.includes(number('frame'))) state.at = manifest.frames.indexOf(number('frame'));
     const body = number('body') ?? 0;
     const slot = number('node') !== null && manifest.bodies[body] ? this.treeOf(0, body).slotOf(number('node')) : -1;
-    if (words.size > 0) state.selected = slot >= 0 ? { body, slot } : null;
+    if (words.size > 0) state.selected = slot >= 0 ? { body, slot, triangle: number('triangle') } : null;
     state.isolated = words.has('only') && slot >= 0;
     if (number('opacity') !== null) state.opacity = clamp(number('opacity'), 0, 1);
     if (words.size > 0) for (const name of ['mesh', 'edges', 'orthographic']) if (words.has('opacity') || words.has(name)) state[name] = words.has(name);

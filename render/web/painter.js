@@ -173,7 +173,7 @@ class Painter {
     gl.enable(gl.DEPTH_TEST);
   }
 
-  drawMesh(pane, { mesh, placement, color, edges = false, fade = 0, hatched = false, shading = 1 }) {
+  drawMesh(pane, { mesh, placement, color, edges = false, fade = 0, hatched = false, shading = 1, first_id = 0 }) {
     const { gl } = this, { columns: m, origin, scale } = placement;
     this.meshProgram.use({
       ...pane.eye.uniforms,
@@ -183,7 +183,7 @@ class Painter {
       color: [...color.map((c) => c / 255), 1],
       edges: edges ? 1 : 0,
       hatched: hatched ? 1 : 0,
-      first_id: 0,
+      first_id,
       shading,
       fade: [...pane.background.map((c) => c / 255), fade],
     });

@@ -233,7 +233,22 @@ class Panel {
     return parts;
   }
 
-  showNode({ body, slot }) {
+  // What a triangle meets, and how often it was tested.
+  triangleParts(body, triangle) {
+    const { app } = this, parts = [];
+    app.queries.forEach((query, k) => {
+      const side = query.told.bodies.indexOf(body), { frame, heat } = app.scenes[k] ?? {};
+      if (side < 0 || !frame || query.told.objects) return;
+      const meets = [];
+      for (let i = 0; i < frame.pairs.length; i += 2) if (frame.pairs[i + side] === triangle) meets.push(frame.pairs[i + 1 - side]);
+      const other = app.manifest.bodies[query.told.bodies[1 - side]].name;
+      if (k === 0) parts.push(this.table([['meets', meets.length ? `${meets.length} of ${other}: ${meets.slice(0, 12).join(', ')}${meets.length > 12 ? ', ...' : ''}` : `none of ${other}`]]));
+      if (heat) parts.push(this.table([[app.state.mode === 'wasted' ? 'wasted tests' : 'tests', counted(heat.counts[side][triangle])]]));
+    });
+    return parts;
+  }
+
+  showNode({ body, slot, triangle }) {
     const { app } = this, { manifest } = app;
     const link = (to) => {
       const made = element('button', { type: 'button', textContent: app.treeOf(0, body).order[to] });
@@ -245,10 +260,11 @@ class Panel {
     const children = Array.from({ length: Math.min(tree.children[slot], 8) }, (_, i) => tree.firstChild[slot] + i);
     const rows = [
       ['body', manifest.bodies[body].name],
-      ['node', String(tree.order[slot])],
+      ...(triangle === null ? [] : [['triangle', String(triangle)]]),
+      [triangle === null ? 'node' : 'in the leaf', String(tree.order[slot])],
       ['depth', String(depth)],
     ];
-    const parts = [this.table(rows)];
+    const parts = [this.table(rows), ...(triangle === null ? [] : this.triangleParts(body, triangle))];
     manifest.kinds.forEach((kind, k) => {
       const of = app.treeOf(k, body);
       if (of.has(depth)) parts.push(element('div', { className: 'faint', textContent: kind.title }), this.table(numbersText(of.volume(slot), of.told.center)));

@@ -303,6 +303,20 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await changes('pairs');
     assert.match(await page.locator('#panel').innerText(), /A: [\d,]+ triangles meet others/);
     await shot(page, 'pairs');
+    // Each triangle that is drawn as meeting others names these.
+    const told = await page.evaluate(async () => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), { frame, markedTriangles } = app.scenes[0];
+      for (let i = 0; i < 20000; ++i) {
+        const found = app.pick((i * 7919) % clientWidth, (i * 104729) % clientHeight);
+        if (found?.triangle === undefined || !markedTriangles[found.body].includes(found.triangle)) continue;
+        await app.selectTriangle(found.body, found.triangle);
+        const tree = app.treeOf(0, found.body);
+        return { has: [...tree.itemsOf(app.state.selected.slot)].includes(found.triangle), text: app.panel.node.textContent, meets: frame.meeting[found.body].has(found.triangle) };
+      }
+      return null;
+    });
+    assert.ok(told.has && told.meets);
+    assert.match(told.text, /triangle\d+in the leaf\d+.*meets\d+ of/);
     await press(page, '.');
     assert.match(await page.locator('#panel').innerText(), /no query of this frame, but of 90, 100, 110/);
     await page.getByRole('button', { name: 'Frame 90' }).click();
