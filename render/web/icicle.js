@@ -1,3 +1,6 @@
+// Pairs whose children were tested next: paler than what was rejected at the balls.
+const passedOn = (theme) => theme.mesh.map((c, i) => Math.round(0.35 * c + 0.65 * theme.background[i]));
+
 // The traversal of a query as an icicle: each test of volumes is a box as wide as all tests that follow from it, below the test that led
 // to it. Where the mouse is, the scene shows the two nodes.
 class Icicle {
@@ -25,6 +28,16 @@ class Icicle {
     const count = frame.outcomes.length, { parents } = frame;
     frame.sizes = new Uint32Array(count).fill(1);
     for (let i = count - 1; i >= 0; --i) if (parents[i] >= 0) frame.sizes[parents[i]] += frame.sizes[i];
+    const groups = frame.counts.length, below = new Uint32Array(count * groups);
+    frame.dominant = new Int32Array(count).fill(-1);
+    for (let i = count - 1; i >= 0; --i) {
+      if (frame.outcomes[i] >= 2) ++below[i * groups + frame.outcomes[i] - 2];
+      for (let g = 0, most = 0; g < groups; ++g) {
+        const n = below[i * groups + g];
+        if (n > most) [most, frame.dominant[i]] = [n, g];
+        if (parents[i] >= 0) below[parents[i] * groups + g] += n;
+      }
+    }
     frame.first = new Int32Array(count).fill(-1);
     frame.next = new Int32Array(count).fill(-1);
     for (let i = count - 1; i >= 0; --i) {
@@ -91,11 +104,13 @@ class Icicle {
 
   box(test, x, y, w, h) {
     const { context, app } = this, outcome = this.frame.outcomes[test], theme = app.manifest.themes[app.state.theme];
-    context.fillStyle = css(outcome < 2 ? theme.mesh : this.query.told.groups[outcome - 2][app.state.theme]);
+    // What is too narrow for its ends has the color of most of them.
+    const ending = outcome >= 2 ? outcome - 2 : w < 4 ? this.frame.dominant[test] : -1;
+    context.fillStyle = css(ending < 0 ? passedOn(theme) : this.query.told.groups[ending][app.state.theme]);
     context.fillRect(x, y, Math.max(w - (w > 3 ? 1 : 0), 0.5), h - (h > 4 ? 1 : 0));
     this.boxes.push({ test, x, y, w, h });
     if (w < 60 || h < 14) return;
-    context.fillStyle = css(outcome < 2 ? theme.background : [0, 0, 0]);
+    context.fillStyle = css(outcome < 2 ? theme.text : [0, 0, 0]);
     context.font = '11px Roboto, system-ui, sans-serif';
     context.fillText(counted(this.frame.sizes[test]), x + 4, y + h / 2 + 3.5, w - 8);
   }

@@ -5,7 +5,7 @@ class App {
     this.canvas = document.getElementById('canvas');
     this.blocks = new Blocks();
     const { manifest } = this;
-    this.state = { ...manifest.start, mode: 'levels', hidden: [], focus: 0.5, test: -1, root: 0, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
+    this.state = { ...manifest.start, mode: 'levels', hidden: [], focus: 0.5, test: -1, root: 0, kind: 0, levels: {}, selected: null, isolated: false, orthographic: manifest.camera.orthographic };
     this.view = new View(manifest.camera, manifest.up);
     this.cache = new Map();
     this.queued = false;
@@ -104,7 +104,7 @@ class App {
     const traversal = this.state.mode === 'traversal' && Boolean(this.scenes[0].frame);
     document.documentElement.classList.toggle('traversal', traversal);
     this.icicle.canvas.hidden = !traversal;
-    if (traversal) this.icicle.show(this.queries[0], this.scenes[0].frame, this.state.root);
+    if (traversal) this.icicle.show(this.queries[this.state.kind], this.scenes[this.state.kind].frame, this.state.root);
     this.panel.update();
     this.writeAddress();
     this.ask();
@@ -126,7 +126,8 @@ class App {
       await Promise.all([0, 1].map((side) => load(side, 0)));
       if (!frame || state.mode === 'pairs') return { frame };
       if (state.mode === 'traversal') {
-        const slots = this.slotsOfTest(frame);
+        // One kind's test; the others show the same nodes.
+        const slots = this.slotsOfTest(k === state.kind ? frame : await this.queries[state.kind].get(frames[state.at]));
         await Promise.all([0, 1].map((side) => load(side, query.trees[side].levelOf(slots[side]))));
         return { frame, nodes: [0, 1].map((side) => ({ side, slot: slots[side] })) };
       }
@@ -138,7 +139,7 @@ class App {
       const ended = query.ended(frame, query.told.groups.map((group) => !state.hidden.includes(group.label)), state.focus);
       await Promise.all([0, 1].map((side) => load(side, ended.all[side].reduce((most, { slot }) => Math.max(most, query.trees[side].levelOf(slot)), 0))));
       await Promise.all(query.trees.map((tree) => tree.openItems()));
-      return { frame, nodes: query.drawn(ended, (node) => this.areaOf(k, node)) };
+      return { frame, all: ended.all[0].length + ended.all[1].length, nodes: query.drawn(ended, (node) => this.areaOf(k, node)) };
     }));
   }
 
@@ -156,7 +157,9 @@ class App {
         const mesh = this.arrays[this.manifest.bodies[bodies[side]].mesh];
         if (!mesh) return null;
         const triangles = [], colors = [], numbers = (scene.markedTriangles[side] = []);
-        const put = (triangle, color) => {
+        const chosen = this.state.selected?.body === bodies[side] ? this.state.selected.triangle : null;
+        const put = (triangle, usual) => {
+          const color = triangle === chosen ? this.manifest.themes[this.state.theme].text : usual;
           numbers.push(triangle);
           triangles.push(...mesh.indices.subarray(3 * triangle, 3 * triangle + 3));
           colors.push(...color);
@@ -210,10 +213,10 @@ class App {
   // The volumes of the rejections, those of B hatched.
   rejected(kind, side) {
     const query = this.queries[kind], tree = query.trees[side], body = query.told.bodies[side], { selected, theme } = this.state;
-    const byShape = shapeNames.map(() => []), accent = this.manifest.themes[theme].accent;
+    const byShape = shapeNames.map(() => []), chosen = this.manifest.themes[theme].text;
     for (const node of this.scenes[kind].nodes) {
       if (node.side !== side || this.isTriangle(kind, node)) continue;
-      const own = selected?.body === body && selected.slot === node.slot, [r, g, b] = own ? accent : query.told.groups[node.group][theme];
+      const own = selected?.body === body && selected.slot === node.slot, [r, g, b] = own ? chosen : query.told.groups[node.group][theme];
       const id = this.manifest.bodies[body].first_id + tree.order[node.slot];
       byShape[tree.volume(node.slot).shape].push(node.slot, (r | (g << 8) | (b << 16) | (255 << 24)) >>> 0, (id | (side === 1 ? 0x80000000 : 0)) >>> 0);
     }
@@ -261,13 +264,13 @@ class App {
     const root = isolated && selected ? (own >= 0 ? own : Infinity) : -1;
     const alpha = Math.round(255 * opacity), byShape = shapeNames.map(() => []);
     const slots = root === Infinity ? [] : tree.cover(Math.max(this.levelOf(body), isolated ? tree.levelOf(own) : 0), root);
-    const accent = this.manifest.themes[this.state.theme].accent;
+    const chosen = this.manifest.themes[this.state.theme].text;
     const put = (slot, color, transparency) => {
       const { shape, color: usual } = tree.volume(slot), [r, g, b] = color ?? usual;
       if (shape > 0) byShape[shape].push(slot, (r | (g << 8) | (b << 16) | (transparency << 24)) >>> 0, this.manifest.bodies[body].first_id + tree.order[slot]);
     };
     for (const slot of slots) if (slot !== own || isolated) put(slot, null, alpha);
-    if (own >= 0 && !isolated) put(own, accent, Math.max(alpha, 64));
+    if (own >= 0 && !isolated) put(own, chosen, Math.max(alpha, 64));
     const groups = this.asGroups(tree, body, byShape);
     this.cache.set(key, groups);
     return groups;
@@ -373,6 +376,8 @@ class App {
     const words = [command];
     if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbit_angles}`);
     if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
+    const frame = state.mode === 'traversal' ? this.scenes?.[state.kind]?.frame : null;
+    if (frame && state.root > 0) words.push(`--root ${this.queries[state.kind].trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     if (manifest.frames.length > 1) words.push(`--frames ${manifest.frames[state.at]}`);
     return [...words, ...(state.orthographic ? ['--ortho'] : []), ...(state.theme === 'dark' ? ['--background dark'] : []), '-o out/'].join(' ');
@@ -537,7 +542,7 @@ class App {
       1: () => this.set({ mode: 'levels' }), 2: () => this.queries.length && this.set({ mode: 'rejections' }), 3: () => this.queries.length && this.set({ mode: 'pairs' }),
       4: () => this.queries.length && this.set({ mode: 'tests' }), 5: () => this.queries.length && this.set({ mode: 'wasted' }),
       6: () => this.queries.length && this.set({ mode: 'traversal' }),
-      '/': () => this.panel.search.focus(), s: () => this.save(), escape: () => this.select(0, -1), h: () => this.help(), '?': () => this.help(),
+      '/': () => (this.panel.search.focus(), this.panel.search.select()), s: () => this.save(), escape: () => this.select(0, -1), h: () => this.help(), '?': () => this.help(),
     };
     const name = event.key.toLowerCase(), act = acts[name];
     // A control that has the focus has its own use for these.
@@ -555,6 +560,7 @@ class App {
     if (state.mode === 'traversal') {
       if (state.test >= 0) words.set('test', state.test);
       if (state.root > 0) words.set('root', state.root);
+      if (state.kind > 0) words.set('kind', state.kind);
     }
     words.set('level', state.level);
     for (const [body, level] of Object.entries(state.levels)) words.set(`level${body}`, level);
@@ -588,6 +594,7 @@ class App {
     state.hidden = words.has('hide') ? words.get('hide').split('|') : [];
     state.test = Math.round(number('test') ?? -1);
     state.root = Math.max(0, Math.round(number('root') ?? 0));
+    state.kind = clamp(Math.round(number('kind') ?? 0), 0, manifest.kinds.length - 1);
     if (number('focus') !== null) state.focus = clamp(number('focus'), 0.01, 1);
     if (number('level') !== null) state.level = clamp(Math.round(number('level')), 0, this.depth);
     manifest.bodies.forEach((_, b) => {

@@ -30,6 +30,7 @@ const keys = [
   ['I', 'only what is below the node'],
   ['/', 'search a node'],
   ['S', 'save a PNG'],
+  ['in the icicle', 'arrows from test to test, Enter enlarges one, or leads back'],
   ['Esc', 'no node'],
   ['H', 'this help'],
 ];
@@ -143,7 +144,10 @@ class Panel {
     this.command.textContent = this.app.command();
     const { selected } = this.app.state;
     if (selected) this.showNode(selected);
-    else this.node.replaceChildren(element('p', { className: 'faint', textContent: 'Click a volume, or search its number.' }));
+    if (selected && selected !== this.shown) this.node.scrollIntoView({ block: 'nearest' });
+    this.shown = selected;
+    if (selected) return;
+    this.node.replaceChildren(element('p', { className: 'faint', textContent: 'Click a volume, or search its number.' }));
   }
 
   // Numbers and endings of the query of each kind.
@@ -172,14 +176,17 @@ class Panel {
         return;
       }
       if (state.mode === 'traversal') {
-        parts.push(...this.testOf(query, frame));
+        if (k === state.kind) return parts.push(...this.testOf(query, frame));
+        const other = element('button', { type: 'button', textContent: `Its traversal` });
+        other.addEventListener('click', () => app.set({ kind: k, test: -1, root: 0 }));
+        parts.push(other);
         return;
       }
       if (state.mode === 'pairs') {
         parts.push(...query.told.bodies.map((b, side) => element('div', {}, this.key(manifest.bodies[b].color), `${manifest.bodies[b].name}: ${counted(frame.meeting[side].size)} triangles meet others`)));
         return;
       }
-      parts.push(element('div', { className: 'faint', textContent: `Paths that ended; ${counted(nodes.length)} nodes drawn, B hatched` }));
+      parts.push(element('div', { className: 'faint', textContent: `Paths that ended; ${counted(nodes.length)} of ${counted(app.scenes[k].all)} nodes drawn, B hatched` }));
       query.told.groups.forEach((group, i) => {
         if (frame.counts[i] === 0) return;
         const box = element('input', { type: 'checkbox', checked: !state.hidden.includes(group.label) }), output = element('output', { textContent: counted(frame.counts[i]) });
@@ -214,6 +221,7 @@ class Panel {
       return made;
     };
     return [element('div', { className: 'faint', textContent: 'A test, above those that follow from it' }), this.table(rows), element('div', { className: 'row' }, go(0), go(1)),
+      element('div', {}, this.key(passedOn(manifest.themes[state.theme])), 'passed on'),
       ...query.told.groups.flatMap((g, k) => (frame.counts[k] ? [element('div', {}, this.key(g[state.theme]), `${g.label}: ${counted(frame.counts[k])}`)] : []))];
   }
 
@@ -243,7 +251,8 @@ class Panel {
       for (let i = 0; i < frame.pairs.length; i += 2) if (frame.pairs[i + side] === triangle) meets.push(frame.pairs[i + 1 - side]);
       const other = app.manifest.bodies[query.told.bodies[1 - side]].name;
       if (k === 0) parts.push(this.table([['meets', meets.length ? `${meets.length} of ${other}: ${meets.slice(0, 12).join(', ')}${meets.length > 12 ? ', ...' : ''}` : `none of ${other}`]]));
-      if (heat) parts.push(this.table([[app.state.mode === 'wasted' ? 'wasted tests' : 'tests', counted(heat.counts[side][triangle])]]));
+      const kind = app.manifest.kinds.length > 1 ? `${app.manifest.kinds[k].title}: ` : '';
+      if (heat) parts.push(this.table([[kind + (app.state.mode === 'wasted' ? 'wasted tests' : 'tests'), counted(heat.counts[side][triangle])]]));
     });
     return parts;
   }
