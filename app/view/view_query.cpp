@@ -32,7 +32,8 @@ Json groups_json(const TraceHeader& header) {
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},
                           {"triangles", triangles},
-                          {"finds", finds}});
+                          {"finds", finds},
+                          {"rejects", is_rejection(light[i].endings.front())}});
     }
     return groups;
 }

@@ -194,7 +194,16 @@ class Panel {
         parts.push(element('label', { className: 'ending' }, box, element('span', {}, this.key(group[state.theme]), group.label), output));
       });
     });
-    if (state.mode === 'rejections') {
+    if (state.mode === 'rejections' && app.scenes[0].frame) {
+      app.queries.forEach((query, k) => query.told.bodies.forEach((b, side) => {
+        const of = app.manifest.kinds.length > 1 ? `${app.manifest.kinds[k].title}, ` : '';
+        const buttons = query.mostRejected(app.scenes[k].frame, side, 5).map(([slot, n]) => {
+          const made = element('button', { type: 'button', textContent: `${query.trees[side].order[slot]}: ${counted(n)}` });
+          made.addEventListener('click', () => app.select(b, slot));
+          return made;
+        });
+        if (buttons.length) parts.push(element('div', { className: 'faint', textContent: `${of}nodes of ${app.manifest.bodies[b].name} with the most rejections` }), element('div', { className: 'row' }, ...buttons));
+      }));
       const all = element('button', { type: 'button', textContent: 'Large volumes too' });
       all.setAttribute('aria-pressed', state.focus === 1 ? 'true' : 'false');
       all.addEventListener('click', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }));

@@ -155,6 +155,17 @@ class Query {
     return nodes.filter((node) => !out.has(node));
   }
 
+  // The slots of a side with the most tests that ended in a rejection, and how many.
+  mostRejected(frame, side, most) {
+    const rejects = this.told.groups.map((group) => group.rejects), rows = [];
+    for (const [slot, { ended }] of frame.sides[side]) {
+      const n = ended.reduce((sum, count, group) => sum + (rejects[group] ? count : 0), 0);
+      if (n > 0) rows.push([slot, n]);
+    }
+    const { order } = this.trees[side];
+    return rows.sort((x, y) => y[1] - x[1] || order[x[0]] - order[y[0]]).slice(0, most);
+  }
+
   // How the tests of a node ended: label and count of each group, and how many were passed on.
   testsOf(frame, side, slot) {
     const entry = frame.sides[side].get(slot);

@@ -284,6 +284,16 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await page.getByLabel(/triangles apart/).uncheck();
     await changes('a filter');
     assert.equal((await address(page)).hide, 'triangles apart');
+    const [most, highest] = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], [query] = app.queries, [[slot, n]] = query.mostRejected(frame, 0, 5);
+      const counts = new Map();
+      frame.outcomes.forEach((outcome, i) => outcome > 1 && query.told.groups[outcome - 2].rejects && counts.set(frame.a[i], (counts.get(frame.a[i]) ?? 0) + 1));
+      return [[n, `${query.trees[0].order[slot]}: ${n.toLocaleString('en-US')}`], Math.max(...counts.values())];
+    });
+    assert.equal(most[0], highest);
+    await page.getByRole('button', { name: most[1], exact: true }).first().click();
+    await settled(page);
+    assert.equal((await address(page)).node, most[1].split(':')[0]);
     await page.getByRole('button', { name: 'Large volumes too' }).click();
     await changes('large volumes');
     await shot(page, 'rejections');
