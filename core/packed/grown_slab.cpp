@@ -21,7 +21,9 @@ float float_above(double value) {
 }
 
 double blur_of(const Vec3& c, const Vec3& origin) {
-    return 0x1p-51 * (origin.cwiseAbs().maxCoeff() + c.cwiseAbs().maxCoeff());
+    // Of the smallest numbers there is no last place.
+    return 0x1p-51 * (origin.cwiseAbs().maxCoeff() + c.cwiseAbs().maxCoeff()) +
+           std::numeric_limits<double>::min();
 }
 
 MovedBall::MovedBall(const Vec3& c, double radius, const Vec3& rounded, const Vec3& origin)
