@@ -100,10 +100,13 @@ nlohmann::ordered_json queries_of(const ViewOptions& options, const LevelSubject
                              ": the scene has no two bodies, and so no query; leave it out.");
         return queries;
     }
+    if (subject.recorded && options.queries != "auto")
+        throw InputError("--queries " + options.queries +
+                         ": of a recording the page has the query of one frame; name that with "
+                         "--frames.");
     for (const LevelTrees& kind : subject.trees) {
         QueryOptions query = options.query;
-        query.frames = options.queries == "auto" || subject.recorded ? std::to_string(subject.frame)
-                                                                     : options.queries;
+        query.frames = options.queries == "auto" ? std::to_string(subject.frame) : options.queries;
         HierarchyOptions hierarchy = options.level.hierarchy;
         if (!subject.recorded) hierarchy.volumes = kind.name;
         try {
@@ -111,7 +114,7 @@ nlohmann::ordered_json queries_of(const ViewOptions& options, const LevelSubject
             queries.push_back(view_query_json(source, kind, store));
         } catch (const InputError&) {
             // A recording may have no query at this frame.
-            if (!subject.recorded || options.queries != "auto") throw;
+            if (!subject.recorded) throw;
         }
     }
     return queries;
@@ -136,7 +139,7 @@ int run(const ViewOptions& options, const Console& console) {
     start.aspect = render::aspect_of(asked.picture.layout().view);
     start.camera = camera_for(wish, support, start.aspect);
     start.center = render::center_of(support);
-    start.up = asked.camera.up.empty() ? start.up : asked.camera.up_vector();
+    start.up = wish.up.value_or(Vec3::UnitZ());
     start.commands["levels"] = "scb render levels" + options.scene + options.volumes +
                                options.hierarchies + options.levels;
     const std::size_t kinds_count = subject.trees.size();

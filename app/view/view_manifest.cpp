@@ -18,17 +18,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Json json_of(render::Rgba8 c) { return {c.r, c.g, c.b}; }
 Json json_of(const Mat3& axes) {
     return {json_of(Vec3(axes.col(0))), json_of(Vec3(axes.col(1))), json_of(Vec3(axes.col(2)))};
 }
 
 Json theme_json(const render::Theme& theme) {
-    return {{"background", json_of(theme.background)},
-            {"text", json_of(theme.text)},
-            {"faint", json_of(theme.faint_text)},
-            {"mesh", json_of(theme.mesh)},
-            {"accent", json_of(theme.accent)}};
+    return {{"background", color_json(theme.background)},
+            {"text", color_json(theme.text)},
+            {"faint", color_json(theme.faint_text)},
+            {"mesh", color_json(theme.mesh)}};
 }
 
 Json camera_json(const ViewStart& start) {
@@ -136,7 +134,7 @@ Json viridis_json() {
     Json stops = Json::array();
     constexpr int steps = 60;  // the stops of the palette are among them
     for (int i = 0; i <= steps; ++i)
-        stops.push_back(json_of(render::viridis(static_cast<double>(i) / steps)));
+        stops.push_back(color_json(render::viridis(static_cast<double>(i) / steps)));
     return stops;
 }
 
@@ -158,6 +156,8 @@ Json add_grids(render::BlockStore& store) {
 
 }  // namespace
 
+Json color_json(render::Rgba8 color) { return {color.r, color.g, color.b}; }
+
 Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::BlockStore& store) {
     const std::vector<int> frames = frames_of(subject);
     Json kinds = Json::array(), bodies = Json::array(), meshes = Json::array(),
@@ -172,10 +172,10 @@ Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::
     for (std::size_t b = 0; b < level.size(); ++b) {
         const scenes::BodyAtFrame& body = subject.trees[0].bodies[b];
         Json of_body = {{"name", scenes::printable(body.name)},
-                        {"color", json_of(render::category_color(b))},
+                        {"color", color_json(render::category_color(b))},
                         {"dimmed",
-                         {{"light", json_of(render::dimmed_body_color(b, render::light_theme))},
-                          {"dark", json_of(render::dimmed_body_color(b, render::dark_theme))}}},
+                         {{"light", color_json(render::dimmed_body_color(b, render::light_theme))},
+                          {"dark", color_json(render::dimmed_body_color(b, render::dark_theme))}}},
                         {"first_id", level[b].first_id},
                         {"mesh", nullptr},
                         {"trees", Json::array()},

@@ -25,6 +25,9 @@ struct ViewStart {
     std::map<std::string, std::string> commands;
 };
 
+/// Red, green, blue.
+nlohmann::ordered_json color_json(render::Rgba8 color);
+
 /// What the blocks of a page mean, and what it begins with: see render/web/main.js. Adds the
 /// hierarchies, meshes and poses of all frames to the store.
 nlohmann::ordered_json view_manifest(const LevelSubject& subject, const ViewStart& start,

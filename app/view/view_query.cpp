@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/view/view_manifest.h"
 #include "core/analysis/ending.h"
 #include "render/web/query_blocks.h"
 #include "scenes/text/utf8.h"
@@ -10,8 +11,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json color_json(render::Rgba8 c) { return {c.r, c.g, c.b}; }
 
 Json groups_json(const TraceHeader& header) {
     const std::vector<render::EndingGroup> light =

@@ -234,7 +234,11 @@ class App {
   }
 
   asGroups(tree, body, byShape) {
-    return byShape.map((words, shape) => ({ tree, body, shape, words: Uint32Array.from(words), count: words.length / 3 })).filter((group, shape) => shape > 0 && group.count > 0);
+    return byShape.map((words, shape) => {
+      const centers = new Float32Array(words.length);
+      for (let i = 0; i < words.length; i += 3) centers.set(tree.volume(words[i]).numbers.subarray(0, 3), i);
+      return { tree, body, shape, words: Uint32Array.from(words), centers, count: words.length / 3 };
+    }).filter(({ shape, count }) => shape > 0 && count > 0);
   }
 
   loadMeshes() {

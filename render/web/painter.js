@@ -129,10 +129,7 @@ class Painter {
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-    for (const i of [0, 1]) {
-      gl.enableVertexAttribArray(i);
-      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
-    }
+    this.pairOfVectors(0);
     const buffers = [buffer];
     if (colors) {
       buffers.push(gl.createBuffer());
@@ -142,6 +139,16 @@ class Painter {
       gl.vertexAttribPointer(2, 4, gl.UNSIGNED_BYTE, true, 4, 0);
     }
     return { array, count, buffers, colored: colors !== null };
+  }
+
+  // The first two attributes, of the buffer that is bound: two vectors one after the other, per vertex or per instance.
+  pairOfVectors(divisor) {
+    const { gl } = this;
+    for (const i of [0, 1]) {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
+      gl.vertexAttribDivisor(i, divisor);
+    }
   }
 
   release({ array, buffers }) {
@@ -154,11 +161,7 @@ class Painter {
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW);
-    for (const i of [0, 1]) {
-      gl.enableVertexAttribArray(i);
-      gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 24, 12 * i);
-      gl.vertexAttribDivisor(i, 1);
-    }
+    this.pairOfVectors(1);
     return { array, count: points.length / 6, buffers: [buffer] };
   }
 
@@ -199,8 +202,8 @@ class Painter {
     list.groups.forEach((group, g) => {
       const axis = transposedTimes(group.pose.rotation, backward), at = dot(add(times(group.pose.rotation, group.tree.told.center), group.pose.translation), backward);
       for (let i = 0; i < group.count; ++i, ++next) {
-        const { numbers } = group.tree.volume(words[3 * next]);
-        depth[next] = at + dot(axis, numbers);
+        const [x, y, z] = axis, k = 3 * i;
+        depth[next] = at + x * group.centers[k] + y * group.centers[k + 1] + z * group.centers[k + 2];
         of[next] = g;
       }
     });

@@ -60,7 +60,6 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
         outcomes.push_back(static_cast<std::uint8_t>(2 + (group - groups.begin())));
     }
     QueryBlocks result;
-    result.tests = outcomes.size();
     result.outcomes = store.add(outcomes);
     if (!follow_from_outcomes(bodies, frame, tree)) {
         std::vector<std::uint32_t> nodes;

@@ -11,7 +11,6 @@ namespace scb::render {
 
 /// The tests of a query, and what it found.
 struct QueryBlocks {
-    std::size_t tests = 0;
     /// Number of a block: of each test of volumes, in their order, 0 where the children of A's node
     /// were tested next, 1 where those of B's node were, else 2 and the index of its ending's
     /// group, u8.

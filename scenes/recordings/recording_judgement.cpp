@@ -1,15 +1,13 @@
 #include "scenes/recordings/recording_judgement.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
 #include "core/judge/object_contacts.h"
-#include "scb/collide.h"
-#include "scb/hierarchy.h"
+#include "scenes/recordings/own_contacts.h"
 
 namespace scb::scenes {
 namespace {
@@ -42,51 +40,6 @@ std::string for_objects(std::string words) {
 std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
     return std::string(what) + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
 }
-
-/// The hierarchies of this project, of the meshes of a recording.
-class OwnQuery {
-  public:
-    using Meshes = std::map<std::uint32_t, MeshState>;
-
-    /// `meshes`: those that there are now.
-    std::vector<IndexPair> contacts(const EngineQuery& query, const Meshes& meshes) {
-        const auto& [a, b] = query.sides;
-        if (!a.mesh || !b.mesh || !query.rigid || query.self) return {};
-        keep(meshes);
-        return collide(Collider<Obb>{*hierarchy_of(*a.mesh, meshes), *a.mesh},
-                       Collider<Obb>{*hierarchy_of(*b.mesh, meshes), *b.mesh}, query.b_to_a)
-            .pairs;
-    }
-
-  private:
-    /// A mesh that is told anew must not get the address of one that is known here, so these are
-    /// held.
-    struct Built {
-        std::shared_ptr<const Mesh> mesh;
-        std::shared_ptr<const Hierarchy<Obb>> hierarchy;
-    };
-
-    /// Forgets meshes that there are no more.
-    void keep(const Meshes& meshes) {
-        std::erase_if(built_, [&](const Built& built) {
-            return std::none_of(meshes.begin(), meshes.end(),
-                                [&](const auto& mesh) { return mesh.second.mesh == built.mesh; });
-        });
-    }
-
-    std::shared_ptr<const Hierarchy<Obb>> hierarchy_of(const Mesh& mesh, const Meshes& meshes) {
-        for (const Built& built : built_)
-            if (built.mesh.get() == &mesh) return built.hierarchy;
-        const auto told = std::find_if(meshes.begin(), meshes.end(), [&mesh](const auto& state) {
-            return state.second.mesh.get() == &mesh;
-        });
-        built_.push_back({told->second.mesh,
-                          std::make_shared<const Hierarchy<Obb>>(build_hierarchy<Obb>(mesh))});
-        return built_.back().hierarchy;
-    }
-
-    std::vector<Built> built_;
-};
 
 std::string name_of_body(const RecordedQueries& recording, std::uint32_t number) {
     const std::string& name = recording.bodies().at(number).name;
@@ -380,7 +333,7 @@ class RecordingJudge {
 
     RecordingJudgement result_;
     std::optional<RecordedQueries> recording_;
-    OwnQuery own_;
+    OwnContacts own_;
     std::map<std::uint32_t, TreeWatch> watches_;
     std::map<std::uint8_t, StageJudgement> stages_;
     Groups missed_, false_, tests_;

@@ -36,6 +36,7 @@ TEST(ViewCommand, TakesRecordings) {
     const std::string recording = folder / "own.scbrec", file = folder / "a.html";
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + recording).status, 0);
     ASSERT_EQ(run_scb("view " + recording + " --frames 100 -o " + file).status, 0);
+    EXPECT_EQ(run_scb("view " + recording + " --queries all -o " + file).status, 2);
     const nlohmann::json manifest = manifest_of(file_text(file));
     EXPECT_EQ(manifest["frames"], nlohmann::json({100}));
     EXPECT_EQ(manifest["trees"].size(), 2u);
