@@ -221,9 +221,21 @@ ConvexShape convex_shape(const NodeVolume& volume) {
     return std::visit([](const auto& v) { return shape(v); }, volume);
 }
 
+namespace {
+
+bool has_slab_beside_center(const NodeVolume& volume) {
+    const auto* scb = std::get_if<Scb2>(&volume);
+    return scb && std::any_of(scb->slabs.begin(), scb->slabs.end(),
+                              [](const Slab& slab) { return slab.f > 0 || slab.e < 0; });
+}
+
+}  // namespace
+
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
     if (!has_volume(a) || !has_volume(b)) return {};
+    // What scb2_reach gives is then only a bound.
+    if (has_slab_beside_center(a) || has_slab_beside_center(b)) return {};
     return std::visit(
         [&]<class V>(const V& va) -> ContactCertificate {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||

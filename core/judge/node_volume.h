@@ -42,7 +42,8 @@ ConvexShape convex_shape(const NodeVolume& volume);
 
 /// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
 /// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,
-/// where one has no volume, and of a ball cut by two slabs with a volume of another type.
+/// where one has no volume, and of a ball cut by two slabs with a volume of another type, or one
+/// whose center is not in both of its slabs.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance);
 

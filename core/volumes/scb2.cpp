@@ -13,16 +13,20 @@ namespace {
 
 using std::numbers::pi;
 
-/// What a chord at the distance k >= 0 from the center cuts off a disc.
+/// What a chord at the signed distance k from the center cuts off a disc, beyond it.
 double segment(double radius, double k) {
+    if (k < 0) return pi * radius * radius - segment(radius, -k);
     if (k >= radius) return 0;
     const double v = half_chord(radius, k);
     return radius * radius * arc_tangent(v, k) - k * v;
 }
 
 /// The integral of acos(k / s) over the heights from 0 to x, or to where s = k; s^2 = r^2 - x^2.
-/// That is half the angle that a plane at the distance k cuts off the circle at each height.
+/// That is half the angle that a plane at the signed distance k cuts off the circle at each height.
+/// A slab of a recording need not have the center in it, so that k and x may be below 0.
 double cut_arcs(double r, double k, double x) {
+    if (x < 0) return -cut_arcs(r, k, -x);
+    if (k < 0) return pi * x - cut_arcs(r, -k, x);
     if (k >= r) return 0;
     const double w = half_chord(r, k);
     if (x >= w) return (r - k) * pi / 2;

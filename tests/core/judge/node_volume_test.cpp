@@ -83,6 +83,20 @@ TEST(NodeVolume, SaysHowFarAPointIsOutside) {
     EXPECT_NEAR(excess(scb2, Vec3(-0.5, 0, 0)), 0.375, 1e-15);
 }
 
+TEST(NodeVolume, NothingIsClaimedOfABallWhoseCenterIsNotInBothSlabs) {
+    const auto scb2 = [](double lower) {
+        Scb2 scb{Vec3::Zero(), 1, {}};
+        scb.slabs = {Slab{Vec3::UnitZ(), 1, -1}, Slab{Vec3::UnitX(), 1, lower}};
+        return NodeVolume(scb);
+    };
+    Pose apart;
+    apart.translation = Vec3(0, 0, 5);
+    const Pose same;
+    EXPECT_EQ(exact_verdict(scb2(-0.5), scb2(-0.5), apart, 0).contact, Contact::disjoint);
+    EXPECT_EQ(exact_verdict(scb2(-0.5), scb2(-0.5), same, 0).contact, Contact::overlapping);
+    EXPECT_EQ(exact_verdict(scb2(0.5), scb2(-0.5), same, 0).contact, Contact::touching);
+}
+
 TEST(NodeVolume, SlabsOfAnyDirectionsAreThePolytopeOfAKDop) {
     Random random(3);
     for (std::uint64_t seed = 1; seed < 20; ++seed) {

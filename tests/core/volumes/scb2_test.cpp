@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/volumes/scb2_faces.h"
@@ -19,10 +20,12 @@ struct Sums {
 Sums sums_of(const Scb2& s) {
     const Slab &first = s.slabs[0], &second = s.slabs[1];
     const auto in_strip = [&](double radius) {
-        const auto part = [radius](double k) { return k >= radius ? 0.0 : std::acos(k / radius); };
+        const auto part = [radius](double k) {
+            return std::acos(std::clamp(k / radius, -1.0, 1.0));
+        };
         const auto segment = [&](double k) {
-            return k >= radius ? 0.0
-                               : radius * radius * part(k) - k * std::sqrt(radius * radius - k * k);
+            const double half_chord = std::sqrt(std::max(0.0, radius * radius - k * k));
+            return radius * radius * part(k) - k * half_chord;
         };
         return std::pair(
             2 * (std::numbers::pi - part(second.e) - part(-second.f)),
@@ -52,6 +55,21 @@ TEST(Scb2, FacesAndVolumeAreThoseOfSums) {
         std::swap(exchanged.slabs[0], exchanged.slabs[1]);
         EXPECT_NEAR(surface_area(exchanged), surface_area(s), 1e-13 * s.r * s.r);
         EXPECT_NEAR(volume(exchanged), volume(s), 1e-13 * s.r * s.r * s.r);
+    }
+}
+
+TEST(Scb2, FacesAndVolumeOfSlabsBesideTheCenterAreThoseOfSums) {
+    Random random(13);
+    for (int i = 0; i < 40; ++i) {
+        Scb2 s = random_scb2(random);
+        for (Slab& slab : s.slabs) {
+            const double p = random.uniform(-s.r, s.r), q = random.uniform(-s.r, s.r);
+            slab.f = std::min(p, q);
+            slab.e = std::max(p, q);
+        }
+        const Sums sums = sums_of(s);
+        EXPECT_NEAR(faces(s).sphere, sums.sphere, 1e-6 * s.r * s.r) << i;
+        EXPECT_NEAR(volume(s), sums.volume, 1e-8 * s.r * s.r * s.r) << i;
     }
 }
 
