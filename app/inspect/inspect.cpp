@@ -32,8 +32,9 @@ namespace {
 /// Adds frame after frame.
 class Inspector {
   public:
-    Inspector(const QuerySource& source, int top)
-        : query_(source.query()),
+    Inspector(QuerySource& source, int top)
+        : source_(source),
+          query_(source.query()),
           wrong_(static_cast<std::size_t>(top)),
           weak_tests_(PassReason::weak_test, static_cast<std::size_t>(top)),
           loose_fits_(PassReason::loose_fit, static_cast<std::size_t>(top)) {
@@ -48,9 +49,7 @@ class Inspector {
         const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
         const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
         const TraversalTree tree = traversal_tree(report_.header, frame);
-        const Attribution attribution =
-            attribute(a, b, report_.header, frame, tree,
-                      all_contacts(a, mesh_a, b, mesh_b, report_.header, frame));
+        const Attribution attribution = source_.attribution(frame, tree);
         report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
         report_.sum += report_.frames.back().found;
         vain_ += vain_tests(mesh_a, mesh_b, frame);
@@ -83,6 +82,7 @@ class Inspector {
     }
 
   private:
+    QuerySource& source_;
     const SceneQuery& query_;
     WorstRejections wrong_;
     WorstPairs weak_tests_, loose_fits_;

@@ -183,4 +183,12 @@ const TraceFrame& QuerySource::frame(int number) {
     return *frame;
 }
 
+Attribution QuerySource::attribution(const TraceFrame& frame, const TraversalTree& tree) {
+    if (recorded_) return recorded_->attribution(tree);
+    const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
+    return attribute(
+        a, b, header_, frame, tree,
+        all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header_, frame));
+}
+
 }  // namespace scb::app

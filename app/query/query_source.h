@@ -39,6 +39,8 @@ class QuerySource {
     /// The query of one of these frames; valid until the next call. They must be asked for
     /// ascending. Throws InputError where a trace says that the bodies were elsewhere.
     const TraceFrame& frame(int number);
+    /// What the tests of the query that was asked for last are worth. `tree` is its traversal_tree.
+    Attribution attribution(const TraceFrame& frame, const TraversalTree& tree);
 
   private:
     void open_trace(const SceneOptions& scene, const std::string& frames);

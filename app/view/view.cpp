@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/open_file.h"
+#include "app/cli/validators.h"
 #include "app/cli/version.h"
 #include "app/pictures/level_bodies.h"
 #include "app/pictures/level_options.h"
@@ -23,6 +26,7 @@
 #include "render/web/web_page.h"
 #include "scb/error.h"
 #include "scenes/text/utf8.h"
+#include "scenes/traces/trace_input.h"
 
 namespace scb::app {
 namespace {
@@ -31,10 +35,18 @@ namespace {
 struct ViewOptions {
     LevelOptions level;
     QueryOptions query;
-    std::string queries = "auto";  ///< frames, auto or none
-    // As given_text has it, what was given: of the scene, the volumes, other things of hierarchies
-    // that all pictures take, and of levels alone.
+    std::string queries = "auto";        ///< see ViewSources::queries
+    std::string compare;                 ///< see CompareOptions::names
+    std::vector<std::string> recording;  ///< see CompareOptions::given
+    int steps = 1000;                    ///< see view_query_json
+    // As given_text has it, what was given: where the bodies are, the volumes, other things of
+    // hierarchies that all pictures take, and of levels alone.
     std::string scene, volumes, hierarchies, levels;
+
+    bool has_two_scenes() const {
+        const std::vector<std::string>& names = level.scene.names;
+        return names.size() == 2 && std::all_of(names.begin(), names.end(), scenes::names_scene);
+    }
 
     void check() const {
         level.check();
@@ -47,26 +59,28 @@ struct ViewOptions {
                              ": the page is one HTML file; give a "
                              "name that ends in .html.");
         check_output(level.picture.output, "-o " + level.picture.output);
+        if (steps < 0)
+            throw InputError("--steps " + std::to_string(steps) + ": give 0 or more tests.");
     }
 };
 
 /// The deepest level of which a reader can still tell the volumes.
-int first_level(const LevelSubject& subject, const std::string& asked) {
+int first_level(const ViewSubject& subject, const std::string& asked) {
     if (asked != "auto") return std::max(0, parse_level(asked, subject.deepest));
     constexpr std::size_t most = 500;
     int level = 0;
     for (int next = 1; next <= subject.deepest; ++next) {
         std::size_t count = 0;
-        for (const scenes::BodyAtFrame& body : subject.trees[0].bodies)
+        for (const scenes::BodyAtFrame& body : subject.columns[0].bodies)
             count += level_cover(body.tree->shape(), next).size();
-        if (count > most * subject.trees[0].bodies.size()) break;
+        if (count > most * subject.columns[0].bodies.size()) break;
         level = next;
     }
     return level;
 }
 
 /// What a browser shows that cannot draw.
-std::vector<std::uint8_t> still_of(const LevelOptions& options, const LevelSubject& subject,
+std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubject& subject,
                                    const ViewStart& start, std::vector<render::LevelBody> bodies,
                                    const std::string& title) {
     const render::Context context(options.picture.backend());
@@ -89,82 +103,120 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const LevelSubje
     return render::encode_png(renderer.draw(picture, &overlay).image);
 }
 
-/// The queries of each kind, where there are two bodies; else none.
-nlohmann::ordered_json queries_of(const ViewOptions& options, const LevelSubject& subject,
-                                  render::BlockStore& store) {
-    nlohmann::ordered_json queries = nlohmann::ordered_json::array();
-    if (options.queries == "none") return queries;
-    if (subject.scene.bodies.size() != 2) {
-        if (options.queries != "auto")
-            throw InputError("--queries " + options.queries +
-                             ": the scene has no two bodies, and so no query; leave it out.");
-        return queries;
-    }
-    if (subject.recorded && options.queries != "auto")
-        throw InputError("--queries " + options.queries +
-                         ": of a recording the page has the query of one frame; name that with "
-                         "--frames.");
-    for (const LevelTrees& kind : subject.trees) {
-        QueryOptions query = options.query;
-        query.frames = options.queries == "auto" ? std::to_string(subject.frame) : options.queries;
-        HierarchyOptions hierarchy = options.level.hierarchy;
-        if (!subject.recorded) hierarchy.volumes = kind.name;
-        try {
-            QuerySource source(options.level.scene, hierarchy, query, {}, subject.recorded);
-            queries.push_back(view_query_json(source, kind, store));
-        } catch (const InputError&) {
-            // A recording may have no query at this frame.
-            if (!subject.recorded) throw;
-        }
-    }
-    return queries;
+std::string words_of(const std::vector<std::string>& names) {
+    std::string words;
+    for (const std::string& name : names) words += " " + file_word(name);
+    return words;
 }
 
-int run(const ViewOptions& options, const Console& console) {
-    options.check();
-    const LevelOptions& asked = options.level;
-    const LevelSubject subject =
-        level_subject(asked.scene, asked.hierarchy, "all", asked.recording, console);
-    const std::vector<scenes::BodyAtFrame>& first = subject.trees[0].bodies;
-    constexpr int most_frames = 20'000;
-    if (subject.scene.frames > most_frames && !subject.recorded && subject.scene.listed.empty())
-        throw InputError("the scene has " + std::to_string(subject.scene.frames) +
-                         " frames; a page holds the poses of 20,000 at most.");
-    ViewStart start;
-    start.level = first_level(subject, asked.levels);
-    start.style = level_style(asked, first, subject.deepest);
-    std::vector<render::LevelBody> bodies = level_bodies(first, {});
-    const scenes::CameraView wish = camera_view_for(asked.camera, subject.scene);
-    const render::Support support = render::support_of_levels(bodies, {start.level});
-    start.aspect = render::aspect_of(asked.picture.layout().view);
-    start.camera = camera_for(wish, support, start.aspect);
-    start.center = render::center_of(support);
-    start.up = wish.up.value_or(Vec3::UnitZ());
-    start.commands["levels"] = "scb render levels" + options.scene + options.volumes +
-                               options.hierarchies + options.levels;
-    const std::size_t kinds_count = subject.trees.size();
-    if (kinds_count <= 2)
+/// The names of volumes, each once, with commas.
+std::string kinds_of(const ViewSubject& subject) {
+    std::string kinds;
+    std::set<std::string> seen;
+    for (const ViewColumn& column : subject.columns)
+        if (!column.kind.empty() && seen.insert(column.kind).second)
+            kinds += (kinds.empty() ? "" : ",") + column.kind;
+    return kinds;
+}
+
+/// The commands of pictures of the same, by mode of the page.
+std::map<std::string, std::vector<std::string>> commands_of(const ViewOptions& options,
+                                                            const ViewSubject& subject) {
+    const std::vector<std::string>& names = options.level.scene.names;
+    std::vector<std::vector<std::string>> scenes = {names};
+    if (options.has_two_scenes()) scenes = {{names[0]}, {names[1]}};
+    const std::string kinds = kinds_of(subject);
+    const bool one = subject.columns.size() == scenes.size();
+    std::string asked = options.volumes;
+    if (!options.compare.empty())
+        asked = " --compare " + options.compare;
+    else if (!one && kinds.find(',') != std::string::npos)
+        asked = " --compare " + kinds;
+    std::map<std::string, std::vector<std::string>> commands;
+    for (const std::vector<std::string>& scene : scenes) {
+        std::vector<std::string> of_levels = scene;
+        std::string volumes = options.volumes;
+        if (const QuerySource* query = subject.columns[0].query;
+            query && scenes::names_trace(scene[0])) {
+            of_levels = query->header().source;
+            volumes = " --volume " + kinds;
+        }
+        commands["levels"].push_back("scb render levels" + words_of(of_levels) + options.scene +
+                                     volumes + options.hierarchies + options.levels);
+        // Pictures compare two at a time.
+        if (subject.columns.size() > 2 * scenes.size()) continue;
         for (const auto& [mode, picture] : {std::pair{"rejections", "rejections"},
                                             {"pairs", "pairs"},
                                             {"tests", "pairs --heat volumes"},
                                             {"wasted", "pairs --heat wasted"},
                                             {"traversal", "traversal"}})
-            start.commands[mode] =
-                std::string("scb render ") + picture + options.scene +
-                (kinds_count == 1 ? options.volumes : " --compare " + asked.hierarchy.volumes) +
-                options.hierarchies;
+            commands[mode].push_back(std::string("scb render ") + picture + words_of(scene) +
+                                     options.scene + asked + options.hierarchies);
+        commands["verdicts"].push_back("scb inspect" + words_of(scene) + options.scene +
+                                       (one ? options.volumes : "") + options.hierarchies);
+    }
+    return commands;
+}
 
-    const std::string scene = scenes::printable(subject.scene.name);
-    std::string kinds;
-    for (const LevelTrees& kind : subject.trees) kinds += (kinds.empty() ? "" : ", ") + kind.title;
+/// The command that explains a test of the column, but for frame and nodes.
+std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
+    if (!column.query || column.query->is_recording()) return "";
+    std::string command = "scb explain" + words_of(column.names) + options.scene;
+    if (scenes::names_trace(column.names[0])) return command;
+    command += " --volume " + column.kind;
+    // Else it is among what was given.
+    if (!options.compare.empty() && column.kind == "scb")
+        command +=
+            " --test " + std::string(overlap_test_name(column.query->query().options.overlap.test));
+    return command + options.hierarchies;
+}
+
+int run(const ViewOptions& options, const Console& console) {
+    options.check();
+    const LevelOptions& asked = options.level;
+    ViewSubject subject = view_subject({asked.scene,
+                                        asked.hierarchy,
+                                        options.query,
+                                        options.queries,
+                                        {options.compare, options.recording}},
+                                       console);
+    const std::vector<scenes::BodyAtFrame>& first = subject.columns[0].bodies;
+    const scenes::Scene& first_scene = *subject.columns[0].scene;
+    ViewStart start;
+    start.level = first_level(subject, asked.levels);
+    start.style = level_style(asked, first, subject.deepest);
+    std::vector<render::LevelBody> bodies = level_bodies(first, {});
+    const scenes::CameraView wish = camera_view_for(asked.camera, first_scene);
+    std::vector<render::LevelBody> held = bodies;
+    if (options.has_two_scenes())
+        for (std::size_t k = 1; k < subject.columns.size(); ++k)
+            for (render::LevelBody& body : level_bodies(subject.columns[k].bodies, {}))
+                held.push_back(std::move(body));
+    const render::Support support = render::support_of_levels(held, {start.level});
+    start.aspect = render::aspect_of(asked.picture.layout().view);
+    start.camera = camera_for(wish, support, start.aspect);
+    start.center = render::center_of(support);
+    start.up = wish.up.value_or(Vec3::UnitZ());
+    start.commands = commands_of(options, subject);
+    for (ViewColumn& column : subject.columns) column.explain = explain_command(options, column);
+
+    std::string scene = scenes::printable(first_scene.name), titles;
+    for (ViewColumn& column : subject.columns) {
+        const std::string name = scenes::printable(column.scene->name);
+        if (options.has_two_scenes()) column.title = name + ", " + column.title;
+        titles += (titles.empty() ? "" : " | ") + column.title;
+    }
     render::BlockStore store;
     render::WebPage page;
-    page.title = scene + " · " + scenes::printable(kinds);
+    page.title = (options.has_two_scenes() ? "" : scene + " · ") + scenes::printable(titles);
     page.description = format("%zu %s, %d levels, scb ", first.size(),
                               first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
                        SCB_VERSION;
     nlohmann::ordered_json manifest = view_manifest(subject, start, store);
-    manifest["queries"] = queries_of(options, subject, store);
+    for (std::size_t k = 0; k < subject.columns.size(); ++k)
+        if (subject.columns[k].query)
+            manifest["columns"][k]["query"] =
+                view_query_json(subject.columns[k], options.steps, store);
     page.manifest = manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     page.still = still_of(asked, subject, start, std::move(bodies), page.title);
     const std::string html = render::web_page(page, store);
@@ -186,6 +238,10 @@ void add_view(const Command& program, const Console& console, Action& action) {
     LevelOptions& level = options->level;
     level.picture.output = "view.html";
     add_scene_options(command, level.scene, true);
+    command.get_option("SCENE").description(
+        "A built-in scene (see `scb scenes`), a scene file, one or two mesh files, a trace (see "
+        "`scb trace`), or another engine's recording; two scenes, traces or recordings are "
+        "compared");
     add_hierarchy_options(command, level.hierarchy);
     command
         .add_option("--level", level.levels,
@@ -195,10 +251,23 @@ void add_view(const Command& program, const Console& console, Action& action) {
     command
         .add_option("--queries", options->queries,
                     "Frames whose query is in the page, test by test: a list, all, none; auto: "
-                    "the frame that is shown first. Of scenes with two bodies")
+                    "the frame that is shown first, of a trace all of its frames")
         .type_name("FRAMES")
         .show_default();
+    command
+        .add_option("--compare", options->compare,
+                    "Two overlap tests, such as corrected,printed, or a recording and a volume, "
+                    "recorded,scb2: their queries side by side, and what differs outlined")
+        .type_name("A,B");
+    command
+        .add_option("--steps", options->steps,
+                    "So many tests have the steps of their overlap test in the page, those that "
+                    "cost the most; spread over the frames")
+        .type_name("N")
+        .check(decimal_number)
+        .show_default();
     add_overlap_options(command, options->query, false);
+    add_bodies_option(command, options->query);
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
     command.footer(
@@ -208,13 +277,17 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "that a link opens the same view.\n\n"
         "Examples:\n"
         "  scb view spheres-l1 -o spheres.html\n"
-        "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html");
+        "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html\n"
+        "  scb view spheres-l1 --compare corrected,printed --frames 50 -o tests.html\n"
+        "  scb view before.scbtrace after.scbtrace -o traces.html");
     command.callback([&action, &console, command, options] {
-        options->level.recording = given_hierarchy_options(command);
-        options->scene = given_text(command, {"SCENE", "--pose", "--models"});
+        for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split",
+                                   "--test", "--threshold", "--bodies"})
+            if (command.count(option) > 0) options->recording.emplace_back(option);
+        options->scene = given_text(command, {"--pose", "--models", "--bodies"});
         options->volumes = given_text(command, {"--volume"});
-        options->hierarchies = given_text(
-            command, {"--growth", "--margin", "--split", "--test", "--threshold", "--up"});
+        options->hierarchies =
+            given_text(command, {"--growth", "--margin", "--split", "--test", "--threshold"});
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options] { return run(*options, console); };
     });

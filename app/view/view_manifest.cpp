@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
 #include "app/pictures/level_bodies.h"
+#include "core/hierarchy/level_statistics.h"
 #include "core/volumes/direction_grid.h"
 #include "render/figures/query_body.h"
 #include "render/web/tree_blocks.h"
@@ -86,8 +86,13 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
         if (part.has_extras) entry.update({{"extras", part.extras}, {"texels", part.texels}});
         parts.push_back(std::move(entry));
     }
+    Json levels = Json::array();
+    for (const VolumeStatistics& level : cover_statistics(tree))
+        levels.push_back({level.volumes, level.mean_diameter(), level.mean_thickness(), level.area,
+                          level.volume});
     return {{"center", json_of(blocks.center)},
             {"radius", reach_of(tree, blocks.center)},
+            {"levels", std::move(levels)},
             {"nodes", tree.size()},
             {"order", blocks.order},
             {"children", blocks.children},
@@ -97,29 +102,75 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
             {"parts", std::move(parts)}};
 }
 
-/// The poses of a body at the frames, twelve numbers each: the rows of a 3x4 matrix.
-std::size_t add_poses(const LevelSubject& subject, std::size_t body, const std::vector<int>& frames,
-                      render::BlockStore& store) {
-    std::vector<double> rows;
-    for (const int frame : frames) {
-        const Pose pose = subject.recorded ? subject.trees[0].bodies[body].pose
-                                           : pose_at(subject.scene.bodies[body].motion, frame);
-        for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < 3; ++k) rows.push_back(pose.rotation(i, k));
-            rows.push_back(pose.translation[i]);
-        }
-    }
-    return store.add(rows);
-}
+/// What the columns have in common is in the page once.
+class Parts {
+  public:
+    Parts(const ViewSubject& subject, const ViewStart& start, render::BlockStore& store)
+        : subject_(subject), start_(start), store_(store) {}
 
-/// Recorded trees are those of one frame.
-std::vector<int> frames_of(const LevelSubject& subject) {
-    if (subject.recorded) return {subject.frame};
-    if (!subject.scene.listed.empty()) return subject.scene.listed;
-    std::vector<int> frames(static_cast<std::size_t>(subject.scene.frames));
-    std::iota(frames.begin(), frames.end(), 0);
-    return frames;
-}
+    Json body(const ViewColumn& column, std::size_t b, std::uint32_t first_id) {
+        const scenes::BodyAtFrame& body = column.bodies[b];
+        Json told = {{"name", scenes::printable(body.name)},
+                     {"color", color_json(render::category_color(b))},
+                     {"dimmed",
+                      {{"light", color_json(render::dimmed_body_color(b, render::light_theme))},
+                       {"dark", color_json(render::dimmed_body_color(b, render::dark_theme))}}},
+                     {"first_id", first_id},
+                     {"mesh", nullptr},
+                     {"tree", tree(*body.tree, b)},
+                     {"poses", poses(column, b)}};
+        if (!body.mesh->triangles.empty()) told["mesh"] = mesh(*body.mesh);
+        return told;
+    }
+
+    Json meshes = Json::array(), trees = Json::array();
+
+  private:
+    /// The place of an entry, which is added where there is none like it.
+    static std::size_t place_of(Json& list, Json entry) {
+        const auto known = std::find(list.begin(), list.end(), entry);
+        if (known != list.end()) return static_cast<std::size_t>(known - list.begin());
+        list.push_back(std::move(entry));
+        return list.size() - 1;
+    }
+
+    std::size_t mesh(const Mesh& mesh) {
+        const auto [place, is_new] = mesh_places_.try_emplace(&mesh);
+        if (is_new) place->second = place_of(meshes, mesh_json(mesh, store_));
+        return place->second;
+    }
+
+    /// Colors by body make the same hierarchy another one for each body.
+    std::size_t tree(const VolumeTree& tree, std::size_t b) {
+        const render::ColorScale& scale = start_.style.colors;
+        const auto [place, is_new] =
+            tree_places_.try_emplace({&tree, scale.by == render::ColorBy::body ? b : 0});
+        if (is_new) place->second = place_of(trees, tree_json(tree, scale, b, store_));
+        return place->second;
+    }
+
+    /// At the frames, twelve numbers each: the rows of a 3x4 matrix.
+    std::size_t poses(const ViewColumn& column, std::size_t b) {
+        std::vector<double> rows;
+        for (const int frame : subject_.frames) {
+            const bool recorded = column.kind.empty();
+            const Pose pose = recorded
+                                  ? column.bodies[b].pose
+                                  : pose_at(column.scene->bodies[column.places[b]].motion, frame);
+            for (int i = 0; i < 3; ++i) {
+                for (int k = 0; k < 3; ++k) rows.push_back(pose.rotation(i, k));
+                rows.push_back(pose.translation[i]);
+            }
+        }
+        return store_.add(rows);
+    }
+
+    const ViewSubject& subject_;
+    const ViewStart& start_;
+    render::BlockStore& store_;
+    std::map<const Mesh*, std::size_t> mesh_places_;                                // lookups only
+    std::map<std::pair<const VolumeTree*, std::size_t>, std::size_t> tree_places_;  // lookups only
+};
 
 Json legend_json(const render::ColorScale& scale) {
     const std::optional<render::PanelScale> legend = render::legend_of(scale);
@@ -158,53 +209,30 @@ Json add_grids(render::BlockStore& store) {
 
 Json color_json(render::Rgba8 color) { return {color.r, color.g, color.b}; }
 
-Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::BlockStore& store) {
-    const std::vector<int> frames = frames_of(subject);
-    Json kinds = Json::array(), bodies = Json::array(), meshes = Json::array(),
-         trees = Json::array();
-    for (const LevelTrees& kind : subject.trees)
-        kinds.push_back({{"name", kind.name}, {"title", scenes::printable(kind.title)}});
-    std::map<const Mesh*, std::size_t> mesh_places;  // lookups only
-    // Colors by body make the same hierarchy another one for each body.
-    const bool by_body = start.style.colors.by == render::ColorBy::body;
-    std::map<std::pair<const VolumeTree*, std::size_t>, std::size_t> tree_places;  // lookups only
-    const std::vector<render::LevelBody> level = level_bodies(subject.trees[0].bodies, {});
-    for (std::size_t b = 0; b < level.size(); ++b) {
-        const scenes::BodyAtFrame& body = subject.trees[0].bodies[b];
-        Json of_body = {{"name", scenes::printable(body.name)},
-                        {"color", color_json(render::category_color(b))},
-                        {"dimmed",
-                         {{"light", color_json(render::dimmed_body_color(b, render::light_theme))},
-                          {"dark", color_json(render::dimmed_body_color(b, render::dark_theme))}}},
-                        {"first_id", level[b].first_id},
-                        {"mesh", nullptr},
-                        {"trees", Json::array()},
-                        {"poses", add_poses(subject, b, frames, store)}};
-        if (!body.mesh->triangles.empty()) {
-            const auto [place, is_new] = mesh_places.try_emplace(body.mesh.get(), meshes.size());
-            if (is_new) meshes.push_back(mesh_json(*body.mesh, store));
-            of_body["mesh"] = place->second;
-        }
-        for (const LevelTrees& kind : subject.trees) {
-            const VolumeTree& tree = *kind.bodies[b].tree;
-            const auto [place, is_new] =
-                tree_places.try_emplace({&tree, by_body ? b : 0}, trees.size());
-            if (is_new) trees.push_back(tree_json(tree, start.style.colors, b, store));
-            of_body["trees"].push_back(place->second);
-        }
-        bodies.push_back(std::move(of_body));
+Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::BlockStore& store) {
+    Parts parts(subject, start, store);
+    Json columns = Json::array();
+    for (const ViewColumn& column : subject.columns) {
+        Json bodies = Json::array();
+        const std::vector<render::LevelBody> level = level_bodies(column.bodies, {});
+        for (std::size_t b = 0; b < level.size(); ++b)
+            bodies.push_back(parts.body(column, b, level[b].first_id));
+        columns.push_back({{"title", scenes::printable(column.title)},
+                           {"bodies", std::move(bodies)},
+                           {"explain", column.explain},
+                           {"query", nullptr}});
     }
-    const auto at = std::find(frames.begin(), frames.end(), subject.frame);
+    const auto at = std::find(subject.frames.begin(), subject.frames.end(), subject.frame);
     return {
         {"scb_view", 1},
-        {"scene", subject.scene.name},
+        {"scene", subject.columns.front().scene->name},
         {"commands", start.commands},
-        {"frames", frames},
+        {"frames", subject.frames},
+        {"same_nodes", subject.same_nodes},
         {"up", json_of(start.up)},
-        {"bodies", std::move(bodies)},
-        {"kinds", std::move(kinds)},
-        {"meshes", std::move(meshes)},
-        {"trees", std::move(trees)},
+        {"columns", std::move(columns)},
+        {"meshes", std::move(parts.meshes)},
+        {"trees", std::move(parts.trees)},
         {"grids", add_grids(store)},
         {"legend", legend_json(start.style.colors)},
         {"viridis", viridis_json()},
@@ -213,7 +241,7 @@ Json view_manifest(const LevelSubject& subject, const ViewStart& start, render::
          {{"light", theme_json(render::light_theme)}, {"dark", theme_json(render::dark_theme)}}},
         {"start",
          {{"level", start.level},
-          {"at", at == frames.end() ? 0 : at - frames.begin()},
+          {"at", at - subject.frames.begin()},
           {"opacity", start.style.opacity},
           {"mesh", start.style.mesh},
           {"edges", start.style.mesh_edges},

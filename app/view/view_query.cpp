@@ -1,9 +1,14 @@
 #include "app/view/view_query.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/view/view_manifest.h"
+#include "app/view/view_steps.h"
 #include "core/analysis/ending.h"
+#include "core/analysis/worst_pairs.h"
+#include "render/figures/inspect_figure.h"
 #include "render/web/query_blocks.h"
 #include "scenes/text/utf8.h"
 
@@ -11,6 +16,9 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// The worst ones of each kind that a page lists.
+constexpr std::size_t most_worst = 12;
 
 Json groups_json(const TraceHeader& header) {
     const std::vector<render::EndingGroup> light =
@@ -23,47 +31,124 @@ Json groups_json(const TraceHeader& header) {
             std::all_of(light[i].endings.begin(), light[i].endings.end(), [](Outcome ending) {
                 return ending == Outcome::triangles_apart || ending == Outcome::triangles_meet;
             });
-        const bool finds =
-            std::any_of(light[i].endings.begin(), light[i].endings.end(), [](Outcome ending) {
-                return ending == Outcome::triangles_meet || ending == Outcome::found;
-            });
+        const bool meet = std::find(light[i].endings.begin(), light[i].endings.end(),
+                                    Outcome::triangles_meet) != light[i].endings.end();
         groups.push_back({{"label", scenes::printable(light[i].label)},
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},
                           {"triangles", triangles},
-                          {"finds", finds},
+                          {"meet", meet},
                           {"rejects", is_rejection(light[i].endings.front())}});
     }
     return groups;
 }
 
+/// What a test can be worth but right, in the order of render/web/query.js.
+Json worths_json() {
+    Json worths = Json::array();
+    const auto add = [&worths](const char* label, auto color) {
+        worths.push_back({{"label", label},
+                          {"light", color_json(color(render::light_theme))},
+                          {"dark", color_json(color(render::dark_theme))}});
+    };
+    for (const auto& [label, reason] : {std::pair{"fit too loose", PassReason::loose_fit},
+                                        {"test too weak", PassReason::weak_test}})
+        add(label, [reason = reason](const render::Theme& theme) {
+            return render::pass_reason_color(reason, theme);
+        });
+    // Yellow of Okabe and Ito, which none can take for the others.
+    add("rejected wrongly", [](const render::Theme&) { return render::Rgba8{240, 228, 66}; });
+    return worths;
+}
+
+/// The worst tests of all frames.
+struct Worst {
+    WorstPairs fits{PassReason::loose_fit, most_worst}, tests{PassReason::weak_test, most_worst};
+    WorstRejections wrong{most_worst};
+
+    void add(const TraceFrame& frame, const TraversalTree& tree, const Attribution& attribution) {
+        fits.add(frame, tree, attribution);
+        tests.add(frame, tree, attribution);
+        wrong.add(frame, attribution);
+    }
+
+    /// By the index of the worth.
+    Json json() const {
+        Json worst = Json::array();
+        for (const WorstPairs* pairs : {&fits, &tests}) {
+            Json list = Json::array();
+            for (const FalsePair& pair : pairs->pairs())
+                list.push_back(
+                    {{"frame", pair.frame},
+                     {"test", pair.pair.test},
+                     {"cost", pair.pair.below.volume_tests + pair.pair.below.triangle_tests},
+                     {"gap", pair.pair.gap}});
+            worst.push_back(std::move(list));
+        }
+        Json list = Json::array();
+        for (const WronglyRejectedPair& pair : wrong.pairs())
+            list.push_back({{"frame", pair.frame},
+                            {"test", pair.rejection.test},
+                            {"cost", pair.rejection.missed}});
+        worst.push_back(std::move(list));
+        return worst;
+    }
+};
+
+std::vector<std::uint32_t> costly_tests(const TraceFrame& frame, const TraversalTree& tree,
+                                        const Attribution& attribution) {
+    Worst worst;
+    worst.add(frame, tree, attribution);
+    std::vector<std::uint32_t> tests;
+    for (const WorstPairs* pairs : {&worst.fits, &worst.tests})
+        for (const FalsePair& pair : pairs->pairs()) tests.push_back(pair.pair.test);
+    for (const WronglyRejectedPair& pair : worst.wrong.pairs())
+        tests.push_back(pair.rejection.test);
+    return tests;
+}
+
 }  // namespace
 
-Json view_query_json(QuerySource& source, const LevelTrees& trees, render::BlockStore& store) {
+Json view_query_json(const ViewColumn& column, int steps, render::BlockStore& store) {
+    QuerySource& source = *column.query;
     const TraceHeader& header = source.header();
     const std::vector<render::EndingGroup> groups =
         render::ending_groups(header, render::light_theme);
-    const std::array<std::size_t, 2> places = {source.body_index(0), source.body_index(1)};
     render::QueryBodies bodies;
-    for (std::size_t side = 0; side < 2; ++side)
-        bodies[side].tree = trees.bodies[places[side]].tree.get();
+    for (std::size_t side = 0; side < 2; ++side) bodies[side].tree = column.bodies[side].tree.get();
+    const std::size_t most_steps = static_cast<std::size_t>(steps) / source.frames().size();
     Json frames = Json::array();
+    Worst worst;
+    PassCounts sum;
     for (const int number : source.frames()) {
         const TraceFrame& frame = source.frame(number);
+        const TraversalTree tree = traversal_tree(header, frame);
+        const Attribution attribution = source.attribution(frame, tree);
+        worst.add(frame, tree, attribution);
+        sum += attribution.counts;
         const render::QueryBlocks blocks =
-            render::query_blocks(bodies, header, frame, groups, store);
+            render::query_blocks(bodies, frame, tree, attribution, groups, store);
         Json entry = {{"frame", number},
                       {"n_v", frame.found.n_v},
                       {"n_p", frame.found.n_p},
                       {"pairs", frame.found.pairs.size()},
+                      {"judged", attribution.counts.all.volume_tests > 0},
+                      {"wasted", attribution.counts.wasted.volume_tests},
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) entry["nodes"] = *blocks.nodes;
+        if (!source.is_recording() && most_steps > 0)
+            entry["steps"] = store.add(std::string_view(
+                view_steps_json(
+                    source.query(), frame,
+                    explained_tests(tree, costly_tests(frame, tree, attribution), most_steps))
+                    .dump(-1, ' ', false, Json::error_handler_t::replace)));
         frames.push_back(std::move(entry));
     }
-    return {{"bodies", places},
-            {"objects", pairs_are_nodes(header)},
+    return {{"objects", pairs_are_nodes(header)},
             {"groups", groups_json(header)},
+            {"worths", worths_json()},
+            {"worst", worst.json()},
             {"frames", std::move(frames)}};
 }
 

@@ -2,15 +2,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/query/level_trees.h"
-#include "app/query/query_sources.h"
+#include "app/view/view_columns.h"
 #include "render/web/block_store.h"
 
 namespace scb::app {
 
-/// The tests and pairs of a query's frames, for the page of `scb view`; `trees` are those of the
-/// same kind that the page has. Adds to the store.
-nlohmann::ordered_json view_query_json(QuerySource& source, const LevelTrees& trees,
+/// The queries of a column, with all their tests and what these are worth: see render/web/query.js.
+/// `steps`: so many tests of the page have the steps of the overlap test in it, those that cost the
+/// most.
+nlohmann::ordered_json view_query_json(const ViewColumn& column, int steps,
                                        render::BlockStore& store);
 
 }  // namespace scb::app

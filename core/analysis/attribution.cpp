@@ -66,79 +66,101 @@ std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame,
         if (tree.parents[i] == none) continue;
         Work& parent = below[tree.parents[i]];
         parent += below[i];
-        parent += {1, 0, operation_cost(header.volume, header.options.overlap, tests[i].stage)};
+        parent +=
+            {1, 0,
+             header.engine ? 0
+                           : operation_cost(header.volume, header.options.overlap, tests[i].stage)};
     }
     return below;
 }
 
 template <class V>
-void add_verdicts(Attribution& result, const Hierarchy<V>& a, const Hierarchy<V>& b,
-                  const TraceFrame& frame, const std::vector<std::uint64_t>& contacts) {
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& b,
+                                     const TraceFrame& frame,
+                                     const std::vector<std::uint64_t>& contacts) {
     const Placement placed = query_placement(a, b, frame.b_to_a);
-    for (std::uint32_t i = 0; i < tests.size(); ++i) {
-        const IndexPair nodes = tests[i].nodes;
+    std::vector<TestedPair> pairs;
+    pairs.reserve(contacts.size());
+    for (const VolumeTest& test : frame.events.volume_tests) {
+        const IndexPair nodes = test.nodes;
         const ContactCertificate certificate =
             exact_verdict(shape_of(a.volumes[nodes.a]), shape_of(b.volumes[nodes.b]), placed);
-        if (tests[i].stage != Stage::overlapping) {
-            if (certificate.contact == Contact::overlapping || contacts[i] > 0)
-                result.wrongly_rejected.push_back({i, contacts[i], certificate.contact});
-            continue;
-        }
-        PassedPair pair;
-        pair.test = i;
-        pair.exact = certificate.contact;
-        pair.leaves = a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf();
-        if (contacts[i] > 0) {
-            pair.reason = PassReason::triangles_meet;
-        } else if (certificate.contact == Contact::disjoint) {
-            pair.reason = PassReason::weak_test;
-            pair.gap = certificate.margin;
-        } else {
-            pair.reason = PassReason::loose_fit;
-        }
-        result.counts.touching += certificate.contact == Contact::touching;
-        result.passed.push_back(pair);
+        pairs.push_back(
+            {certificate.contact, certificate.margin, contacts[pairs.size()],
+             a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()});
     }
+    return pairs;
+}
+
+/// Without what came of it.
+PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
+    PassedPair pair;
+    pair.test = test;
+    pair.exact = of.exact;
+    pair.leaves = of.leaves;
+    if (of.contacts > 0) {
+        pair.reason = PassReason::triangles_meet;
+    } else if (of.exact == Contact::disjoint) {
+        pair.reason = PassReason::weak_test;
+        pair.gap = of.gap;
+    } else {
+        pair.reason = PassReason::loose_fit;
+    }
+    return pair;
 }
 
 }  // namespace
 
-Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, const TraversalTree& tree,
-                      std::span<const IndexPair> contacts) {
-    const std::vector<std::uint64_t> contact =
-        contacts_below(topology_of(a), topology_of(b), frame, tree, contacts);
+Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+                      std::span<const TestedPair> pairs) {
+    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
     const std::vector<Work> below = work_below(header, frame, tree);
     Attribution result;
-    std::visit(
-        [&]<class V>(const Hierarchy<V>& hierarchy) {
-            add_verdicts(result, hierarchy, std::get<Hierarchy<V>>(b), frame, contact);
-        },
-        a);
     PassCounts& counts = result.counts;
     counts.all = {frame.found.n_v, frame.found.n_p,
-                  operation_count(header.volume, header.options.overlap, frame.found.stages)};
-    counts.wrongly_rejected = result.wrongly_rejected.size();
-    for (const WrongRejection& rejection : result.wrongly_rejected)
-        counts.missed += rejection.missed;
+                  header.engine
+                      ? 0
+                      : operation_count(header.volume, header.options.overlap, frame.found.stages)};
     // Parents come before their children.
-    std::vector<char> weak_so_far(frame.events.volume_tests.size());
-    for (PassedPair& pair : result.passed) {
-        pair.below = below[pair.test];
-        const std::uint32_t parent = tree.parents[pair.test];
-        if (parent != none) {
-            pair.within_false_pair = contact[parent] == 0;
+    std::vector<char> weak_so_far(tests.size());
+    for (std::uint32_t i = 0; i < tests.size(); ++i) {
+        const TestedPair& of = pairs[i];
+        if (tests[i].stage != Stage::overlapping) {
+            if (of.exact != Contact::overlapping && of.contacts == 0) continue;
+            result.wrongly_rejected.push_back({i, of.contacts, of.exact});
+            ++counts.wrongly_rejected;
+            counts.missed += of.contacts;
+            continue;
+        }
+        PassedPair pair = passed_pair(i, of);
+        pair.below = below[i];
+        if (const std::uint32_t parent = tree.parents[i]; parent != none) {
+            pair.within_false_pair = pairs[parent].contacts == 0;
             pair.within_weak_test = weak_so_far[parent] != 0;
         }
         const bool weak = pair.reason == PassReason::weak_test;
-        weak_so_far[pair.test] = weak || pair.within_weak_test;
+        weak_so_far[i] = weak || pair.within_weak_test;
         if (pair.reason != PassReason::triangles_meet && !pair.within_false_pair)
             counts.wasted += pair.below;
         if (weak && !pair.within_weak_test) counts.wasted_by_tests += pair.below;
+        counts.touching += pair.exact == Contact::touching;
         ++(pair.leaves ? counts.leaves : counts.inner)[static_cast<std::size_t>(pair.reason)];
+        result.passed.push_back(pair);
     }
     return result;
+}
+
+Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
+                      const TraceFrame& frame, const TraversalTree& tree,
+                      std::span<const IndexPair> contacts) {
+    const std::vector<std::uint64_t> below =
+        contacts_below(topology_of(a), topology_of(b), frame, tree, contacts);
+    return std::visit(
+        [&]<class V>(const Hierarchy<V>& hierarchy) {
+            return attribute(header, frame, tree,
+                             tested_pairs(hierarchy, std::get<Hierarchy<V>>(b), frame, below));
+        },
+        a);
 }
 
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,

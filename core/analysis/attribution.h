@@ -41,6 +41,19 @@ struct Attribution {
     PassCounts counts;
 };
 
+/// What is known of the two nodes of a volume test.
+struct TestedPair {
+    Contact exact = Contact::touching;  ///< of the volumes; touching where it is not known
+    double gap = 0;                     ///< of disjoint ones, at least
+    std::uint64_t contacts = 0;         ///< pairs of triangles below them that intersect
+    bool leaves = false;                ///< both are leaves
+};
+
+/// Attributes every volume test of a query. `pairs`: per test. `tree` is traversal_tree's. Of other
+/// engines no operations are known.
+Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+                      std::span<const TestedPair> pairs);
+
 /// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
 /// verdict on the volumes. `tree` is traversal_tree's. `contacts` are all pairs of triangles that
 /// intersect, see all_contacts; sorted or not. O(N_v) verdicts.

@@ -46,6 +46,22 @@ VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std:
     return statistics;
 }
 
+std::vector<VolumeStatistics> cover_statistics(const VolumeTree& tree) {
+    const TreeShape& shape = tree.shape();
+    const std::size_t levels = static_cast<std::size_t>(depth(shape)) + 1;
+    std::vector<VolumeStatistics> inner(levels), leaves(levels);
+    for (std::uint32_t node = 0; node < tree.size(); ++node)
+        if (shape.hangs(node) && tree.has_volume(node))
+            (tree.is_leaf(node) ? leaves : inner)[shape.depths[node]].add(tree.volume_size(node),
+                                                                          tree.is_leaf(node));
+    VolumeStatistics above;
+    for (std::size_t level = 0; level < levels; ++level) {
+        above.add(leaves[level]);
+        inner[level].add(above);
+    }
+    return inner;
+}
+
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy) {
     return std::visit([](const auto& h) { return level_statistics(h); }, hierarchy);
 }

@@ -59,6 +59,9 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
 /// The volumes of a cover in numbers: of those nodes that have one.
 VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover);
 
+/// The same of the covers of all levels, see level_cover; root first. O(n).
+std::vector<VolumeStatistics> cover_statistics(const VolumeTree& tree);
+
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
 /// The same of any tree: without rules.
 std::vector<LevelStatistics> level_statistics(const VolumeTree& tree);

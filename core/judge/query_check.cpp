@@ -339,6 +339,26 @@ QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> 
     return Judge(query, contacts).judged();
 }
 
+Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
+                        const TraceHeader& header, const TraceFrame& frame,
+                        const TraversalTree& tree) {
+    std::vector<TestedPair> pairs;
+    for (const JudgedTest& test : judged.tests) {
+        if (test.nodes.a == no_index || test.nodes.b == no_index) continue;
+        TestedPair pair;
+        const bool passed = frame.events.volume_tests[pairs.size()].stage == Stage::overlapping;
+        if (test.verdict != TestVerdict::unjudged)
+            pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
+                                                                        : Contact::disjoint;
+        pair.gap = pair.exact == Contact::disjoint ? test.margin : 0;
+        pair.contacts = test.meets ? 1 : 0;
+        pair.leaves = query.sides[0].shape->is_leaf(test.nodes.a) &&
+                      query.sides[1].shape->is_leaf(test.nodes.b);
+        pairs.push_back(pair);
+    }
+    return attribute(header, frame, tree, pairs);
+}
+
 PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
     PoseFit fit;
     for (const EngineEvent& event : query.events) {

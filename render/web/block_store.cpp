@@ -3,7 +3,8 @@
 #include <zlib.h>
 
 #include <bit>
-#include <stdexcept>
+#include <new>
+#include <vector>
 
 #include "render/files/base64.h"
 
@@ -29,6 +30,10 @@ std::size_t BlockStore::add(std::span<const double> values) {
     return add(Type::f64, bytes_of(values), sizeof(values[0]));
 }
 
+std::size_t BlockStore::add(std::string_view text) {
+    return add(Type::u8, bytes_of(std::span<const char>(text)), 1);
+}
+
 std::size_t BlockStore::add(Type type, std::span<const std::uint8_t> bytes, std::size_t element) {
     const std::size_t count = bytes.size() / element;
     std::vector<std::uint8_t> planes(bytes.size());
@@ -42,7 +47,10 @@ std::size_t BlockStore::add(Type type, std::span<const std::uint8_t> bytes, std:
         throw std::bad_alloc();
     packed.resize(size);
     blocks_.push_back({type, count, base64(packed)});
-    return blocks_.size() - 1;
+    const auto [place, is_new] =
+        places_.try_emplace({type, count, blocks_.back().text}, blocks_.size() - 1);
+    if (!is_new) blocks_.pop_back();
+    return place->second;
 }
 
 }  // namespace scb::render

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <tuple>
 
 namespace scb::render {
 
@@ -21,19 +24,23 @@ class BlockStore {
         std::string text;   ///< base 64 of a zlib stream
     };
 
-    /// Returns its number. The bytes are told in planes, all first bytes of the elements, then all
-    /// second ones: numbers of like size compress to less so.
+    /// Returns its number; that of an equal one where there is one. The bytes are told in planes,
+    /// all first bytes of the elements, then all second ones: numbers of like size compress to less
+    /// so.
     std::size_t add(std::span<const std::uint8_t> values) { return add(Type::u8, values, 1); }
     std::size_t add(std::span<const std::uint32_t> values);
     std::size_t add(std::span<const float> values);
     std::size_t add(std::span<const double> values);
+    /// UTF-8, as u8.
+    std::size_t add(std::string_view text);
 
-    const std::vector<Block>& blocks() const { return blocks_; }
+    const std::deque<Block>& blocks() const { return blocks_; }
 
   private:
     std::size_t add(Type type, std::span<const std::uint8_t> bytes, std::size_t element);
 
-    std::vector<Block> blocks_;
+    std::deque<Block> blocks_;  // whose texts stay where they are
+    std::map<std::tuple<Type, std::size_t, std::string_view>, std::size_t> places_;
 };
 
 }  // namespace scb::render

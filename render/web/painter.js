@@ -1,3 +1,6 @@
+// Bits of ids, see resolve.
+const outlined = { alone: 1 << 30, together: 1 << 29 };
+
 // Draws panes: meshes and volumes by one camera, with the id of what each pixel shows.
 class Painter {
   // `grids`: corners of triangles all over a sphere, of few to many volumes.
@@ -44,6 +47,8 @@ class Painter {
       const texture = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texStorage2D(gl.TEXTURE_2D, 1, format, ...size);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
       gl.framebufferTexture2D(gl.FRAMEBUFFER, place, gl.TEXTURE_2D, texture, 0);
       return texture;
     };
@@ -55,7 +60,8 @@ class Painter {
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
   }
 
-  draw(panes) {
+  // `outline`: the color of what is outlined.
+  draw(panes, outline) {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
     gl.enable(gl.SCISSOR_TEST);
@@ -83,7 +89,9 @@ class Painter {
     gl.disable(gl.DEPTH_TEST);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.color);
-    this.resolveProgram.use({ picture: 0, per_pixel: this.samples });
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, this.ids);
+    this.resolveProgram.use({ picture: 0, ids: 1, per_pixel: this.samples, outline: outline.map((c) => c / 255) });
     gl.bindVertexArray(this.array);
     gl.disableVertexAttribArray(0);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -111,7 +119,7 @@ class Painter {
     gl.readBuffer(gl.COLOR_ATTACHMENT1);
     const id = new Uint32Array(1);
     gl.readPixels(x * samples, this.size[1] - 1 - y * samples, 1, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, id);
-    return id[0];
+    return id[0] & ~(outlined.alone | outlined.together);
   }
 
   // Triangles of their own, so that each is flat; of a mesh all, or some, which have colors then.

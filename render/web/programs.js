@@ -8,18 +8,35 @@ precision highp sampler2D;
 #define SHAPE_BOX 3
 #define SHAPE_POLYTOPE 4
 `;
-// All of the canvas, each pixel the mean of those of the target.
+// All of the canvas, each pixel the mean of those of the target. What has bit 30 in its id is outlined by itself, what has bit 29 together
+// with what it touches.
 const resolve = {
   'resolve.vert': `void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`,
   'resolve.frag': `
 uniform sampler2D picture;
+uniform highp usampler2D ids;
 uniform int per_pixel;
+uniform vec3 outline;
 layout(location = 0) out vec4 out_color;
+bool is_edge(ivec2 at) {
+    uint id = texelFetch(ids, at, 0).r;
+    if ((id & 0x60000000u) == 0u) return false;
+    ivec2 last = textureSize(ids, 0) - 1;
+    for (int i = 0; i < 8; ++i) {
+        ivec2 step = ivec2(i < 3 ? -1 : i < 5 ? 0 : 1, i == 0 || i == 3 || i == 5 ? -1 : i == 1 || i == 6 ? 0 : 1);
+        uint other = texelFetch(ids, clamp(at + step * per_pixel, ivec2(0), last), 0).r;
+        if ((id & 0x40000000u) != 0u ? other != id : (other & 0x20000000u) == 0u) return true;
+    }
+    return false;
+}
 void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * per_pixel;
     vec4 sum = vec4(0.0);
     for (int y = 0; y < per_pixel; ++y)
-        for (int x = 0; x < per_pixel; ++x) sum += texelFetch(picture, first + ivec2(x, y), 0);
+        for (int x = 0; x < per_pixel; ++x) {
+            ivec2 at = first + ivec2(x, y);
+            sum += is_edge(at) ? vec4(outline, 1.0) : texelFetch(picture, at, 0);
+        }
     out_color = sum / float(per_pixel * per_pixel);
 }`,
 };

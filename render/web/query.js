@@ -1,21 +1,5 @@
-// The line in which two triangles meet, by its ends; nothing where they lie in one plane.
-function lineOf(a, b) {
-  const normal = (t) => cross(subtract(t[1], t[0]), subtract(t[2], t[0])), line = cross(normal(a), normal(b));
-  // Where the edges of a triangle cross the plane of the other one.
-  const crossings = (t, plane) => {
-    const n = normal(plane), heights = t.map((p) => dot(n, subtract(p, plane[0]))), points = [];
-    for (let i = 0; i < 3; ++i) {
-      const k = (i + 1) % 3, [u, v] = [heights[i], heights[k]];
-      if (u === 0) points.push(t[i]);
-      else if (u * v < 0) points.push(add(t[i], scaled(u / (u - v), subtract(t[k], t[i]))));
-    }
-    return points.map((point) => ({ at: dot(line, point), point })).sort((x, y) => x.at - y.at);
-  };
-  const of_a = crossings(a, b), of_b = crossings(b, a);
-  if (of_a.length === 0 || of_b.length === 0 || length(line) === 0) return null;
-  const from = of_a[0].at > of_b[0].at ? of_a[0] : of_b[0], to = of_a.at(-1).at < of_b.at(-1).at ? of_a.at(-1) : of_b.at(-1);
-  return from.at <= to.at ? [from.point, to.point] : null;
-}
+// What a test can be worth but right, in the order of the page's `worths`.
+const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
 
 // The tests of a query by one kind of volumes, frame by frame. Nodes are slots of their trees.
 class Query {
@@ -37,10 +21,11 @@ class Query {
   }
 
   async unpack(told) {
-    const outcomes = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
+    const bits = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
     const nodes = 'nodes' in told ? await this.blocks.get(told.nodes) : null;
     for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
-    const count = outcomes.length, a = new Uint32Array(count), b = new Uint32Array(count), parents = new Int32Array(count).fill(-1);
+    const count = bits.length, outcomes = bits.map((byte) => byte & 63);
+    const a = new Uint32Array(count), b = new Uint32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
       for (let i = 0; i < count; ++i) {
         a[i] = this.trees[0].slotOf(nodes[3 * i]);
@@ -65,35 +50,67 @@ class Query {
         for (let child = first; child < end; ++child) of_a ? visit(child, b[test], test) : visit(a[test], child, test);
       }
     }
-    const frame = { told, outcomes, a, b, parents, pairs };
-    frame.sides = [0, 1].map((side) => this.tally(side === 0 ? a : b, outcomes));
-    frame.counts = new Array(this.told.groups.length).fill(0);
-    for (const outcome of outcomes) if (outcome > 1) ++frame.counts[outcome - 2];
+    const meets = new Uint8Array(count), worths = new Uint8Array(count);
+    for (let i = count - 1; i >= 0; --i) {
+      if (bits[i] & 128) meets[i] = 1;
+      if (meets[i] && parents[i] >= 0) meets[parents[i]] = 1;
+      const erred = (bits[i] & 64) !== 0;
+      if (told.judged) worths[i] = this.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
+    }
+    const frame = { told, outcomes, a, b, parents, pairs, meets, worths };
+    const groups = this.told.groups.length;
+    frame.ended = this.classes(frame, outcomes.map((outcome) => Math.max(outcome - 1, 0)), groups);
+    frame.judged = this.classes(frame, worths, this.told.worths.length);
     frame.meeting = [0, 1].map((side) => new Set(pairs.filter((_, i) => i % 2 === side)));
     return frame;
   }
 
-  // Per slot: all its tests, and how many of them ended in each group.
-  tally(slots, outcomes) {
-    const of = new Map(), groups = this.told.groups.length;
-    slots.forEach((slot, i) => {
-      let entry = of.get(slot);
-      if (!entry) of.set(slot, (entry = { tests: 0, ended: new Uint32Array(groups) }));
-      ++entry.tests;
-      if (outcomes[i] > 1) ++entry.ended[outcomes[i] - 2];
+  rejects(outcome) {
+    return outcome >= 2 && this.told.groups[outcome - 2].rejects;
+  }
+
+  // The tests in classes, 1 to `many`; 0: in none. How many there are in each, and of each slot of both sides.
+  classes(frame, of, many) {
+    const counts = new Array(many).fill(0);
+    for (const c of of) if (c > 0) ++counts[c - 1];
+    const sides = [frame.a, frame.b].map((slots) => {
+      const found = new Map();
+      slots.forEach((slot, i) => {
+        let entry = found.get(slot);
+        if (!entry) found.set(slot, (entry = { tests: 0, counts: new Uint32Array(many) }));
+        ++entry.tests;
+        if (of[i] > 0) ++entry.counts[of[i] - 1];
+      });
+      return found;
     });
-    return of;
+    return { of, counts, sides };
+  }
+
+  // The number of the test of two slots; -1: it was not made.
+  testOf(frame, slot_a, slot_b) {
+    frame.places ??= new Map(Array.from(frame.a, (slot, i) => [slot * 2 ** 32 + frame.b[i], i]).reverse());
+    return frame.places.get(slot_a * 2 ** 32 + slot_b) ?? -1;
+  }
+
+  // A promise of what the steps of each test are, by its number; empty where the page has none.
+  async steps(frame) {
+    if (!('steps' in frame.told)) return {};
+    frame.explained ??= JSON.parse(new TextDecoder().decode(await this.blocks.get(frame.told.steps)));
+    return frame.explained;
+  }
+
+  // The tests of a slot of a side, those from which the most others followed first.
+  testsWith(frame, side, slot) {
+    Icicle.follow(frame);
+    const tests = [];
+    (side === 0 ? frame.a : frame.b).forEach((of, i) => of === slot && tests.push(i));
+    return tests.sort((x, y) => frame.sizes[y] - frame.sizes[x] || x - y);
   }
 
   // Of each triangle of both sides the tests of volumes that hold it; of those alone that followed from a pair below which no triangles
   // meet, where `wasted` says so. `end`: of the scale, the next of 1, 2 and 5 times a power of ten. Needs the trees' items.
   heat(frame, wasted, triangles) {
-    const { outcomes, parents } = frame, count = outcomes.length, meets = new Uint8Array(count);
-    const found = new Set(this.told.groups.flatMap(({ finds }, i) => (finds ? [i + 2] : [])));
-    for (let i = count - 1; i >= 0; --i) {
-      if (found.has(outcomes[i])) meets[i] = 1;
-      if (meets[i] && parents[i] >= 0) meets[parents[i]] = 1;
-    }
+    const { parents, meets } = frame, count = parents.length;
     let total = 0, most = 0;
     const counts = [0, 1].map((side) => {
       const tree = this.trees[side], slots = side === 0 ? frame.a : frame.b, tests = new Float64Array(tree.order.length), of = new Float64Array(triangles[side]);
@@ -113,17 +130,17 @@ class Query {
     return { counts, most, end, total };
   }
 
-  // The slots of a side at which paths ended in groups that are shown, without those that have another one below: slot, the most frequent
-  // ending, and how many paths ended. `focus`: the share of the paths of both sides that has to be seen; what is large for its paths is left out.
-  ended(frame, shown, focus) {
+  // The slots of a side with tests of classes that are shown, without those that have another one below: slot, the most frequent class,
+  // and how many tests. `focus`: the share of the tests of both sides that has to be seen; what is large for its tests is left out.
+  nodesOf(classes, shown, focus) {
     const all = [0, 1].map((side) => {
       const tree = this.trees[side], found = [], holds = new Set();
-      for (const [slot, { ended }] of frame.sides[side]) {
+      for (const [slot, { counts }] of classes.sides[side]) {
         let paths = 0, best = -1;
-        ended.forEach((n, group) => {
+        counts.forEach((n, group) => {
           if (!shown[group] || n === 0) return;
           paths += n;
-          if (best < 0 || n > ended[best]) best = group;
+          if (best < 0 || n > counts[best]) best = group;
         });
         if (best >= 0) found.push({ side, slot, group: best, paths });
       }
@@ -155,23 +172,14 @@ class Query {
     return nodes.filter((node) => !out.has(node));
   }
 
-  // The slots of a side with the most tests that ended in a rejection, and how many.
-  mostRejected(frame, side, most) {
-    const rejects = this.told.groups.map((group) => group.rejects), rows = [];
-    for (const [slot, { ended }] of frame.sides[side]) {
-      const n = ended.reduce((sum, count, group) => sum + (rejects[group] ? count : 0), 0);
+  // The slots of a side with the most tests of the classes that `wanted` says, and how many.
+  mostOf(classes, side, wanted, most) {
+    const rows = [];
+    for (const [slot, { counts }] of classes.sides[side]) {
+      const n = counts.reduce((sum, count, group) => sum + (wanted(group) ? count : 0), 0);
       if (n > 0) rows.push([slot, n]);
     }
     const { order } = this.trees[side];
     return rows.sort((x, y) => y[1] - x[1] || order[x[0]] - order[y[0]]).slice(0, most);
-  }
-
-  // How the tests of a node ended: label and count of each group, and how many were passed on.
-  testsOf(frame, side, slot) {
-    const entry = frame.sides[side].get(slot);
-    if (!entry) return [];
-    const rows = this.told.groups.map((group, i) => [group, entry.ended[i]]).filter(([, n]) => n > 0);
-    const passed = entry.tests - rows.reduce((sum, [, n]) => sum + n, 0);
-    return { tests: entry.tests, rows, passed };
   }
 }

@@ -40,24 +40,47 @@ bool follow_from_outcomes(const QueryBodies& bodies, const TraceFrame& frame,
     return next == tree.outcomes.size();
 }
 
+constexpr std::uint8_t erred = 1 << 6, meets_here = 1 << 7;
+static_assert(2 + most_groups <= erred);
+
+/// Per test the bits of what it is worth.
+std::vector<std::uint8_t> worth_bits(const TraversalTree& tree, const Attribution& attribution) {
+    std::vector<std::uint8_t> bits(tree.outcomes.size());
+    std::vector<char> meets(bits.size());
+    for (const PassedPair& pair : attribution.passed) {
+        if (pair.reason == PassReason::weak_test) bits[pair.test] |= erred;
+        meets[pair.test] = pair.reason == PassReason::triangles_meet;
+    }
+    for (const WrongRejection& rejection : attribution.wrongly_rejected) {
+        bits[rejection.test] |= erred;
+        meets[rejection.test] = rejection.missed > 0;
+    }
+    // Tests follow those that led to them.
+    std::vector<char> followed(bits.size());
+    for (std::size_t i = bits.size(); i-- > 0;) {
+        if (meets[i] && !followed[i]) bits[i] |= meets_here;
+        if (meets[i] && tree.parents[i] != TraversalTree::no_parent) followed[tree.parents[i]] = 1;
+    }
+    return bits;
+}
+
 }  // namespace
 
-QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
-                         const TraceFrame& frame, const std::vector<EndingGroup>& groups,
-                         BlockStore& store) {
-    const TraversalTree tree = traversal_tree(header, frame);
-    std::vector<std::uint8_t> outcomes;
-    outcomes.reserve(tree.outcomes.size());
-    for (const Outcome outcome : tree.outcomes) {
+QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
+                         const TraversalTree& tree, const Attribution& attribution,
+                         const std::vector<EndingGroup>& groups, BlockStore& store) {
+    std::vector<std::uint8_t> outcomes = worth_bits(tree, attribution);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const Outcome outcome = tree.outcomes[i];
         if (outcome == Outcome::divided_a || outcome == Outcome::divided_b) {
-            outcomes.push_back(outcome == Outcome::divided_a ? 0 : 1);
+            outcomes[i] |= outcome == Outcome::divided_a ? 0 : 1;
             continue;
         }
         const auto group =
             std::find_if(groups.begin(), groups.end(), [outcome](const EndingGroup& g) {
                 return std::find(g.endings.begin(), g.endings.end(), outcome) != g.endings.end();
             });
-        outcomes.push_back(static_cast<std::uint8_t>(2 + (group - groups.begin())));
+        outcomes[i] |= static_cast<std::uint8_t>(2 + (group - groups.begin()));
     }
     QueryBlocks result;
     result.outcomes = store.add(outcomes);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/analysis/trace.h"
+#include "core/analysis/attribution.h"
 #include "render/figures/query_body.h"
 #include "render/plots/ending_colors.h"
 #include "render/web/block_store.h"
@@ -11,9 +11,11 @@ namespace scb::render {
 
 /// The tests of a query, and what it found.
 struct QueryBlocks {
-    /// Number of a block: of each test of volumes, in their order, 0 where the children of A's node
-    /// were tested next, 1 where those of B's node were, else 2 and the index of its ending's
-    /// group, u8.
+    /// Number of a block: of each test of volumes, in their order, u8. The lower six bits: 0 where
+    /// the children of A's node were tested next, 1 where those of B's node were, else 2 and the
+    /// index of its ending's group. Bit 6: it passed volumes that are disjoint, or rejected some
+    /// that overlap or hold triangles that intersect. Bit 7: triangles below it intersect, and no
+    /// test that followed says so.
     std::size_t outcomes = 0;
     /// A's and B's node of each test, and the test that led to it or 2^32 - 1, u32; nothing where
     /// they follow from the outcomes: first the
@@ -23,8 +25,8 @@ struct QueryBlocks {
 };
 
 /// `groups` are those of the header, see ending_groups. Of `bodies` the trees are needed.
-QueryBlocks query_blocks(const QueryBodies& bodies, const TraceHeader& header,
-                         const TraceFrame& frame, const std::vector<EndingGroup>& groups,
-                         BlockStore& store);
+QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
+                         const TraversalTree& tree, const Attribution& attribution,
+                         const std::vector<EndingGroup>& groups, BlockStore& store);
 
 }  // namespace scb::render

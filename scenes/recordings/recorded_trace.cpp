@@ -6,6 +6,8 @@
 
 #include "core/judge/engine_trace.h"
 #include "core/judge/engine_tree.h"
+#include "core/judge/object_contacts.h"
+#include "core/judge/query_check.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -157,6 +159,15 @@ const TraceFrame& RecordedTrace::frame(int number) {
     }
     frame_ = trace_frame(queries_->query(), stages_);
     return frame_;
+}
+
+Attribution RecordedTrace::attribution(const TraversalTree& tree) {
+    const EngineQuery& query = queries_->query();
+    if (!query.rigid) return {};
+    const std::vector<IndexPair> contacts = has_object_volumes(query)
+                                                ? object_contacts(query)
+                                                : own_.contacts(query, queries_->meshes());
+    return scb::attribution(query, judge_query(query, contacts), header_, frame_, tree);
 }
 
 }  // namespace scb::scenes

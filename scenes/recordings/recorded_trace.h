@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/trace.h"
+#include "core/analysis/attribution.h"
+#include "scenes/recordings/own_contacts.h"
 #include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::scenes {
@@ -42,6 +43,9 @@ class RecordedTrace {
     /// The first query of them at one of these frames; valid until the next call. They must be
     /// asked for ascending.
     const TraceFrame& frame(int number);
+    /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
+    /// nothing where its pose is not rigid.
+    Attribution attribution(const TraversalTree& tree);
 
   private:
     bool is_wanted(const RecordedQueries& queries) const;
@@ -63,6 +67,7 @@ class RecordedTrace {
     std::map<int, std::uint64_t> test_counts_;
     std::unique_ptr<RecordedQueries> queries_;
     TraceFrame frame_;
+    OwnContacts own_;
 };
 
 }  // namespace scb::scenes

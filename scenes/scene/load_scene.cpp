@@ -91,7 +91,7 @@ Scene one_mesh(const std::string& name, const fs::path& file) {
 
 Scene two_meshes(const std::string& first, const std::string& second, const LoadOptions& options) {
     for (const std::string& name : {first, second})
-        if (find_builtin(name) || is_scene_file(name))
+        if (names_scene(name))
             throw InputError(name +
                              ": this is a scene by itself; name it alone, or name two mesh files.");
     const fs::path first_file = find_mesh(first, options.models_dir),
@@ -118,6 +118,8 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
 }
 
 }  // namespace
+
+bool names_scene(const std::string& name) { return find_builtin(name) || is_scene_file(name); }
 
 Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options) {
     if (names.empty() || names.size() > 2)

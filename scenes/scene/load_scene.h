@@ -31,4 +31,7 @@ struct LoadOptions {
 /// does.
 Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options = {});
 
+/// Whether a name means a scene, built-in or in a file, and not a mesh.
+bool names_scene(const std::string& name);
+
 }  // namespace scb::scenes

@@ -1,6 +1,6 @@
 // Opens pages of `scb view` as files, as a reader would, and uses everything on them.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
@@ -79,6 +79,17 @@ const seen = (page) => page.evaluate(() => {
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let text = '';
   for (let i = 0; i < pixels.length; i += 4 * 97) text += String.fromCharCode(32 + (pixels[i] >> 2), 32 + (pixels[i + 1] >> 2));
+  return text;
+});
+// The canvas itself, with outlines.
+const seen_on_canvas = (page) => page.evaluate(() => {
+  const { app } = document.getElementById('canvas');
+  app.draw();
+  const { gl } = app.painter, { width, height } = app.canvas, pixels = new Uint8Array(4 * width * height);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let text = '';
+  for (let i = 0; i < pixels.length; i += 12) text += String.fromCharCode(32 + (pixels[i] >> 2));
   return text;
 });
 const share_of_differences = (a, b) => [...a].filter((c, i) => c !== b[i]).length / Math.max(a.length, b.length);
@@ -201,8 +212,8 @@ for (const options of [['--volume', 'scb'], ['--volume', 'obb', '--split', 'cost
       const found = await page.evaluate(() => {
         const { app } = document.getElementById('canvas'), { frame, nodes } = app.scenes[0];
         return {
-          ...frame.told, counts: frame.counts, groups: app.queries[0].told.groups, drawn: [0, 1].map((side) => nodes.filter((node) => node.side === side).length),
-          lines: app.linesOf(app.queries[0], frame).length / 6,
+          ...frame.told, counts: frame.ended.counts, groups: app.columns[0].query.told.groups, drawn: [0, 1].map((side) => nodes.filter((node) => node.side === side).length),
+          lines: app.scenes[0].contacts.length,
         };
       });
       assert.deepEqual([found.n_v, found.n_p, found.pairs], [told.n_v, told.n_p, told.pairs]);
@@ -224,8 +235,8 @@ test('wasted tests are those that scb inspect counts', async () => {
     assert.equal(total, sum.wasted.n_v);
     await press(page, '4');
     const [all, tests, first] = await page.evaluate(() => {
-      const { app } = document.getElementById('canvas'), { heat, frame } = app.scenes[0], tree = app.queries[0].trees[0];
-      const of = (slot) => frame.sides[0].get(slot)?.tests ?? 0;
+      const { app } = document.getElementById('canvas'), { heat, frame } = app.scenes[0], tree = app.treeOf(0, 0);
+      const of = (slot) => frame.ended.sides[0].get(slot)?.tests ?? 0;
       let slot = tree.order.length - 1, sum = of(slot);
       const item = tree.itemsOf(slot)[0];
       for (let up = tree.parent[slot]; up >= 0; up = tree.parent[up]) sum += of(up);
@@ -242,14 +253,14 @@ test('the traversal leads from test to test, and shows their nodes', async () =>
   await onPage(page_of('cone', '--volume', 'scb', '--frames', '100'), { hash: '#show=traversal' }, async (page) => {
     // Each test is the one that scb trace tells, and followed from the same one.
     const told = await page.evaluate(() => {
-      const { frame } = document.getElementById('canvas').app.scenes[0], [a, b] = document.getElementById('canvas').app.queries[0].trees;
+      const { frame } = document.getElementById('canvas').app.scenes[0], [a, b] = document.getElementById('canvas').app.columns[0].query.trees;
       return Array.from(frame.outcomes, (_, i) => [a.order[frame.a[i]], b.order[frame.b[i]], frame.parents[i]]);
     });
     assert.deepEqual(told, tests.map((t) => [...t.nodes, t.parent_test ?? -1]));
     const box = await page.locator('#icicle').boundingBox(), picture = await seen(page);
     await page.mouse.move(box.x + box.width / 3, box.y + box.height / 3);
     await settled(page);
-    const { test } = await state(page);
+    const { hover: test } = await state(page);
     assert.ok(test > 0);
     assert.notEqual(await seen(page), picture);
     await page.mouse.click(box.x + box.width / 3, box.y + box.height / 3);
@@ -262,9 +273,179 @@ test('the traversal leads from test to test, and shows their nodes', async () =>
     await settled(page);
     assert.notEqual((await state(page)).test, test);
     assert.match(await page.locator('#panel').innerText(), /tests that follow/);
-    await page.getByRole('button', { name: 'Node of A' }).click();
+    await page.getByRole('button', { name: /^\d+, depth \d+$/ }).first().click();
     await settled(page);
     assert.match((await address(page)).node, /^\d+$/);
+  });
+});
+
+// The page has the attribution of scb inspect, and the steps of scb explain.
+for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'], ['spheres-l1', '--test', 'printed', '--frames', '50'], ['cone', '--volume', 'obb', '--frames', '100']]) {
+  test(`verdicts and steps are those of inspect and explain: ${scene} ${options.join(' ')}`, async () => {
+    // They tell of wrong rejections by their exit status, too.
+    const run = (words) => JSON.parse(spawnSync(process.env.SCB, ['--quiet', ...words], { encoding: 'utf8', maxBuffer: 1 << 28 }).stdout);
+    const { sum } = run(['inspect', scene, ...options, '--json']);
+    await onPage(page_of(scene, ...options), { hash: '#show=verdicts' }, async (page) => {
+      const [counts, told] = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas');
+        return [app.scenes[0].frame.judged.counts, app.columns[0].query.told];
+      });
+      assert.deepEqual(counts, ['fit', 'test'].map((reason) => sum.inner[reason] + sum.leaves[reason]).concat(sum.wrongly_rejected));
+      assert.equal(told.frames[0].wasted, sum.wasted.n_v);
+      assert.ok(counts[0] > 0);
+      const [first] = told.worst[0];
+      await page.getByRole('button', { name: first.cost.toLocaleString('en-US'), exact: true }).first().click();
+      await settled(page);
+      const { test, mode } = await state(page);
+      assert.deepEqual([test, mode], [first.test, 'traversal']);
+      // The two nodes in the scene, and the steps of their test.
+      const [steps, command] = await page.evaluate((test) => {
+        const { app } = document.getElementById('canvas');
+        return [app.scenes[0].steps[test], app.explain(0, test)];
+      }, test);
+      const [explained] = run([...command.split(' ').slice(1), '--json']);
+      assert.deepEqual(steps.steps.map(({ formula, slack, rejects }) => [formula, slack, rejects]), explained.steps.map(({ formula, slack, rejects }) => [formula, slack, rejects]));
+      assert.equal(steps.answer, explained.answer);
+      const text = await page.locator('#panel').innerText();
+      assert.ok(text.includes(explained.steps[0].formula) && text.includes(command));
+      await shot(page, 'steps');
+    });
+  });
+}
+
+test('two queries stand beside each other, and what differs is outlined and counted', async () => {
+  const traces = ['corrected', 'printed'].map((name) => {
+    const file = join(folder, `${name}.scbtrace`);
+    scb('trace', 'spheres-l1', '--frames', '50', '--test', name, '-o', file);
+    return file;
+  });
+  const diff = JSON.parse(spawnSync(process.env.SCB, ['diff', ...traces, '--json'], { encoding: 'utf8' }).stdout);
+  for (const file of [page_of(...traces), page_of('spheres-l1', '--compare', 'corrected,printed', '--frames', '50')])
+    await onPage(file, { hash: '#show=pairs' }, async (page) => {
+      const only = await page.evaluate(() => document.getElementById('canvas').app.scenes.map(({ frame }) => frame.told.only_here));
+      assert.deepEqual(only, [diff.pairs_only_in_a, diff.pairs_only_in_b]);
+      assert.ok(only[0] > 0);
+      await press(page, 'a', 'x');
+      const outlined = await seen_on_canvas(page);
+      await press(page, 'd');
+      assert.ok(share_of_differences(await seen_on_canvas(page), outlined) > 0.0003, 'outlines are drawn');
+      assert.equal((await address(page)).differences, '0');
+      await press(page, 'd', '2');
+      assert.match(await page.locator('#panel').innerText(), /tests only here/);
+      await shot(page, 'compared');
+      const parts = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), [a, b] = app.scenes.map(({ frame }) => new Set(Array.from(frame.a, (slot, i) => `${slot} ${frame.b[i]}`)));
+        return [[...a].filter((key) => !b.has(key)).length, [...b].filter((key) => !a.has(key)).length];
+      });
+      const text = await page.locator('#panel').innerText();
+      assert.match(text, new RegExp(`tests only here\\s+${parts[0].toLocaleString('en-US')}\\s+${parts[1].toLocaleString('en-US')}`));
+    });
+});
+
+test('two scenes stand beside each other', async () => {
+  await onPage(page_of('cone', 'spheres-l1', '--level', '5'), {}, async (page) => {
+    const picked = await page.evaluate(() => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), found = new Set();
+      for (let i = 0; i < 4000; ++i) {
+        const hit = app.pick((i * 7919) % clientWidth, (i * 104729) % clientHeight);
+        if (hit) found.add(`${hit.column} ${hit.body}`);
+      }
+      return [...found].sort();
+    });
+    assert.deepEqual(picked, ['0 0', '0 1', '1 0', '1 1']);
+    assert.equal(await page.locator('#panel code').count(), 2, 'a command for each');
+  });
+});
+
+test('a line of contact names its pair, and two numbers their test', async () => {
+  await onPage(page_of('cone', '--frames', '100'), { hash: '#show=pairs' }, async (page) => {
+    await press(page, 'a');
+    const [x, y, pair] = await page.evaluate(() => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas');
+      for (let i = 0; i < 20000; ++i) {
+        const at = [(i * 7919) % clientWidth, (i * 104729) % clientHeight], found = app.pick(...at);
+        if (found?.pair) return [...at, found.pair];
+      }
+      return [0, 0, null];
+    });
+    const box = await page.locator('#canvas').boundingBox();
+    await page.mouse.click(box.x + x, box.y + y);
+    await page.waitForFunction(() => document.getElementById('canvas').app.state.pair);
+    await settled(page);
+    assert.deepEqual((await state(page)).pair.slice(0, 2), pair);
+    assert.ok(await page.evaluate((pair) => {
+      const { pairs } = document.getElementById('canvas').app.scenes[0].frame;
+      for (let i = 0; i < pairs.length; i += 2) if (pairs[i] === pair[0] && pairs[i + 1] === pair[1]) return true;
+      return false;
+    }, pair));
+    await page.getByRole('button', { name: 'The test of these leaves' }).click();
+    await settled(page);
+    const { mode, test } = await state(page);
+    assert.equal(mode, 'traversal');
+    const nodes = await page.evaluate((test) => {
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { trees } = app.columns[0].query;
+      const has = trees.every((tree, side) => [...tree.itemsOf((side === 0 ? frame.a : frame.b)[test])].length > 0);
+      return has && [trees[0].order[frame.a[test]], trees[1].order[frame.b[test]]];
+    }, test);
+    assert.ok(nodes);
+    await press(page, '2', '/');
+    await page.keyboard.type(nodes.join());
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.getElementById('canvas').app.state.mode === 'traversal');
+    assert.equal((await state(page)).test, test);
+    // A link by nodes, as reports have it.
+    await onPage(page_of('cone', '--frames', '100'), { hash: `#frame=100&nodes=${nodes}` }, async (linked) => {
+      await settled(linked);
+      const there = await state(linked);
+      assert.deepEqual([there.mode, there.test], ['traversal', test]);
+    });
+  });
+});
+
+test('the matrix is that of the events, and lights up scene and icicle', async () => {
+  const { frames: [{ tests }] } = JSON.parse(traced()), cells = new Map();
+  for (const { depths } of tests) cells.set(depths.join(), (cells.get(depths.join()) ?? 0) + 1);
+  await onPage(page_of('cone', '--volume', 'scb', '--frames', '100'), { hash: '#show=traversal' }, async (page) => {
+    const found = await page.evaluate(() => [...document.getElementById('canvas').app.scenes[0].frame.cells.all].map(([key, { tests }]) => [key, tests]));
+    assert.deepEqual(new Map(found), cells);
+    const icicle = await page.locator('#icicle').screenshot(), scene = await seen(page), box = await page.locator('#matrix').boundingBox();
+    const [x, y, key] = await page.evaluate(() => {
+      const { matrix, scenes } = document.getElementById('canvas').app, [key, cell] = [...scenes[0].frame.cells.all].sort((p, q) => q[1].tests - p[1].tests)[0];
+      return [matrix.corner[0] + (cell.x + 0.5) * matrix.size, matrix.corner[1] + (cell.y + 0.5) * matrix.size, key];
+    });
+    await page.mouse.move(box.x + x, box.y + y);
+    await settled(page);
+    assert.equal(String((await state(page)).cell), key);
+    assert.notEqual(await seen(page), scene);
+    assert.ok(!(await page.locator('#icicle').screenshot()).equals(icicle));
+    await page.mouse.click(box.x + x, box.y + y);
+    await page.mouse.move(5, 5);
+    await settled(page);
+    assert.equal((await address(page)).cell, key, 'a click holds it');
+    await shot(page, 'matrix');
+    await page.locator('#matrix').press('ArrowLeft');
+    await settled(page);
+  });
+});
+
+test('bodies are hidden, and a plane cuts', async () => {
+  await onPage(page_of('cone', '--level', '5'), {}, async (page) => {
+    const whole = await seen(page);
+    await page.getByRole('button', { name: 'B', exact: true }).click();
+    await settled(page);
+    const without = await seen(page);
+    assert.notEqual(without, whole);
+    assert.equal((await address(page)).without, '1');
+    await press(page, 'k');
+    assert.match((await address(page)).clip, /^-?[01](,-?[01]){2},/);
+    assert.notEqual(await seen(page), without);
+    const { clip } = await state(page);
+    await page.getByRole('button', { name: 'Other side' }).click();
+    await settled(page);
+    assert.deepEqual((await state(page)).clip.normal, clip.normal.map((x) => -x + 0));
+    await shot(page, 'clip');
+    await press(page, 'k');
+    assert.equal(await seen(page), without);
   });
 });
 
@@ -285,7 +466,7 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await changes('a filter');
     assert.equal((await address(page)).hide, 'triangles apart');
     const [most, highest] = await page.evaluate(() => {
-      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], [query] = app.queries, [[slot, n]] = query.mostRejected(frame, 0, 5);
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { query } = app.columns[0], [[slot, n]] = query.mostOf(frame.ended, 0, (group) => query.told.groups[group].rejects, 5);
       const counts = new Map();
       frame.outcomes.forEach((outcome, i) => outcome > 1 && query.told.groups[outcome - 2].rejects && counts.set(frame.a[i], (counts.get(frame.a[i]) ?? 0) + 1));
       return [[n, `${query.trees[0].order[slot]}: ${n.toLocaleString('en-US')}`], Math.max(...counts.values())];
@@ -315,18 +496,18 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await shot(page, 'pairs');
     // Each triangle that is drawn as meeting others names these.
     const told = await page.evaluate(async () => {
-      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), { frame, markedTriangles } = app.scenes[0];
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), { frame, parts } = app.scenes[0];
       for (let i = 0; i < 20000; ++i) {
         const found = app.pick((i * 7919) % clientWidth, (i * 104729) % clientHeight);
-        if (found?.triangle === undefined || !markedTriangles[found.body].includes(found.triangle)) continue;
-        await app.selectTriangle(found.body, found.triangle);
+        if (found?.triangle === undefined || !parts.some((part) => part.side === found.body && part.triangles.includes(found.triangle))) continue;
+        await app.selectTriangle(0, found.body, found.triangle);
         const tree = app.treeOf(0, found.body);
         return { has: [...tree.itemsOf(app.state.selected.slot)].includes(found.triangle), text: app.panel.node.textContent, meets: frame.meeting[found.body].has(found.triangle) };
       }
       return null;
     });
     assert.ok(told.has && told.meets);
-    assert.match(told.text, /triangle\d+in the leaf\d+.*meets\d+ of/);
+    assert.match(told.text, /triangle\d+in the leaf\d+.*It meets \d+ of/);
     await press(page, '.');
     assert.match(await page.locator('#panel').innerText(), /no query of this frame, but of 90, 100, 110/);
     await page.getByRole('button', { name: 'Frame 90' }).click();
@@ -399,13 +580,14 @@ test('a click names the node, and what hangs on it', async () => {
     const panel = await page.locator('#panel').innerText();
     assert.match(panel, /depth\s+4/);
     assert.match(panel, /SCB2/);
+    assert.match(panel, /Tests, OBB: (none|\d+)/);
     assert.match(panel, /half sides/);
     const { node } = await address(page);
     assert.match(node, /^\d+$/);
     await shot(page, 'node');
     await page.getByRole('button', { name: 'Only what is below it' }).click();
     await settled(page);
-    assert.ok(await page.evaluate(() => document.getElementById('canvas').app.groupsOf(0, Number(new URLSearchParams(location.hash.slice(1)).get('body'))).length > 0));
+    assert.ok(await page.evaluate(() => document.getElementById('canvas').app.content.level(0, Number(new URLSearchParams(location.hash.slice(1)).get('body'))).length > 0));
     await shot(page, 'isolated');
     await page.getByLabel('Search a node by its number').fill('no such');
     await page.getByLabel('Search a node by its number').press('Enter');

@@ -8,6 +8,9 @@
 namespace scb::app {
 namespace {
 
+constexpr const char* tetrahedron =
+    "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
+
 /// What the page's manifest says.
 nlohmann::json manifest_of(const std::string& page) {
     const std::string before = "id=\"manifest\">";
@@ -21,14 +24,69 @@ TEST(ViewCommand, MakesOnePageTheSameEachTime) {
     ASSERT_EQ(run_scb("view cone --volume scb,rss --level 3 --mesh -o " + file).status, 0);
     const std::string page = file_text(file);
     const nlohmann::json manifest = manifest_of(page);
-    EXPECT_EQ(manifest["kinds"].size(), 2u);
-    EXPECT_EQ(manifest["bodies"].size(), 2u);
+    ASSERT_EQ(manifest["columns"].size(), 2u);
+    EXPECT_EQ(manifest["columns"][0]["bodies"].size(), 2u);
+    EXPECT_EQ(manifest["same_nodes"], true);
     EXPECT_EQ(manifest["frames"].size(), 200u);
     EXPECT_EQ(manifest["meshes"].size(), 1u) << "both bodies have one mesh";
     EXPECT_EQ(manifest["start"]["level"], 3);
     EXPECT_EQ(manifest["start"]["mesh"], true);
     ASSERT_EQ(run_scb("view cone --volume scb,rss --level 3 --mesh -o " + file).status, 0);
     EXPECT_TRUE(file_text(file) == page);
+}
+
+/// Titles of the columns, and how many frames of each have their query.
+std::vector<std::pair<std::string, std::size_t>> columns_of(const std::string& file) {
+    std::vector<std::pair<std::string, std::size_t>> columns;
+    const nlohmann::json manifest = manifest_of(file_text(file));
+    for (const nlohmann::json& column : manifest["columns"])
+        columns.emplace_back(column["title"],
+                             column["query"].is_null() ? 0 : column["query"]["frames"].size());
+    return columns;
+}
+
+TEST(ViewCommand, ComparesTestsTracesRecordingsAndScenes) {
+    using Columns = std::vector<std::pair<std::string, std::size_t>>;
+    const TemporaryFolder folder;
+    const std::string a = folder / "a.scbtrace", b = folder / "b.scbtrace",
+                      recording = folder / "own.scbrec", file = folder / "a.html";
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --test corrected -o " + a).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + b).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb -o " + recording).status, 0);
+    const auto view = [&](const std::string& what) {
+        const ProgramRun run = run_scb("view " + what + " --steps 0 -o " + file);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return columns_of(file);
+    };
+    EXPECT_EQ(view(a), (Columns{{"SCB", 2}}));
+    EXPECT_EQ(view(a + " --queries 100"), (Columns{{"SCB", 1}}));
+    EXPECT_EQ(view(a + " " + b), (Columns{{"SCB, test corrected", 2}, {"OBB", 2}}));
+    EXPECT_EQ(view("cone --compare corrected,extents"),
+              (Columns{{"corrected", 1}, {"extents", 1}}));
+    EXPECT_EQ(view(recording + " --compare recorded,scb2")[1].first, "SCB2");
+    const Columns scenes = view("cone spheres-l1 --level 3");
+    EXPECT_EQ(scenes, (Columns{{"cone, SCB", 1}, {"spheres-l1, SCB", 1}}));
+    EXPECT_EQ(manifest_of(file_text(file))["frames"].size(), 200u) << "those of both";
+    EXPECT_EQ(manifest_of(file_text(file))["same_nodes"], false);
+    EXPECT_EQ(view("cone --queries none"), (Columns{{"SCB", 0}}));
+    for (const char* wrong : {" --queries none", " --compare scb,obb", " --volume obb"})
+        EXPECT_EQ(run_scb("view " + a + wrong + " -o " + file).status, 2) << wrong;
+}
+
+TEST(ViewCommand, TakesTwoOfSeveralBodies) {
+    const TemporaryFolder folder;
+    const std::string scene = folder / "three.json", file = folder / "a.html";
+    write_text(folder / "m.off", tetrahedron);
+    write_text(scene,
+               R"({"scb_scene": 1, "name": "three", "models": [{"name": "m", "file": "m.off"}],
+        "bodies": [{"name": "p", "model": "m"}, {"name": "q", "model": "m"}, {"name": "r", "model": "m"}]})");
+    ASSERT_EQ(run_scb("view " + scene + " -o " + file).status, 0);
+    EXPECT_EQ(columns_of(file)[0].second, 0u);
+    ASSERT_EQ(run_scb("view " + scene + " --bodies r,p -o " + file).status, 0);
+    const nlohmann::json column = manifest_of(file_text(file))["columns"][0];
+    EXPECT_EQ(column["bodies"][0]["name"], "r");
+    EXPECT_EQ(column["query"]["frames"][0]["pairs"], 16);
+    EXPECT_EQ(run_scb("view " + scene + " --queries 0 -o " + file).status, 2);
 }
 
 TEST(ViewCommand, TakesRecordings) {
@@ -46,7 +104,9 @@ TEST(ViewCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     for (const char* wrong :
          {"cone -o a.png", "cone --color-by surface", "cone --level 99", "cone --level 1,2",
-          "cone --camera contact", "cone --opacity 2", "nothing", "cone --levels 3"}) {
+          "cone --camera contact", "cone --opacity 2", "nothing", "cone --levels 3",
+          "cone --steps -1", "cone --queries 900", "cone --compare scb", "cone --compare scb,scb",
+          "cone --volume obb --compare corrected,printed", "cone cone.stl"}) {
         const ProgramRun run =
             run_scb(std::string("view ") + wrong, "cd " + folder.path.string() + " &&");
         EXPECT_EQ(run.status, 2) << wrong;

@@ -1,0 +1,97 @@
+// Mouse, fingers and keys.
+class Controls {
+  constructor(app) {
+    this.app = app;
+    this.pointers = new Map();
+    this.moved = 0;
+    const { canvas } = app;
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+      this.moved = 0;
+    });
+    canvas.addEventListener('pointermove', (event) => this.move(event));
+    canvas.addEventListener('pointerup', (event) => this.up(event));
+    canvas.addEventListener('pointercancel', (event) => this.up(event));
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      app.view.zoom(Math.exp(0.0015 * event.deltaY * (event.deltaMode === 1 ? 20 : 1)));
+      app.ask();
+      clearTimeout(this.afterWheel);
+      this.afterWheel = setTimeout(() => app.address.write(), 200);
+    }, { passive: false });
+    document.addEventListener('keydown', (event) => this.key(event));
+    new ResizeObserver(() => app.ask()).observe(canvas);
+  }
+
+  move(event) {
+    const { app, pointers } = this, { view, canvas } = app, before = pointers.get(event.pointerId);
+    if (!before) return;
+    const now = [event.offsetX, event.offsetY], x = now[0] - before[0], y = now[1] - before[1];
+    this.moved += Math.abs(x) + Math.abs(y);
+    if (pointers.size === 2) {
+      const other = [...pointers].find(([id]) => id !== event.pointerId)[1], apart = (p) => Math.hypot(p[0] - other[0], p[1] - other[1]);
+      if (apart(now) > 0) view.zoom(apart(before) / apart(now));
+      view.pan(x / 2, y / 2, canvas.clientHeight);
+    } else if (event.shiftKey || event.buttons & 6) {
+      view.pan(x, y, canvas.clientHeight);
+    } else {
+      view.orbit((x * Math.PI) / canvas.clientHeight, (y * Math.PI) / canvas.clientHeight);
+    }
+    pointers.set(event.pointerId, now);
+    app.ask();
+  }
+
+  up(event) {
+    const { app } = this;
+    if (!this.pointers.delete(event.pointerId)) return;
+    if (this.moved >= 4 || event.type !== 'pointerup') return app.address.write();
+    const found = app.pick(event.offsetX, event.offsetY);
+    if (!found) app.select(0, 0, -1);
+    else if (found.pair) app.selectPair(found.column, found.pair);
+    else if ('triangle' in found) app.selectTriangle(found.column, found.body, found.triangle);
+    else app.select(found.column, found.body, found.slot);
+  }
+
+  key(event) {
+    const { app } = this, { state, view } = app;
+    if (event.ctrlKey || event.metaKey || event.altKey || document.getElementById('help').open) return;
+    const { selected } = state, tree = selected ? app.treeOf(selected.column, selected.body) : null;
+    const go = (slot) => slot >= 0 && app.select(selected.column, selected.body, slot);
+    const turn = (x, y) => {
+      if (event.shiftKey) view.pan(-200 * x, -200 * y, app.canvas.clientHeight);
+      else view.orbit(x, y);
+      app.refresh();
+    };
+    const zoom = (factor) => {
+      view.zoom(factor);
+      app.refresh();
+    };
+    const along = (axis) => app.along(axis, event.shiftKey ? -1 : 1);
+    const acts = {
+      arrowleft: () => turn(-0.1, 0), arrowright: () => turn(0.1, 0), arrowup: () => turn(0, -0.1), arrowdown: () => turn(0, 0.1),
+      '+': () => zoom(0.9), '=': () => zoom(0.9), '-': () => zoom(1 / 0.9),
+      '[': () => app.set({ level: state.level - 1 }), ']': () => app.set({ level: state.level + 1 }),
+      ',': () => app.set({ at: state.at - 1 }), '.': () => app.set({ at: state.at + 1 }),
+      ' ': () => app.manifest.frames.length > 1 && app.play(),
+      x: () => along(0), y: () => along(1), z: () => along(2),
+      f: () => app.fit(), a: () => app.approach(), o: () => app.set({ orthographic: !state.orthographic }),
+      m: () => app.set({ mesh: !state.mesh }), e: () => app.set({ edges: !state.edges }), k: () => app.panel.toggleClip(), d: () => app.set({ differences: !state.differences }),
+      t: () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }),
+      p: () => selected && go(tree.parent[selected.slot]),
+      c: () => selected && tree.children[selected.slot] > 0 && go(tree.firstChild[selected.slot]),
+      n: () => selected && tree.parent[selected.slot + 1] === tree.parent[selected.slot] && go(selected.slot + 1),
+      i: () => selected && app.set({ isolated: !state.isolated }),
+      v: () => state.mode === 'traversal' && app.set({ by: state.by === 'worth' ? 'ending' : 'worth' }),
+      '/': () => (app.panel.search.focus(), app.panel.search.select()), s: () => app.save(), g: () => app.panel.saveGlb(), h: () => app.help(), '?': () => app.help(),
+      escape: () => app.set({ selected: null, pair: null, cell: null, test: -1 }),
+    };
+    modes.forEach(({ name }, i) => (acts[i + 1] = () => (name === 'levels' || app.hasQueries) && app.set({ mode: name })));
+    const name = event.key.toLowerCase(), act = acts[name], onControl = event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement;
+    // A control that has the focus has its own use for these.
+    if (!act || (onControl && (name === ' ' || name.startsWith('arrow')))) return;
+    event.preventDefault();
+    act();
+  }
+}

@@ -1,0 +1,90 @@
+// Where in the two hierarchies a query made its tests: a cell for the depth of the node of A, to the right, and that of the node of B, down.
+// Where the mouse is, the scene shows the nodes of these tests and the icicle the tests.
+class Matrix {
+  constructor(app) {
+    this.app = app;
+    this.canvas = document.getElementById('matrix');
+    this.context = this.canvas.getContext('2d');
+    this.pinned = null;
+    const show = (cell) => String(cell) !== String(app.state.cell) && app.set({ cell });
+    this.canvas.addEventListener('pointermove', (event) => show(this.pick(event.offsetX, event.offsetY) ?? this.pinned));
+    this.canvas.addEventListener('pointerleave', () => show(this.pinned));
+    this.canvas.addEventListener('click', (event) => this.pin(this.pick(event.offsetX, event.offsetY)));
+    this.canvas.addEventListener('keydown', (event) => this.key(event));
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  pin(cell) {
+    this.pinned = cell && String(cell) !== String(this.pinned) ? cell : null;
+    this.app.set({ cell: this.pinned });
+  }
+
+  show(query, frame) {
+    this.query = query;
+    this.frame = frame;
+    if (!this.app.state.cell) this.pinned = null;
+    if (!frame.cells) {
+      const [a, b] = query.trees, cells = new Map();
+      let wide = 0, high = 0;
+      frame.a.forEach((slot, i) => {
+        const x = a.levelOf(slot), y = b.levelOf(frame.b[i]), key = `${x},${y}`, cell = cells.get(key) ?? { x, y, tests: 0, rejected: 0 };
+        ++cell.tests;
+        cell.rejected += query.rejects(frame.outcomes[i]) ? 1 : 0;
+        cells.set(key, cell);
+        wide = Math.max(wide, x + 1);
+        high = Math.max(high, y + 1);
+      });
+      frame.cells = { all: cells, wide, high, most: Math.max(1, ...[...cells.values()].map(({ tests }) => tests)) };
+    }
+    this.draw();
+  }
+
+  draw() {
+    const { canvas, context, frame, app } = this;
+    if (!frame || canvas.clientWidth === 0) return;
+    const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight, { theme } = app, { all, wide, high, most } = frame.cells;
+    Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = css(theme.background);
+    context.fillRect(0, 0, width, height);
+    const left = 24, top = 20;
+    this.size = Math.min((width - left - 6) / Math.max(wide, 1), (height - top - 6) / Math.max(high, 1), 18);
+    this.corner = [left, top];
+    const test = app.shownTest(frame), { trees } = this.query;
+    for (const { x, y, tests } of all.values()) {
+      context.fillStyle = css(app.scaleColor(Math.log(tests + 1) / Math.log(most + 1)));
+      context.fillRect(left + x * this.size, top + y * this.size, Math.max(this.size - 1, 1), Math.max(this.size - 1, 1));
+    }
+    const frameOf = (x, y, lineWidth) => {
+      context.strokeStyle = css(theme.text);
+      context.lineWidth = lineWidth;
+      context.strokeRect(left + x * this.size, top + y * this.size, this.size, this.size);
+    };
+    if (app.state.cell) frameOf(...app.state.cell, 2);
+    else if (test >= 0) frameOf(trees[0].levelOf(frame.a[test]), trees[1].levelOf(frame.b[test]), 2);
+    context.fillStyle = css(theme.faint);
+    context.font = '11px Roboto, system-ui, sans-serif';
+    context.fillText('A, depth →', left, 13);
+    context.save();
+    context.translate(13, top);
+    context.rotate(Math.PI / 2);
+    context.fillText('B, depth →', 0, 0);
+    context.restore();
+  }
+
+  // The cell at a place, where there are tests.
+  pick(x, y) {
+    const cell = [Math.floor((x - this.corner[0]) / this.size), Math.floor((y - this.corner[1]) / this.size)];
+    return this.frame.cells.all.has(cell.join()) ? cell : null;
+  }
+
+  // From cell to cell.
+  key(event) {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (!step || !this.frame) return;
+    const [x, y] = this.app.state.cell ?? [-step[0], -step[1]], next = [x + step[0], y + step[1]];
+    if (this.frame.cells.all.has(next.join())) this.app.set({ cell: (this.pinned = next) });
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
