@@ -74,6 +74,7 @@ int run(const CheckOptions& options, const Console& console) {
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
+    add_views(result, work.report(), options.models, console);
     write_results(result, options.files, work.report());
     for (const std::string& file : golden::uncompared_images(check.folders.baselines, suite))
         console.note("scb: " + (check.folders.baselines / file).string() + " " + why_uncompared);
@@ -103,8 +104,10 @@ void add_golden_check(const Command& golden, const Console& console, Action& act
             "Run part K of N: every N-th case, starting with case K. Give each machine its own K")
         .type_name("K/N");
     add_result_files(command, options->files);
-    command.add_flag("--trace", options->trace,
-                     "Keep the traces of failing cases in the folder of the report");
+    command.add_flag(
+        "--trace", options->trace,
+        "Keep the traces of failing cases in the folder of the report, with a page of `scb "
+        "view` for each");
     command.footer(
         "Compares counts, then ids (which node, triangle or pair owns each pixel), then colors. "
         "All must be equal; a case\n"

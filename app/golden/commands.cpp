@@ -4,7 +4,10 @@
 #include <cstdlib>
 
 #include "app/pictures/picture_options.h"
+#include "app/view/view_page.h"
 #include "golden/suite/shell_word.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
 
 namespace scb::app {
 namespace {
@@ -60,6 +63,24 @@ void add_diff_commands(golden::SuiteResult& result, const std::filesystem::path&
         if (c.traces.size() == 2)
             c.diff = golden::typed(
                 {"diff", (folder / c.traces[0]).string(), (folder / c.traces[1]).string()});
+}
+
+void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
+               const std::string& models_dir, const Console& console) {
+    for (golden::CaseResult& c : result.cases) {
+        if (c.traces.size() != 2 || c.view.empty()) continue;
+        ViewOptions options;
+        options.level.scene.models_dir = models_dir;
+        for (const std::string& trace : c.traces)
+            options.level.scene.names.push_back((folder / trace).string());
+        const std::string page = c.name + ".view.html";
+        try {
+            render::write_file_whole(folder / page, view_page(options, console));
+            c.view.insert(0, page);
+        } catch (const InputError& error) {
+            console.note("scb: " + c.name + " has no page of `scb view`: " + error.what());
+        }
+    }
 }
 
 }  // namespace scb::app

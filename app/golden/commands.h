@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/console.h"
 #include "app/golden/options.h"
 #include "golden/run/check_cases.h"
 
@@ -17,5 +18,10 @@ void add_commands(golden::SuiteResult& result, const golden::GoldenCheck& check,
 
 /// Gives each case whose traces are kept in that folder the command that compares them.
 void add_diff_commands(golden::SuiteResult& result, const std::filesystem::path& folder);
+
+/// Writes a page of `scb view` into that folder for each case whose traces are kept there. A trace
+/// whose scene cannot be opened from here has none.
+void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
+               const std::string& models_dir, const Console& console);
 
 }  // namespace scb::app

@@ -27,7 +27,8 @@ struct ResultFiles {
     /// Throws InputError where they would come among the baselines, or over the suite or another
     /// file that was read.
     void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
-    /// Throws InputError where they would replace a file that was read, or one that holds no results.
+    /// Throws InputError where they would replace a file that was read, or one that holds no
+    /// results.
     void refuse_inputs() const;
 
   private:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
@@ -21,6 +22,7 @@
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
+#include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
@@ -149,6 +151,30 @@ void name_files(InspectReport& report, const InspectOptions& options, const Quer
     report.files = inspect_name(report, of_page);
 }
 
+/// The page of `scb view` with the frames that the report names pairs of; of none, the worst frame.
+std::string report_view(const InspectOptions& options, const InspectReport& report,
+                        const Console& console) {
+    std::set<int> frames;
+    for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& pair : *pairs) frames.insert(pair.frame);
+    for (const WronglyRejectedPair& pair : report.wrong) frames.insert(pair.frame);
+    if (frames.empty()) frames.insert(report.frames.front().frame);
+    ViewOptions view;
+    view.level.scene = options.scene;
+    view.level.hierarchy = options.hierarchy;
+    view.level.picture.background = options.picture.background;
+    view.query = options.query;
+    view.queries.clear();
+    for (const int frame : frames)
+        view.queries += (view.queries.empty() ? "" : ",") + std::to_string(frame);
+    if (!scenes::names_trace(options.scene.names[0]))
+        view.level.scene.frames = std::to_string(*frames.begin());
+    view.scene = options.where;
+    view.volumes = options.volumes;
+    view.hierarchies = options.hierarchies;
+    return view_page(view, console);
+}
+
 /// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
 bool write_report(PictureRun& pictures, const InspectOptions& options, const QuerySources& sources,
                   const InspectReport& report, const Console& console,
@@ -164,13 +190,16 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     std::string bodies;
     if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
     whole = whole && step();
+    // The page has whole queries.
+    const bool has_view = !options.no_view && query.options.stop_level < 0;
     const InspectPage page{inspect_name(report) + ".png",
                            bodies,
                            options.picture.width(),
                            options.picture.height(),
                            options.picture.theme() == &render::light_theme,
                            options.command,
-                           options.explain};
+                           options.explain,
+                           has_view ? report.files + "_view.html" : ""};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
     head["poses"] = poses_json(query.scene, query.frames);
@@ -178,6 +207,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
         pictures.write(report.files + "_frames.csv", frames_csv(report));
         pictures.write(report.files + "_pairs.csv", pairs_csv(report));
         pictures.write(report.files + ".html", inspect_html(report, page));
+        if (!page.view.empty()) pictures.write(page.view, report_view(options, report, console));
         pictures.finish(std::move(head), console);
     }
     return whole;
@@ -206,8 +236,8 @@ int run(InspectOptions& options, const Console& console) {
         name_files(named, options, source);
         pictures.emplace(
             options.picture, query.scene.name,
-            std::vector<std::string>{named.files + ".html", named.files + "_frames.csv",
-                                     named.files + "_pairs.csv"});
+            std::vector<std::string>{named.files + ".html", named.files + "_view.html",
+                                     named.files + "_frames.csv", named.files + "_pairs.csv"});
     }
 
     Progress progress(console, source.frames().size());
@@ -277,6 +307,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     command.add_flag(
         "--time", options->time,
         "Also time the settings that would have helped, which is not the same each time");
+    command.add_flag("--no-view", options->no_view,
+                     "Leave out the page of `scb view` that -o writes too");
     add_picture_options(command, options->picture);
     options->picture.samples = PictureOptions{}.samples;
     command.get_option("--output")
@@ -314,6 +346,10 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--margin", "--split", "--test",   "--threshold", "--bodies"};
         options->of_scene = given_text(
             command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
+        options->where = given_text(command, {"--pose", "--models", "--bodies"});
+        options->volumes = given_text(command, {"--volume"});
+        options->hierarchies =
+            given_text(command, {"--growth", "--margin", "--split", "--test", "--threshold"});
         options->explain = "scb explain" + given_text(command, of_queries);
         options->command = "scb inspect" + given_text(command, of_queries) +
                            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",

@@ -156,6 +156,8 @@ class Group {
                           std::to_string(test.nodes.b);
         pair["detail"] =
             format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
+        if (!page_.view.empty())
+            pair["view"] = page_.view + "#frame=" + std::to_string(frame) + "&nodes=" + nodes;
         pair["command"] = page_.explain + " --frames " + std::to_string(frame) + " --pair " + nodes;
         pairs_ << pair;
         empty_ = false;
@@ -272,6 +274,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
             data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
     }
     values["groups"] = groups_of(report, page);
+    if (!page.view.empty()) values["view"] = page.view + "#show=verdicts";
     values["files"] = report.files;
     values["version"] = SCB_VERSION;
     values["command"] = page.command;

@@ -14,6 +14,7 @@ struct InspectPage {
     bool light = true;          ///< the background of the pictures, which the page has too
     std::string command;        ///< that made it
     std::string explain;        ///< the command that explains a pair, up to the frame
+    std::string view;           ///< file name of a page of `scb view`; empty where there is none
 };
 
 /// One HTML file; the pictures are files beside it.

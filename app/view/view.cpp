@@ -1,231 +1,28 @@
-#include <algorithm>
-#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/open_file.h"
 #include "app/cli/validators.h"
-#include "app/cli/version.h"
-#include "app/pictures/level_bodies.h"
-#include "app/pictures/level_options.h"
-#include "app/query/level_list.h"
 #include "app/query/output_guard.h"
-#include "app/query/query_options.h"
-#include "app/view/view_manifest.h"
-#include "app/view/view_query.h"
+#include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "render/draw/renderer.h"
-#include "render/figures/level_figure.h"
-#include "render/files/image_file.h"
 #include "render/files/output_file.h"
-#include "render/overlay/overlay.h"
-#include "render/web/web_page.h"
-#include "scb/error.h"
-#include "scenes/text/utf8.h"
-#include "scenes/traces/trace_input.h"
 
 namespace scb::app {
 namespace {
 
-/// How the page is asked for, but for what LevelOptions have.
-struct ViewOptions {
-    LevelOptions level;
-    QueryOptions query;
-    std::string queries = "auto";        ///< see ViewSources::queries
-    std::string compare;                 ///< see CompareOptions::names
-    std::vector<std::string> recording;  ///< see CompareOptions::given
-    int steps = 1000;                    ///< see view_query_json
-    // As given_text has it, what was given: where the bodies are, the volumes, other things of
-    // hierarchies that all pictures take, and of levels alone.
-    std::string scene, volumes, hierarchies, levels;
-
-    bool has_two_scenes() const {
-        const std::vector<std::string>& names = level.scene.names;
-        return names.size() == 2 && std::all_of(names.begin(), names.end(), scenes::names_scene);
-    }
-
-    void check() const {
-        level.check();
-        if (level.color_by == render::ColorBy::surface)
-            throw InputError(
-                "--color-by surface: these colors are of one level, and the page has all; give "
-                "another, or draw pictures with `scb render levels`.");
-        if (!level.picture.output.ends_with(".html"))
-            throw InputError("-o " + level.picture.output +
-                             ": the page is one HTML file; give a "
-                             "name that ends in .html.");
-        check_output(level.picture.output, "-o " + level.picture.output);
-        if (steps < 0)
-            throw InputError("--steps " + std::to_string(steps) + ": give 0 or more tests.");
-    }
-};
-
-/// The deepest level of which a reader can still tell the volumes.
-int first_level(const ViewSubject& subject, const std::string& asked) {
-    if (asked != "auto") return std::max(0, parse_level(asked, subject.deepest));
-    constexpr std::size_t most = 500;
-    int level = 0;
-    for (int next = 1; next <= subject.deepest; ++next) {
-        std::size_t count = 0;
-        for (const scenes::BodyAtFrame& body : subject.columns[0].bodies)
-            count += level_cover(body.tree->shape(), next).size();
-        if (count > most * subject.columns[0].bodies.size()) break;
-        level = next;
-    }
-    return level;
-}
-
-/// What a browser shows that cannot draw.
-std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubject& subject,
-                                   const ViewStart& start, std::vector<render::LevelBody> bodies,
-                                   const std::string& title) {
-    const render::Context context(options.picture.backend());
-    render::Renderer renderer(context);
-    if (start.style.mesh)
-        for (render::LevelBody& body : bodies) body.handle = renderer.upload(*body.mesh);
-    render::LevelFigure figure;
-    figure.title = title;
-    figure.subtitle =
-        "level " + std::to_string(start.level) + " of 0 to " + std::to_string(subject.deepest);
-    figure.bodies = std::move(bodies);
-    figure.level = start.level;
-    figure.style = start.style;
-    figure.camera = start.camera;
-    figure.center = start.center;
-    render::Overlay overlay;
-    const render::Picture picture =
-        render::compose(figure, options.picture.width(), options.picture.height(),
-                        options.picture.samples, overlay);
-    return render::encode_png(renderer.draw(picture, &overlay).image);
-}
-
-std::string words_of(const std::vector<std::string>& names) {
-    std::string words;
-    for (const std::string& name : names) words += " " + file_word(name);
-    return words;
-}
-
-/// The names of volumes, each once, with commas.
-std::string kinds_of(const ViewSubject& subject) {
-    std::string kinds;
-    std::set<std::string> seen;
-    for (const ViewColumn& column : subject.columns)
-        if (!column.kind.empty() && seen.insert(column.kind).second)
-            kinds += (kinds.empty() ? "" : ",") + column.kind;
-    return kinds;
-}
-
-/// The commands of pictures of the same, by mode of the page.
-std::map<std::string, std::vector<std::string>> commands_of(const ViewOptions& options,
-                                                            const ViewSubject& subject) {
-    const std::vector<std::string>& names = options.level.scene.names;
-    std::vector<std::vector<std::string>> scenes = {names};
-    if (options.has_two_scenes()) scenes = {{names[0]}, {names[1]}};
-    const std::string kinds = kinds_of(subject);
-    const bool one = subject.columns.size() == scenes.size();
-    std::string asked = options.volumes;
-    if (!options.compare.empty())
-        asked = " --compare " + options.compare;
-    else if (!one && kinds.find(',') != std::string::npos)
-        asked = " --compare " + kinds;
-    std::map<std::string, std::vector<std::string>> commands;
-    for (const std::vector<std::string>& scene : scenes) {
-        std::vector<std::string> of_levels = scene;
-        std::string volumes = options.volumes;
-        if (const QuerySource* query = subject.columns[0].query;
-            query && scenes::names_trace(scene[0])) {
-            of_levels = query->header().source;
-            volumes = " --volume " + kinds;
-        }
-        commands["levels"].push_back("scb render levels" + words_of(of_levels) + options.scene +
-                                     volumes + options.hierarchies + options.levels);
-        // Pictures compare two at a time.
-        if (subject.columns.size() > 2 * scenes.size()) continue;
-        for (const auto& [mode, picture] : {std::pair{"rejections", "rejections"},
-                                            {"pairs", "pairs"},
-                                            {"tests", "pairs --heat volumes"},
-                                            {"wasted", "pairs --heat wasted"},
-                                            {"traversal", "traversal"}})
-            commands[mode].push_back(std::string("scb render ") + picture + words_of(scene) +
-                                     options.scene + asked + options.hierarchies);
-        commands["verdicts"].push_back("scb inspect" + words_of(scene) + options.scene +
-                                       (one ? options.volumes : "") + options.hierarchies);
-    }
-    return commands;
-}
-
-/// The command that explains a test of the column, but for frame and nodes.
-std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
-    if (!column.query || column.query->is_recording()) return "";
-    std::string command = "scb explain" + words_of(column.names) + options.scene;
-    if (scenes::names_trace(column.names[0])) return command;
-    command += " --volume " + column.kind;
-    // Else it is among what was given.
-    if (!options.compare.empty() && column.kind == "scb")
-        command +=
-            " --test " + std::string(overlap_test_name(column.query->query().options.overlap.test));
-    return command + options.hierarchies;
-}
-
 int run(const ViewOptions& options, const Console& console) {
     options.check();
-    const LevelOptions& asked = options.level;
-    ViewSubject subject = view_subject({asked.scene,
-                                        asked.hierarchy,
-                                        options.query,
-                                        options.queries,
-                                        {options.compare, options.recording}},
-                                       console);
-    const std::vector<scenes::BodyAtFrame>& first = subject.columns[0].bodies;
-    const scenes::Scene& first_scene = *subject.columns[0].scene;
-    ViewStart start;
-    start.level = first_level(subject, asked.levels);
-    start.style = level_style(asked, first, subject.deepest);
-    std::vector<render::LevelBody> bodies = level_bodies(first, {});
-    const scenes::CameraView wish = camera_view_for(asked.camera, first_scene);
-    std::vector<render::LevelBody> held = bodies;
-    if (options.has_two_scenes())
-        for (std::size_t k = 1; k < subject.columns.size(); ++k)
-            for (render::LevelBody& body : level_bodies(subject.columns[k].bodies, {}))
-                held.push_back(std::move(body));
-    const render::Support support = render::support_of_levels(held, {start.level});
-    start.aspect = render::aspect_of(asked.picture.layout().view);
-    start.camera = camera_for(wish, support, start.aspect);
-    start.center = render::center_of(support);
-    start.up = wish.up.value_or(Vec3::UnitZ());
-    start.commands = commands_of(options, subject);
-    for (ViewColumn& column : subject.columns) column.explain = explain_command(options, column);
-
-    std::string scene = scenes::printable(first_scene.name), titles;
-    for (ViewColumn& column : subject.columns) {
-        const std::string name = scenes::printable(column.scene->name);
-        if (options.has_two_scenes()) column.title = name + ", " + column.title;
-        titles += (titles.empty() ? "" : " | ") + column.title;
-    }
-    render::BlockStore store;
-    render::WebPage page;
-    page.title = (options.has_two_scenes() ? "" : scene + " · ") + scenes::printable(titles);
-    page.description = format("%zu %s, %d levels, scb ", first.size(),
-                              first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
-                       SCB_VERSION;
-    nlohmann::ordered_json manifest = view_manifest(subject, start, store);
-    for (std::size_t k = 0; k < subject.columns.size(); ++k)
-        if (subject.columns[k].query)
-            manifest["columns"][k]["query"] =
-                view_query_json(subject.columns[k], options.steps, store);
-    page.manifest = manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    page.still = still_of(asked, subject, start, std::move(bodies), page.title);
-    const std::string html = render::web_page(page, store);
-    check_output(asked.picture.output, "-o " + asked.picture.output);
-    render::write_file_whole(asked.picture.output, html);
-    print_result(asked.picture.output + "\n");
-    console.note("scb: " + asked.picture.output + ": " +
+    const PictureOptions& picture = options.level.picture;
+    const std::string html = view_page(options, console);
+    check_output(picture.output, "-o " + picture.output);
+    render::write_file_whole(picture.output, html);
+    print_result(picture.output + "\n");
+    console.note("scb: " + picture.output + ": " +
                  format("%.1f MB.", static_cast<double>(html.size()) / 1e6));
-    if (asked.picture.open) open_file(asked.picture.output, console);
+    if (picture.open) open_file(picture.output, console);
     return exit_done;
 }
 

@@ -56,8 +56,11 @@ Json worths_json() {
         add(label, [reason = reason](const render::Theme& theme) {
             return render::pass_reason_color(reason, theme);
         });
-    // Yellow of Okabe and Ito, which none can take for the others.
-    add("rejected wrongly", [](const render::Theme&) { return render::Rgba8{240, 228, 66}; });
+    // As on the page of `scb inspect`.
+    add("rejected wrongly", [](const render::Theme& theme) {
+        return &theme == &render::light_theme ? render::Rgba8{180, 0, 60}
+                                              : render::Rgba8{255, 122, 144};
+    });
     return worths;
 }
 

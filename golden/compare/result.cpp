@@ -84,6 +84,7 @@ Json case_json(const CaseResult& result) {
             {"traces", result.traces},
             {"trace_difference", result.trace_difference},
             {"diff", result.diff},
+            {"view", result.view},
             {"seconds", result.seconds}};
 }
 
@@ -108,6 +109,8 @@ std::vector<std::string> files_of(const CaseResult& result) {
         for (const std::string* name :
              {&pictures->baseline, &pictures->candidate, &pictures->difference})
             if (!name->empty()) names.push_back(*name);
+    if (const std::string page = result.view.substr(0, result.view.find('#')); !page.empty())
+        names.push_back(page);
     return names;
 }
 

@@ -49,6 +49,9 @@ struct CaseResult {
     std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
     std::string trace_difference;     ///< how the traces differ, as lines of text
     std::string diff;                 ///< a command, which compares the kept traces
+    /// A page of `scb view` with the kept traces, beside results.json, and what it is to show: where
+    /// they part first. Without a page only the latter, "#frame=50&nodes=5,7".
+    std::string view;
     double seconds = 0;
 
     friend bool operator==(const CaseResult&, const CaseResult&) = default;
@@ -60,7 +63,7 @@ std::string first_words(const CaseResult& result);
 /// Whether its colors differ, but not beyond the tolerance that the case declares.
 bool is_tolerated(const CaseResult& result);
 
-/// The files that it names: pictures and traces, beside results.json.
+/// The files that it names: pictures, traces and a page, beside results.json.
 std::vector<std::string> files_of(const CaseResult& result);
 
 /// What came of a suite, or of a shard of it.

@@ -107,7 +107,7 @@ CaseResult case_at(const scenes::JsonPlace& place) {
         place,
         {"name",      "verdict", "cause",  "message",          "lines",   "counts",  "ids",
          "owners",    "colors",  "focus",  "tolerance",        "variant", "picture", "id_picture",
-         "reproduce", "update",  "traces", "trace_difference", "diff",    "seconds"});
+         "reproduce", "update",  "traces", "trace_difference", "diff",    "view",    "seconds"});
     CaseResult result;
     result.name = scenes::read_text(scenes::field(place, "name"));
     result.verdict = verdict_at(scenes::field(place, "verdict"));
@@ -128,6 +128,7 @@ CaseResult case_at(const scenes::JsonPlace& place) {
     result.traces = list_at(scenes::field(place, "traces"), scenes::read_text);
     result.trace_difference = scenes::read_text(scenes::field(place, "trace_difference"));
     result.diff = scenes::read_text(scenes::field(place, "diff"));
+    result.view = scenes::read_text(scenes::field(place, "view"));
     result.seconds =
         scenes::read_number(scenes::field(place, "seconds"), 0, std::numeric_limits<double>::max());
     return result;

@@ -114,6 +114,9 @@ data failure_of(const CaseResult& result, const fs::path& folder, std::set<std::
     const auto trace_lines = static_cast<std::size_t>(
         std::count(result.trace_difference.begin(), result.trace_difference.end(), '\n'));
     values["trace"] = result.trace_difference;
+    const bool has_page = !result.view.empty() && !result.view.starts_with('#');
+    values["has_view"] = flag(has_page);
+    if (has_page) values["view"] = result.view;
     values["has_short_trace"] = flag(trace_lines > 0 && trace_lines <= most_open_lines);
     values["has_long_trace"] = flag(trace_lines > most_open_lines);
     values["trace_words"] = counted(trace_lines, "line", "lines");

@@ -52,6 +52,17 @@ std::vector<std::string> conclusions(const TraceDiff& d, const Cause& cause) {
     return lines;
 }
 
+/// What a page with both shows of where they part.
+std::string place_of(const TraceDiff& d) {
+    if (d.first) {
+        const std::optional<TracedTest>& parted = d.first->a ? d.first->a : d.first->b;
+        return "#frame=" + std::to_string(d.first->frame) +
+               "&nodes=" + std::to_string(parted->test.nodes.a) + "," +
+               std::to_string(parted->test.nodes.b);
+    }
+    return d.frames.empty() ? "" : "#show=pairs&frame=" + std::to_string(d.frames[0].frame);
+}
+
 }  // namespace
 
 bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, const Cause& cause) {
@@ -69,6 +80,7 @@ bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, const
     if (d.equal()) return true;
     for (std::string& line : conclusions(d, cause)) result.lines.push_back(std::move(line));
     result.trace_difference = scenes::trace_diff_text(d, trace_names);
+    result.view = place_of(d);
     return d.nodes_comparable;
 }
 
