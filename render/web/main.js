@@ -368,7 +368,9 @@ class App {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
   help() {
-    document.getElementById('help').showModal();
+    const help = document.getElementById('help');
+    help.showModal();
+    help.scrollTop = 0;  // the button at its end has the focus
   }
 }
 

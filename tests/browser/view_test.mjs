@@ -1,16 +1,12 @@
 // Opens pages of `scb view` as files, as a reader would, and uses everything on them.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { inflateSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
-
-const folder = process.env.PAGE_FOLDER;
-const screenshots = process.env.SCREENSHOTS;
-const scb = (...words) => execFileSync(process.env.SCB, ['--quiet', ...words], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
+import { address, assert_ids_of_picture, chromium_arguments, folder, page_of, read_png, scb, seen, settled, share_of_differences, shot, state, watched } from './pages.mjs';
 
 function traced() {
   const file = join(folder, 'cone.scbtrace');
@@ -20,67 +16,25 @@ function traced() {
 
 let browser;
 before(async () => {
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-  });
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: chromium_arguments });
 });
 after(() => browser?.close());
 
-const made = new Map();
-// The page that the options give; each is made once.
-function page_of(...options) {
-  const key = options.join(' ');
-  if (!made.has(key)) {
-    made.set(key, join(folder, `page-${made.size}.html`));
-    scb('view', ...options, '-o', made.get(key));
-  }
-  return made.get(key);
-}
-
-// Runs `body` with a page; any request but for the file itself and data, and any message of the console, is a failure.
+// Runs `body` with a page on which nothing may go wrong.
 async function onPage(file, { hash = '', ...options }, body) {
   const context = await browser.newContext({ viewport: { width: 960, height: 600 }, offline: true, ...options });
-  const page = await context.newPage(), wrong = [], main = pathToFileURL(file).href;
-  page.on('request', (request) => {
-    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(main)) wrong.push(`request: ${request.url()}`);
-  });
-  page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
-  page.on('console', (message) => wrong.push(`console: ${message.text()}`));
-  page.on('dialog', (dialog) => {
-    wrong.push(`dialog: ${dialog.message()}`);
-    dialog.dismiss();
-  });
+  const page = await context.newPage(), main = pathToFileURL(file).href, wrong = watched(page, main);
   await page.goto(main + hash);
   if (options.javaScriptEnabled !== false) await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
   await body(page, context);
-  // What software rendering says of itself is no fault of the page.
-  assert.deepEqual(wrong.filter((text) => !/GPU stall due to ReadPixels|software WebGL/i.test(text)), []);
+  assert.deepEqual(wrong, []);
   await context.close();
 }
 
-const settled = (page) => page.evaluate(() => document.getElementById('canvas').app.refresh().then(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))));
-const state = (page) => page.evaluate(() => ({ ...document.getElementById('canvas').app.state }));
-const address = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
 async function press(page, ...keys) {
   for (const key of keys) await page.locator('#canvas').press(key);
   await settled(page);
 }
-async function shot(page, name) {
-  if (screenshots) await page.screenshot({ path: join(screenshots, `view-${name}.png`) });
-}
-// What the canvas shows: its pixels as text.
-const seen = (page) => page.evaluate(() => {
-  const { app } = document.getElementById('canvas');
-  app.draw();
-  const { gl } = app.painter, [width, height] = app.painter.size, pixels = new Uint8Array(4 * width * height);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, app.painter.target);
-  gl.readBuffer(gl.COLOR_ATTACHMENT0);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  let text = '';
-  for (let i = 0; i < pixels.length; i += 4 * 97) text += String.fromCharCode(32 + (pixels[i] >> 2), 32 + (pixels[i + 1] >> 2));
-  return text;
-});
 // The canvas itself, with outlines.
 const seen_on_canvas = (page) => page.evaluate(() => {
   const { app } = document.getElementById('canvas');
@@ -92,29 +46,7 @@ const seen_on_canvas = (page) => page.evaluate(() => {
   for (let i = 0; i < pixels.length; i += 12) text += String.fromCharCode(32 + (pixels[i] >> 2));
   return text;
 });
-const share_of_differences = (a, b) => [...a].filter((c, i) => c !== b[i]).length / Math.max(a.length, b.length);
 
-// The four bytes of each pixel of a PNG file without interlacing, of 8 bits a channel.
-function read_png(path) {
-  const bytes = readFileSync(path), width = bytes.readUInt32BE(16), height = bytes.readUInt32BE(20), channels = bytes[25] === 6 ? 4 : 3;
-  const parts = [];
-  for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at))
-    if (bytes.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at)));
-  const lines = inflateSync(Buffer.concat(parts)), pixels = new Uint8Array(4 * width * height), row = channels * width;
-  const above = (x, y, i) => (y > 0 && x >= 0 ? pixels[4 * ((y - 1) * width + x) + i] : 0);
-  for (let y = 0, at = 0; y < height; ++y) {
-    const filter = lines[at++];
-    for (let k = 0; k < row; ++k) {
-      const x = Math.floor(k / channels), i = k % channels, a = x > 0 ? pixels[4 * (y * width + x - 1) + i] : 0, b = above(x, y, i), c = above(x - 1, y, i);
-      const p = a + b - c, near = [a, b, c].sort((u, v) => Math.abs(p - u) - Math.abs(p - v))[0];
-      const paeth = Math.abs(p - a) <= Math.abs(p - b) && Math.abs(p - a) <= Math.abs(p - c) ? a : Math.abs(p - b) <= Math.abs(p - c) ? b : near;
-      pixels[4 * (y * width + x) + i] = lines[at++] + [0, a, b, (a + b) >> 1, paeth][filter];
-    }
-  }
-  return { width, height, ids: Array.from({ length: width * height }, (_, i) => (pixels[4 * i] | (pixels[4 * i + 1] << 8) | (pixels[4 * i + 2] << 16)) >>> 0) };
-}
-
-// Every pixel's node, in the page and in the picture's id buffer, by the same camera.
 for (const [scene, level, ...options] of [
   ['spheres-l1', 6, '--volume', 'scb'],
   ['knots-l1', 5, '--volume', 'obb'],
@@ -123,36 +55,7 @@ for (const [scene, level, ...options] of [
   ['cone', 6, '--volume', 'rss'],
   ['knots-l1', 7, '--volume', 'ball'],
 ]) {
-  test(`the id of each pixel is that of the picture: ${scene} ${options.join(' ')}`, async () => {
-    const camera = ['--camera', 'orbit:30,20,4', '--frames', '0'], size = [320, 240];
-    const out = join(folder, `ids-${scene}-${options[1]}`);
-    mkdirSync(out);
-    scb('render', 'levels', scene, ...options, ...camera, '--levels', String(level), '--size', size.join('x'), '--no-panel', '--samples', '1', '--ids', '-o', out);
-    const picture = read_png(join(out, readdirSync(out).find((name) => /ids.*\.png$/.test(name))));
-    await onPage(page_of(scene, ...options, ...camera, '--level', String(level)), {}, async (page) => {
-      const ids = await page.evaluate(async ([width, height]) => {
-        const canvas = document.getElementById('canvas'), { app } = canvas;
-        canvas.style.width = `${width}px`;
-        canvas.style.height = `${height}px`;
-        app.view.aspect = 0;
-        app.painter.resize(width, height, 1);
-        const resize = app.painter.resize.bind(app.painter);
-        app.painter.resize = () => resize(width, height, 1);
-        app.draw();
-        const { gl } = app.painter, all = new Uint32Array(width * height);
-        app.painter.idAt(0, 0);  // binds the ids
-        gl.readPixels(0, 0, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, all);
-        const ids = Array.from({ length: width * height }, (_, i) => all[(height - 1 - Math.floor(i / width)) * width + (i % width)]);
-        for (let i = 0; i < ids.length; i += 997)
-          if (app.painter.idAt(i % width, Math.floor(i / width)) !== ids[i]) throw new Error(`pixel ${i}`);
-        return ids;
-      }, size);
-      assert.equal(ids.length, picture.ids.length);
-      const covered = picture.ids.filter((id) => id > 0).length, differ = ids.filter((id, i) => id !== picture.ids[i]).length;
-      assert.ok(covered > 3000, `the picture shows something: ${covered} pixels`);
-      assert.ok(differ <= 0.001 * ids.length, `${differ} of ${ids.length} pixels are of other nodes`);
-    });
-  });
+  test(`the id of each pixel is that of the picture: ${scene} ${options.join(' ')}`, () => assert_ids_of_picture(onPage, scene, level, ...options));
 }
 
 test('levels, opacity, meshes, theme and frames change what is shown, and the address', async () => {
