@@ -10,6 +10,7 @@
 #include "app/pictures/level_bodies.h"
 #include "app/query/level_list.h"
 #include "app/query/output_guard.h"
+#include "app/query/scene_title.h"
 #include "app/view/view_manifest.h"
 #include "app/view/view_query.h"
 #include "core/base/text_format.h"
@@ -181,9 +182,12 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     start.commands = commands_of(options, subject);
     for (ViewColumn& column : subject.columns) column.explain = explain_command(options, column);
 
-    std::string scene = scenes::printable(first_scene.name), titles;
+    std::string scene, titles;
     for (ViewColumn& column : subject.columns) {
-        const std::string name = scenes::printable(column.scene->name);
+        std::string name = scenes::printable(column.scene->name);
+        if (column.bodies.size() == 2)
+            name = scene_title(name, column.bodies[0].name, column.bodies[1].name);
+        if (&column == &subject.columns.front()) scene = name;
         if (has_two_scenes(options)) column.title = name + ", " + column.title;
         titles += (titles.empty() ? "" : " | ") + column.title;
     }

@@ -254,6 +254,11 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
         << found["lines"];
     EXPECT_NE(text.find("baseline      new run new run - baseline\n"), std::string::npos) << text;
     EXPECT_NE(page.find("<pre class=\"trace\""), std::string::npos);
+    // A page beside it begins where they part.
+    const std::string view = found["view"];
+    EXPECT_TRUE(view.starts_with("rejections.view.html#frame=100&nodes=")) << view;
+    EXPECT_NE(page.find("rejections.view.html"), std::string::npos);
+    EXPECT_NE(file_text(home / "out/rejections.view.html").find("the new run"), std::string::npos);
     // The command works from where the check ran, and so does that of a report of reports.
     EXPECT_EQ(found["diff"],
               "scb diff out/rejections.baseline.scbtrace out/rejections.new.scbtrace");
@@ -261,6 +266,7 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
     EXPECT_EQ(run("golden report --from out/results.json --report all").status, 1);
     results = json::parse(file_text(home / "all/results.json"));
     EXPECT_EQ(run(result("rejections")["diff"].get<std::string>().substr(4)).status, 1);
+    EXPECT_TRUE(fs::exists(home / "all/rejections.view.html"));
 }
 
 TEST_F(GoldenReport, TracesSayWhatOlderBaselinesDoNot) {

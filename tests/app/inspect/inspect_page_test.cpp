@@ -12,11 +12,14 @@ namespace {
 
 using nlohmann::json;
 
-/// The page in a folder.
-std::string html_in(const std::string& folder) {
+/// The report in a folder; that of `scb view` is another page.
+std::string html_in(const std::string& folder, const std::string& ending = ".html") {
     std::string text;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".html") text += file_text(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(ending) && name.ends_with("_view.html") == (ending == "_view.html"))
+            text += file_text(entry.path());
+    }
     return text;
 }
 
@@ -27,9 +30,11 @@ TEST(InspectPage, NamesAMeshOnceInTitles) {
         run_scb("inspect " + mesh + " " + mesh + " --pose 1,0,0,30,0,1,0,0,0,0,1,70 --top 1 -o " +
                 folder / "out");
     ASSERT_EQ(run.status, 0) << run.err;
-    const std::string html = html_in(folder / "out");
-    EXPECT_NE(html.find("bracket with itself"), std::string::npos);
-    EXPECT_EQ(html.find("bracket-bracket ·"), std::string::npos);
+    for (const char* ending : {".html", "_view.html"}) {
+        const std::string html = html_in(folder / "out", ending);
+        EXPECT_NE(html.find("bracket with itself"), std::string::npos) << ending;
+        EXPECT_EQ(html.find("bracket-bracket ·"), std::string::npos) << ending;
+    }
 }
 
 TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
@@ -93,6 +98,25 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
         EXPECT_EQ(explained["exact"], found["worst"][i]["exact"]);
         EXPECT_EQ(explained["stage"]["corrected"], "overlapping");
     }
+}
+
+TEST(InspectPage, LeadsToAPageOfThePairs) {
+    const TemporaryFolder folder;
+    const std::string arguments = "cone --volume obb --frames 90:110:10 --top 2 --size 320x240 -o ",
+                      name = "out/cone_obb_inspect_size-320x240_frames-90-to-110-by-10_top-2";
+    ASSERT_EQ(run_scb("inspect " + arguments + folder / "out").status, 0);
+    const std::string html = file_text(folder / (name + ".html"));
+    std::vector<std::string> links = all_between(html, "<a href=\"", "\"");
+    std::erase_if(links, [](const std::string& link) {
+        return link.find("_view.html") == std::string::npos;
+    });
+    ASSERT_EQ(links.size(), 3u);
+    EXPECT_TRUE(links[0].ends_with("_view.html#show=verdicts"));
+    EXPECT_NE(links[1].find("_view.html#frame="), std::string::npos);
+    EXPECT_NE(links[1].find("nodes="), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder / (name + "_view.html")));
+    ASSERT_EQ(run_scb("inspect --no-view " + arguments + folder / "out").status, 0);
+    EXPECT_EQ(file_text(folder / (name + ".html")).find("_view.html"), std::string::npos);
 }
 
 TEST(InspectPage, WritesTablesOfFramesAndPairs) {

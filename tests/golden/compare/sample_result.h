@@ -36,6 +36,7 @@ inline SuiteResult sample_result() {
     full.traces = {"before.trace", "after.trace"};
     full.trace_difference = "1 frame in both\n";
     full.diff = "scb diff before.trace after.trace";
+    full.view = "full.view.html#frame=1&nodes=2,3";
     full.seconds = 0.1;
 
     SuiteResult result;

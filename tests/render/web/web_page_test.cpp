@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
 namespace scb::render {
 namespace {
 
@@ -26,6 +31,29 @@ TEST(WebPage, TakesNamesForText) {
     // What is a placeholder in the template is one there alone.
     EXPECT_NE(page.find("@BLOCKS@"), std::string::npos);
     EXPECT_EQ(plain.find('@' + std::string("MANIFEST@")), std::string::npos);
+}
+
+TEST(WebPage, HasTheFragmentShadersOfThePictures) {
+    namespace fs = std::filesystem;
+    const fs::path sources = fs::path(SCB_SOURCE_DIR) / "render";
+    const std::string page = web_page({"a", "b", "{}", {}}, BlockStore());
+    const std::set<std::string> not_there = {
+        "overlay.frag",  // text is the browser's
+        "planes.glsl",   // where planes are kept is another place
+    };
+    std::size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(sources / "shaders")) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(".vert") || not_there.contains(name)) continue;
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        EXPECT_EQ(count_of(page, text.str()), 1u) << name;
+        ++count;
+    }
+    EXPECT_GE(count, 10u);
+    // And none of its own.
+    for (const fs::directory_entry& entry : fs::directory_iterator(sources / "web"))
+        EXPECT_NE(entry.path().extension(), ".frag") << entry.path();
 }
 
 TEST(WebPage, AllowsNoOtherScriptAndNoNetwork) {
