@@ -114,13 +114,23 @@ class Content {
     return found;
   }
 
-  // Of rejections and verdicts: whether the other of two columns does not show a node, or otherwise.
-  differs(k, node) {
-    const { app } = this, other = app.scenes[1 - k];
-    if (!app.compares || !other?.nodes || app.state.mode === 'traversal') return false;
-    const label = (column, { group }) => app.labelsOf(app.columns[column].query)[group].label;
-    other.byNode ??= new Map(other.nodes.map((one) => [`${one.side} ${one.slot}`, label(1 - k, one)]));
-    return other.byNode.get(`${node.side} ${node.slot}`) !== label(k, node);
+  // Of rejections and verdicts: the nodes that the other of two columns does not show, or, where it has the same volumes, shows otherwise.
+  differing(k) {
+    const { app } = this, own = app.scenes[k], other = app.scenes[1 - k];
+    if (!app.compares || !own.nodes || !other?.nodes || app.state.mode === 'traversal') return new Set();
+    if (own.differing) return own.differing;
+    const labels = app.columns.map(({ query }) => app.labelsOf(query).map(({ label }) => label)), alike = String(labels[0]) === String(labels[1]);
+    const known = new Map(other.nodes.map(({ side, slot, group }) => [`${side} ${slot}`, group]));
+    own.differing = new Set(own.nodes.filter(({ side, slot, group }) => {
+      const there = known.get(`${side} ${slot}`);
+      return there === undefined || (alike && there !== group);
+    }));
+    return own.differing;
+  }
+
+  // Outlines of most nodes would say nothing.
+  outlines(k) {
+    return 3 * this.differing(k).size <= (this.app.scenes[k].nodes ?? []).length ? this.differing(k) : new Set();
   }
 
   // The lines in which the pairs of triangles meet, from the middle of A's tree.
@@ -246,11 +256,11 @@ class Content {
   // The volumes of one side of a query, those of B hatched; of tests in the bodies' colors.
   nodesShown(k, b) {
     const { app } = this, { state } = app, { query, bodies } = app.columns[k], hatched = b === 1 ? 0x80000000 : 0, nodes = [];
-    const own = state.selected?.body === b ? app.selectedSlot(k) : -1;
+    const own = state.selected?.body === b ? app.selectedSlot(k) : -1, outlines = this.outlines(k);
     for (const node of app.scenes[k].nodes) {
       if (node.side !== b) continue;
       if (state.mode === 'traversal') nodes.push({ slot: node.slot, color: bodies[b].color, opacity: state.cell ? 60 : 110, bits: hatched });
-      else if (!this.isTriangle(k, node)) nodes.push({ slot: node.slot, color: node.slot === own ? app.theme.text : app.labelsOf(query)[node.group][state.theme], opacity: 255, bits: hatched | (this.differs(k, node) ? outlined.alone : 0) });
+      else if (!this.isTriangle(k, node)) nodes.push({ slot: node.slot, color: node.slot === own ? app.theme.text : app.labelsOf(query)[node.group][state.theme], opacity: 255, bits: hatched | (outlines.has(node) ? outlined.alone : 0) });
     }
     return nodes;
   }

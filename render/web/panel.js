@@ -284,8 +284,9 @@ class Panel {
     };
     const rowsOf = [['tests only here', ...columns.map((_, k) => counted(only(k)))]];
     if (state.mode === 'pairs') rowsOf.push(['pairs only here', ...scenes.map(({ frame }) => counted(frame.told.only_here ?? 0))]);
-    if (scenes.every(({ nodes }) => nodes) && state.mode !== 'traversal') rowsOf.push(['nodes outlined', ...scenes.map(({ nodes }, k) => counted(nodes.filter((node) => app.content.differs(k, node)).length))]);
+    if (scenes.every(({ nodes }) => nodes) && state.mode !== 'traversal') rowsOf.push(['nodes that differ', ...scenes.map((_, k) => counted(app.content.differing(k).size))]);
     parts.push(this.table(rowsOf));
+    if (scenes.some((_, k) => app.content.differing(k).size > app.content.outlines(k).size)) parts.push(this.faint('Too many differ for outlines.'));
     return parts;
   }
 
