@@ -136,10 +136,21 @@ class Tree {
     return slot === root;
   }
 
+  partOf(slot) {
+    const part = this.lastPart ?? this.parts[0];
+    return slot >= part.first && slot < part.last ? part : (this.lastPart = this.parts.find(({ last }) => slot < last));
+  }
+
+  // Its planes or points, four numbers each.
+  extrasOf(slot) {
+    const { first, texels, extrasEnd, extraTexels } = this.partOf(slot), at = 16 * (slot - first) + 12;
+    const begin = 4 * (texels[at] - extrasEnd) + extraTexels.length;
+    return extraTexels.subarray(begin, begin + 4 * texels[at + 1]);
+  }
+
   // Shape, numbers and color of a slot whose level is unpacked.
   volume(slot) {
-    let part = this.lastPart ?? this.parts[0];
-    if (slot < part.first || slot >= part.last) this.lastPart = part = this.parts.find(({ last }) => slot < last);
+    const part = this.partOf(slot);
     const i = slot - part.first, shape = part.shapes[i], at = part.offsets[i];
     return {
       shape,
