@@ -64,6 +64,8 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     add_bodies_option(command, options.query);
     add_picture_options(command, options.picture, options.camera);
     command.remove_option("--ids");
+    // Its section cuts both volumes.
+    command.remove_option("--clip");
     command.get_option("--output")
         .default_str("")
         .description("Also draw a picture of every pair into this folder");

@@ -42,6 +42,13 @@ std::string camera_part(const std::string& camera) {
            short_hash(scenes::camera_json(scenes::parse_camera(camera)).dump());
 }
 
+/// "0,0,1,0.3".
+std::string plane_part(const FacePlane& plane) {
+    std::string numbers;
+    for (int i = 0; i < 3; ++i) numbers += exact_number(plane.normal[i]) + ",";
+    return numbers + exact_number(plane.offset);
+}
+
 }  // namespace
 
 void NamedOptions::add(const std::string& option, const std::string& value) {
@@ -129,6 +136,11 @@ void name_view(NamedOptions& named, const PictureOptions& options, const CameraO
     if (!camera.camera.empty()) named.add("camera", camera_part(camera.camera));
     named.add_if(!camera.up.empty(), "up", camera.up);
     named.add_if(camera.orthographic, "ortho");
+    if (const std::optional<FacePlane> clip = camera.clip_plane()) {
+        const std::string plane = plane_part(*clip);
+        // A value loses a minus that it begins with.
+        named.add(plane.starts_with('-') ? "clip-" : "clip", plane);
+    }
     named.add_if(options.samples != PictureOptions{}.samples, "samples",
                  std::to_string(options.samples));
 }

@@ -106,6 +106,11 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
                     "The axis that points up: x, y or z. Default z; y of glTF files")
         .type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
+    command
+        .add_option("--clip", camera.clip,
+                    "Only what is on this side of a plane is drawn: points p of the world with "
+                    "(X,Y,Z).p <= D")
+        .type_name("X,Y,Z,D");
     command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
         .check(decimal_number)
         .show_default();

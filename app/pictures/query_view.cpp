@@ -236,6 +236,7 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     if (header.options.stop_level >= 0)
         add("to level " + std::to_string(header.options.stop_level));
     if (camera_view_.orthographic.value_or(false)) add("orthographic");
+    if (camera_view_.clip) add("clipped");
     const std::string up = up_words(options_.camera, scene);
     if (options_.shown != Shown::nothing && !up.empty()) add(up);
     return text;

@@ -57,12 +57,13 @@ std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
 
 // The frame, and every option that changes what is drawn but cannot be seen.
 std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene, int frame,
-                        int deepest_level, bool recorded, bool orthographic) {
+                        int deepest_level, bool recorded, const render::Camera& camera) {
     std::string text = "of levels 0 to " + std::to_string(deepest_level);
     if (scene.frames > 1)
         text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
     if (!recorded) text += build_text(options.hierarchy.build());
-    if (orthographic) text += ", orthographic";
+    if (camera.orthographic) text += ", orthographic";
+    if (camera.clip) text += ", clipped";
     const std::string up = up_words(options.camera, scene);
     if (!up.empty()) text += ", " + up;
     return text;
@@ -108,8 +109,8 @@ int run(const LevelOptions& options, const Console& console) {
                                        wish.inset->center, wish.inset->radius};
     const int width = options.picture.width(), height = options.picture.height();
     figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
-    figure.subtitle = subtitle_of(options, scene, frame, subject.deepest, subject.recorded,
-                                  figure.camera.orthographic);
+    figure.subtitle =
+        subtitle_of(options, scene, frame, subject.deepest, subject.recorded, figure.camera);
 
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();

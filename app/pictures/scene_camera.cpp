@@ -1,9 +1,12 @@
 #include "app/pictures/scene_camera.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include "core/base/text_format.h"
 #include "scb/error.h"
+#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -37,11 +40,21 @@ bool guesses_up(const CameraOptions& options, const scenes::Scene& scene) {
     return is_left_open && has_y_up(scene);
 }
 
+/// The same half space.
+FacePlane with_unit_normal(const FacePlane& plane) {
+    // First by its largest coordinate, so that no square is too small or too large.
+    const double largest = plane.normal.cwiseAbs().maxCoeff();
+    const Vec3 normal = plane.normal / largest;
+    const double length = std::sqrt(squared_norm(normal));
+    return {normal / length, plane.offset / largest / length};
+}
+
 }  // namespace
 
 void CameraOptions::check() const {
     if (!camera.empty() && !follows_contact()) scenes::parse_camera(camera);
     up_vector();
+    clip_plane();
 }
 
 Vec3 CameraOptions::up_vector() const {
@@ -49,6 +62,32 @@ Vec3 CameraOptions::up_vector() const {
     if (up == "x") return Vec3::UnitX();
     if (up == "y") return Vec3::UnitY();
     throw InputError("--up " + up + ": give x, y or z.");
+}
+
+std::optional<FacePlane> CameraOptions::clip_plane() const {
+    if (clip.empty()) return std::nullopt;
+    const auto fail = [this](const std::string& reason) {
+        throw InputError(
+            "--clip " + clip + ": " + reason +
+            "; give X,Y,Z,D, such as 0,0,1,0.5, for the points p with (X,Y,Z).p <= D.");
+    };
+    const std::vector<std::string> parts = scenes::split_list(clip);
+    std::vector<double> values;
+    for (const std::string& part : parts) {
+        const std::string which = "number " + std::to_string(values.size() + 1);
+        double value = 0;
+        const char* const end = part.data() + part.size();
+        const auto parsed = std::from_chars(part.data(), end, value);
+        if (parsed.ec != std::errc{} || parsed.ptr != end) fail(which + " cannot be read");
+        if (!(std::abs(value) <= max_coordinate))
+            fail(which + " must be from -" + exact_number(max_coordinate) + " to " +
+                 exact_number(max_coordinate));
+        values.push_back(value + 0.0);  // -0 is 0
+    }
+    if (values.size() != 4) fail("four numbers are expected");
+    const Vec3 normal(values[0], values[1], values[2]);
+    if (normal == Vec3::Zero()) fail("the normal X,Y,Z must not be zero");
+    return FacePlane{normal, values[3]};
 }
 
 scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene) {
@@ -64,6 +103,7 @@ scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::S
     if (is_usual) wish.azimuth = azimuth_for(scene, wish.up.value_or(Vec3::UnitZ()));
     if (!wish.inset && scene.camera) wish.inset = scene.camera->inset;
     if (options.orthographic) wish.orthographic = true;
+    if (!options.clip.empty()) wish.clip = options.clip_plane();
     return wish;
 }
 
@@ -80,6 +120,7 @@ render::Camera camera_for(const scenes::CameraView& wish, const render::Support&
     const Vec3 up = wish.up.value_or(Vec3::UnitZ());
     render::Camera camera =
         render::fit_camera(render::orbit_axes(wish.azimuth, wish.elevation, up), support, fit);
+    if (wish.clip) camera.clip = with_unit_normal(*wish.clip);
     if (wish.view_height) camera.view_height = *wish.view_height;
     if (!wish.target && !wish.distance) return camera;
     const Vec3 back = camera.axes.col(2);

@@ -13,13 +13,17 @@ namespace scb::app {
 struct CameraOptions {
     std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
     bool orthographic = false;
-    std::string up;  ///< x, y or z; empty: the camera's own, or z
+    std::string up;    ///< x, y or z; empty: the camera's own, or z
+    std::string clip;  ///< X,Y,Z,D; empty: the camera's own, or none
 
     /// Whether the camera is to follow the contact: `--camera contact`.
     bool follows_contact() const { return camera == "contact"; }
 
     void check() const;      ///< throws InputError where one of them makes no sense
     Vec3 up_vector() const;  ///< throws InputError
+    /// The plane of the world with its normal as given; none where none is asked for. Throws
+    /// InputError.
+    std::optional<FacePlane> clip_plane() const;
 };
 
 /// The wish that holds: the command line's, or else the scene's, or else the default angles, with

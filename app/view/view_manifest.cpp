@@ -29,12 +29,17 @@ Json theme_json(const render::Theme& theme) {
             {"mesh", color_json(theme.mesh)}};
 }
 
+Json clip_json(const std::optional<FacePlane>& clip) {
+    if (!clip) return nullptr;
+    return {{"normal", json_of(clip->normal)}, {"offset", clip->offset}};
+}
+
 Json camera_json(const ViewStart& start) {
     const render::Camera& camera = start.camera;
     return {{"position", json_of(camera.position)}, {"axes", json_of(camera.axes)},
             {"orthographic", camera.orthographic},  {"fov", camera.vertical_fov},
             {"view_height", camera.view_height},    {"aspect", start.aspect},
-            {"center", json_of(start.center)}};
+            {"center", json_of(start.center)},      {"clip", clip_json(camera.clip)}};
 }
 
 /// Vertices count from the middle of the mesh, so that 32 bits are enough.

@@ -1,5 +1,6 @@
 #include "render/draw/eye_view.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace scb::render {
@@ -17,11 +18,22 @@ EyeView make_eye_view(const Pane& pane, int picture_height, int scale) {
     view.target = {scale * v.x, scale * (picture_height - v.y - v.height), scale * v.width,
                    scale * v.height};
     view.scale = scale;
+    if (const std::optional<FacePlane>& clip = pane.camera.clip) {
+        view.clip_normal = rotate_to_eye(view, -clip->normal);
+        const double offset = clip->offset - dot(clip->normal, view.camera.position);
+        // What is drawn has coordinates of the size of 1, and single precision has an end.
+        constexpr double beyond_all = 1e6;
+        view.clip_offset = std::clamp(offset / view.unit, -beyond_all, beyond_all);
+    }
     return view;
 }
 
 Vec3 to_eye_units(const EyeView& view, const Vec3& point) {
     return to_eye(view.camera, point) / view.unit;
+}
+
+double behind_clip(const EyeView& view, const Vec3& point) {
+    return dot(view.clip_normal, point) + view.clip_offset;
 }
 
 Vec3 rotate_to_eye(const EyeView& view, const Vec3& direction) {
@@ -38,6 +50,8 @@ void set_eye_uniforms(const GlProgram& program, const EyeView& view) {
                 f(view.target.height));
     program.set("pixel", f(2 * view.half_height / view.target.height));
     program.set("line_scale", f(view.scale));
+    const Vec3& normal = view.clip_normal;
+    program.set("clip", f(normal[0]), f(normal[1]), f(normal[2]), f(view.clip_offset));
 }
 
 }  // namespace scb::render

@@ -17,6 +17,10 @@ struct EyeView {
     double half_height = 0;
     PixelRect target;  ///< of the pane in the render target, origin at the bottom left
     int scale = 1;     ///< render target pixels per pixel of the picture, in x and y
+    /// Points p of eye space with clip_normal.p + clip_offset >= 0 are drawn; all of them where
+    /// both are 0, which is without a clipping plane. A unit normal; eye units.
+    Vec3 clip_normal = Vec3::Zero();
+    double clip_offset = 0;
 };
 
 /// `picture_height` in pixels; `scale` is 1 or 2. Asserts that the pane's rectangle is not empty.
@@ -24,6 +28,10 @@ EyeView make_eye_view(const Pane& pane, int picture_height, int scale);
 
 /// A world point in eye space, in eye units.
 Vec3 to_eye_units(const EyeView& view, const Vec3& point);
+
+/// How far a point of eye space is behind the clipping plane, in eye units: what is drawn is not
+/// below 0.
+double behind_clip(const EyeView& view, const Vec3& point);
 
 /// A world direction in eye space.
 Vec3 rotate_to_eye(const EyeView& view, const Vec3& direction);

@@ -23,19 +23,19 @@ struct SegmentCorner {
     std::array<float, 3> position;
     Rgba8 color;
     std::uint32_t id;
+    float behind;  // the clipping plane, see shaders/segment.frag
 };
 
-/// A point on the screen: x, y in pixels of the render target from its middle, and the distance
-/// from the eye.
+/// A point on the screen: x, y in pixels of the render target from its middle, the distance from
+/// the eye, and how far behind the clipping plane it is, as shaders/segment.frag wants it.
 struct ScreenPoint {
-    double x, y, depth;
+    double x, y, depth, behind;
 };
 
 ScreenPoint to_screen(const Vec3& eye, const EyeView& view) {
-    const double depth = -eye[2];
-    const double divisor =
-        (view.camera.orthographic ? 1 : depth) * view.half_height * 2 / view.target.height;
-    return {eye[0] / divisor, eye[1] / divisor, depth};
+    const double depth = -eye[2], shrunk_by = view.camera.orthographic ? 1 : depth;
+    const double divisor = shrunk_by * view.half_height * 2 / view.target.height;
+    return {eye[0] / divisor, eye[1] / divisor, depth, behind_clip(view, eye) / shrunk_by};
 }
 
 void append(std::vector<SegmentCorner>& corners, const Segment& segment, const EyeView& view) {
@@ -62,7 +62,8 @@ void append(std::vector<SegmentCorner>& corners, const Segment& segment, const E
             {{static_cast<float>(2 * x / view.target.width),
               static_cast<float>(2 * y / view.target.height), static_cast<float>(at.depth)},
              segment.color,
-             segment.id});
+             segment.id,
+             static_cast<float>(at.behind)});
     };
     corner(p, -1, -1), corner(q, 1, -1), corner(q, 1, 1);
     corner(p, -1, -1), corner(q, 1, 1), corner(p, -1, 1);
@@ -84,7 +85,9 @@ SegmentPainter::SegmentPainter(const Gl& gl)
                             buffer_offset(offsetof(SegmentCorner, color)));
     gl_.VertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(SegmentCorner),
                              buffer_offset(offsetof(SegmentCorner, id)));
-    for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
+    gl_.VertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, sizeof(SegmentCorner),
+                            buffer_offset(offsetof(SegmentCorner, behind)));
+    for (GLuint i = 0; i < 4; ++i) gl_.EnableVertexAttribArray(i);
 }
 
 void SegmentPainter::draw(const std::vector<Segment>& segments, const EyeView& view) {

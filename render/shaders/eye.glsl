@@ -5,6 +5,16 @@ uniform float near_plane;  // depth of the near plane
 uniform vec4 target;       // x, y, width, height of the pane in the render target
 uniform float pixel;       // height of a pixel, as half_view
 uniform float line_scale;  // render target pixels per pixel of the picture
+uniform vec4 clip;         // points p with dot(clip.xyz, p) + clip.w >= 0 are drawn; all zero: all points
+
+// How far a point is behind the clipping plane, on the side that is drawn.
+float behind_clip(vec3 p) { return dot(clip.xyz, p) + clip.w; }
+
+// What lies in the clipping plane is drawn, so rounding must not take it out: the plane is in front of itself by that
+// part of the distance from the eye, or of the far distance where that is the same for all.
+const float clip_slack = 4e-6;
+
+bool is_clipped(vec3 p) { return behind_clip(p) < -clip_slack * (orthographic != 0 ? 1.0 : -p.z); }
 
 // What the depth buffer holds of a point at distance `depth` in front of the eye, moved nearer by that fraction of the
 // distance. The buffer is linear and of floats, so a step of `nearer` means the same at every distance: meshes have 0,

@@ -27,6 +27,7 @@ void main() {
         float strength = smoothstep(2.0 * line_scale, 10.0 * line_scale, finest);
         lit = mix(lit, base * 0.2, 0.7 * strength * max(cover.x, max(cover.y, cover.z)));
     }
+    if (is_clipped(v_eye)) discard;  // not before the derivatives
     if (hatched != 0) lit = striped(lit);
     out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
     gl_FragDepth = buffer_depth(-v_eye.z, 0.0);

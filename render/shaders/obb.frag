@@ -16,24 +16,25 @@ void main() {
     vec3 near_faces = min(upper, lower), far_faces = max(upper, lower);
     float entry = max(near_faces.x, max(near_faces.y, near_faces.z));
     float exit = min(far_faces.x, min(far_faces.y, far_faces.z));
-    float surface = pick_surface(entry, exit, closest, ray.z);
+    float depth;
+    bool cut;
+    float surface = pick_surface(entry, exit, closest, origin, ray, depth, cut);
 
     vec3 p = q + surface * d;
-    float depth = -(origin.z + (closest + surface) * ray.z);
     float size_of_pixel = pixel_size(depth);
     vec3 faces = surface == entry ? near_faces : far_faces;
-    int face = faces.x == surface ? 0 : (faces.y == surface ? 1 : 2);
+    int face = cut ? -1 : (faces.x == surface ? 0 : (faces.y == surface ? 1 : 2));
     vec3 normal = vec3(face == 0 ? 1.0 : 0.0, face == 1 ? 1.0 : 0.0, face == 2 ? 1.0 : 0.0);
+    if (cut) normal = clip.xyz * axes;
 
-    // Edges: where another pair of faces is near.
-    float line = 0.0;
+    // Edges: where another pair of faces is near, or the cut.
+    float line = cut ? 0.0 : cut_cover(origin + (closest + surface) * ray, axes * normal, ray, size_of_pixel);
     for (int i = 0; i < 3; ++i) {
         if (i == face) continue;
         vec3 direction = vec3(i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0);
-        float away = max(h[i] - abs(p[i]), 0.0);
-        line = max(line, line_cover(to_pixels(away, direction, normal, d, size_of_pixel), 2.0));
+        line = max(line, edge_cover(h[i] - abs(p[i]), direction, normal, d, size_of_pixel));
     }
     float radius_in_pixels = sqrt(dot(h, h)) / size_of_pixel;
     line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, radius_in_pixels);
-    shade(axes * normal, ray, 1.0, 0.85 * line, depth);
+    shade(cut ? clip.xyz : axes * normal, ray, cut ? cut_tone : 1.0, 0.85 * line, depth);
 }

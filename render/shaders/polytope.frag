@@ -27,22 +27,20 @@ void main() {
             exit_face = i;
         }
     }
-    float surface = pick_surface(entry, exit, closest, ray.z);
-    int hit = surface == entry ? entry_face : exit_face;
-    vec3 p = q + surface * ray, normal = plane_at(first + hit).xyz;
-    float depth = -(origin.z + (closest + surface) * ray.z);
-    float size_of_pixel = pixel_size(depth), line = 0.0;
+    float depth;
+    bool cut;
+    float surface = pick_surface(entry, exit, closest, origin, ray, depth, cut);
+    int hit = cut ? -1 : (surface == entry ? entry_face : exit_face);
+    vec3 p = q + surface * ray, normal = cut ? clip.xyz : plane_at(first + hit).xyz;
+    float size_of_pixel = pixel_size(depth);
 
-    // Edges: where another face is near, along this one.
+    // Edges: where another face is near, along this one, or the cut. Of a cut, faces that stand for a curve are its edge.
+    float line = cut ? 0.0 : cut_cover(origin + (closest + surface) * ray, normal, ray, size_of_pixel);
     for (int i = 0; i < count; ++i) {
-        if (i == hit || v_tag.w >= 0x80000000u) continue;
+        if (i == hit || (!cut && v_tag.w >= 0x80000000u)) continue;
         vec4 face = plane_at(first + i);
-        float cosine = dot(face.xyz, normal), sine_squared = 1.0 - cosine * cosine;
-        if (sine_squared < 1e-4) continue;
-        float sine = sqrt(sine_squared);
-        float away = max(face.w - dot(face.xyz, p), 0.0) / sine;
-        line = max(line, line_cover(to_pixels(away, (face.xyz - cosine * normal) / sine, normal, ray, size_of_pixel), 2.0));
+        line = max(line, edge_cover(face.w - dot(face.xyz, p), face.xyz, normal, ray, size_of_pixel));
     }
     line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, v_a.w / size_of_pixel);
-    shade(normal, ray, 1.0, 0.85 * line, depth);
+    shade(normal, ray, cut ? cut_tone : 1.0, 0.85 * line, depth);
 }

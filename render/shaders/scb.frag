@@ -23,17 +23,18 @@ void main() {
     float lower = (f - height) / along;
     float entry = max(-chord, min(upper, lower));
     float exit = min(chord, max(upper, lower));
-    float surface = pick_surface(entry, exit, closest, ray.z);
+    float depth;
+    bool cut;
+    float surface = pick_surface(entry, exit, closest, origin, ray, depth, cut);
 
     bool on_cap = surface == upper || surface == lower;
     vec3 p = q + surface * ray;  // from c to the surface
-    float depth = -(origin.z + (closest + surface) * ray.z);
     float size_of_pixel = pixel_size(depth);
     float p_height = dot(n, p);
     vec3 p_radial = p - p_height * n;
     float p_radius = sqrt(dot(p_radial, p_radial));
     vec3 outward = p_radius > 0.0 ? p_radial / p_radius : vec3(0.0);
-    vec3 normal = on_cap ? n : p * v_c.w;
+    vec3 normal = cut ? clip.xyz : (on_cap ? n : p * v_c.w);
 
     // The nearer rim: the circle in which a plane meets the sphere.
     bool at_upper = on_cap ? surface == upper : 2.0 * p_height > e + f;
@@ -49,6 +50,15 @@ void main() {
     float away = (r - sqrt(dot(q, q))) / size_of_pixel;
     if (!on_cap) line = max(line, 0.8 * line_cover(away, 1.6));
 
+    // Where the cut meets the planes and the sphere.
+    if (cut) {
+        line = cut_circle_cover(p, r, ray, size_of_pixel);
+        if (v_c.y > 0.0) line = max(line, edge_cover(e - p_height, n, normal, ray, size_of_pixel));
+        if (v_c.z > 0.0) line = max(line, edge_cover(p_height - f, n, normal, ray, size_of_pixel));
+    } else {
+        line = max(line, cut_cover(origin + (closest + surface) * ray, normal, ray, size_of_pixel));
+    }
+
     line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, r / size_of_pixel);
-    shade(normal, ray, on_cap ? 1.12 : 0.94, 0.85 * line, depth);
+    shade(normal, ray, cut ? cut_tone : (on_cap ? 1.12 : 0.94), 0.85 * line, depth);
 }

@@ -32,17 +32,18 @@ void main() {
         entry = max(entry, min(upper[i], lower[i]));
         exit = min(exit, max(upper[i], lower[i]));
     }
-    float surface = pick_surface(entry, exit, closest, ray.z);
+    float depth;
+    bool cut;
+    float surface = pick_surface(entry, exit, closest, origin, ray, depth, cut);
 
     vec3 p = q + surface * ray;  // from c to the surface
-    float depth = -(origin.z + (closest + surface) * ray.z);
     float size_of_pixel = pixel_size(depth);
     int face = surface == upper[0] || surface == lower[0] ? 0 : (surface == upper[1] || surface == lower[1] ? 1 : 2);
-    vec3 normal = face == 2 ? p / r : n[face];
+    vec3 normal = cut ? clip.xyz : (face == 2 ? p / r : n[face]);
 
     // The nearer plane of each slab: its rim on the sphere, and where it meets a plane of the other slab.
     float line = 0.0;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2 && !cut; ++i) {
         float height = dot(n[i], p);
         bool at_upper = face == i ? surface == upper[i] : 2.0 * height > e[i] + f[i];
         float plane = at_upper ? e[i] : f[i];
@@ -66,6 +67,18 @@ void main() {
     float away = (r - sqrt(dot(q, q))) / size_of_pixel;
     if (face == 2) line = max(line, 0.8 * line_cover(away, 1.6));
 
+    // Where the cut meets the planes and the sphere.
+    if (cut) {
+        line = cut_circle_cover(p, r, ray, size_of_pixel);
+        for (int i = 0; i < 2; ++i) {
+            float height = dot(n[i], p);
+            if (rim_radius(r, e[i]) > 0.0) line = max(line, edge_cover(e[i] - height, n[i], normal, ray, size_of_pixel));
+            if (rim_radius(r, f[i]) > 0.0) line = max(line, edge_cover(height - f[i], n[i], normal, ray, size_of_pixel));
+        }
+    } else {
+        line = max(line, cut_cover(origin + (closest + surface) * ray, normal, ray, size_of_pixel));
+    }
+
     line *= smoothstep(2.5 * line_scale, 14.0 * line_scale, r / size_of_pixel);
-    shade(normal, ray, face == 2 ? 0.94 : 1.12, 0.85 * line, depth);
+    shade(normal, ray, cut ? cut_tone : (face == 2 ? 0.94 : 1.12), 0.85 * line, depth);
 }

@@ -37,13 +37,63 @@ float line_cover(float distance, float width) {
     return clamp(0.5 * width * line_scale + 0.5 - distance, 0.0, 1.0);
 }
 
+// How much of the pixel the line covers in which a surface ends at a plane. The surface is `away` from the plane here;
+// both normals are unit vectors.
+float edge_cover(float away, vec3 plane, vec3 normal, vec3 ray, float size_of_pixel) {
+    float cosine = dot(plane, normal), sine_squared = 1.0 - cosine * cosine;
+    if (sine_squared < 1e-4) return 0.0;
+    float sine = sqrt(sine_squared);
+    float distance = to_pixels(max(away, 0.0) / sine, (plane - cosine * normal) / sine, normal, ray, size_of_pixel);
+    return line_cover(distance, 2.0);
+}
+
+// The same of the plane that cuts a volume, at a point of the volume's own surface; of the cut itself 0.
+float cut_cover(vec3 point, vec3 normal, vec3 ray, float size_of_pixel) {
+    return clip.xyz == vec3(0.0) ? 0.0 : edge_cover(behind_clip(point), clip.xyz, normal, ray, size_of_pixel);
+}
+
+// The same of the circle in which the cut meets a sphere of radius r, `p` being from its center.
+float cut_circle_cover(vec3 p, float r, vec3 ray, float size_of_pixel) {
+    float height = dot(clip.xyz, p);
+    vec3 radial = p - height * clip.xyz;
+    float radius = sqrt(dot(radial, radial));
+    float away = max(sqrt(max(r * r - height * height, 0.0)) - radius, 0.0);
+    return line_cover(to_pixels(away, radial / max(radius, 1e-30), clip.xyz, ray, size_of_pixel), 2.0);
+}
+
+// The tone of a cut: darker than what is lit alike, as sections are drawn.
+const float cut_tone = 0.86;
+
 // Picks the surface to show from the interval of the ray inside the volume, both relative to `closest` along the
-// ray; discards the fragment where there is none.
-float pick_surface(float entry, float exit, float closest, float direction_z) {
+// ray; discards the fragment where there is none. Of the interval, the clipping plane leaves what is behind it: `cut`
+// says that the surface is the plane, where the volume was cut open. `depth` is the surface's. That of the plane is the
+// same for all volumes, as a ray has one point in common with it, so that ids alone decide between cuts.
+float pick_surface(float entry, float exit, float closest, vec3 origin, vec3 ray, out float depth, out bool cut) {
     if (!(entry <= exit)) discard;
-    float nearest = near_plane / -direction_z - closest;  // where the ray crosses the near plane
-    float surface = v_side == 1 || (v_side == 0 && entry < nearest) ? exit : entry;
+    float slope = dot(clip.xyz, ray), behind = behind_clip(origin), crossing = 0.0;
+    bool cut_entry = false, cut_exit = false;
+    if (abs(slope) < 1e-9) {
+        if (behind < -clip_slack) discard;
+        slope = 0.0;
+    } else {
+        crossing = -behind / slope;
+        float at = crossing - closest;
+        float slack = clip_slack * (orthographic != 0 ? 1.0 : min(abs(crossing), 1.0));
+        cut_entry = slope > 0.0 && (at - entry) * slope > slack;
+        cut_exit = slope < 0.0 && (at - exit) * slope > slack;
+        if (cut_entry) entry = at;
+        if (cut_exit) exit = at;
+        if (entry > exit) discard;
+    }
+    float nearest = near_plane / -ray.z - closest;  // where the ray crosses the near plane
+    bool at_exit = v_side == 1 || (v_side == 0 && entry < nearest);
+    float surface = at_exit ? exit : entry;
     if (surface < nearest) discard;
+    cut = at_exit ? cut_exit : cut_entry;
+    float along = closest + surface;
+    // Not in front of the plane, as what is drawn of the slack would be.
+    if (cut || (slope > 0.0 && along < crossing) || (slope < 0.0 && along > crossing)) along = crossing;
+    depth = -(origin.z + along * ray.z);
     return surface;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "scb/convex.h"
 #include "scb/pose.h"
 #include "scb/vec.h"
 
@@ -18,6 +21,9 @@ struct Camera {
     double near_distance =
         0.1;  ///< depth range that is drawn, along -backward, world units, above 0
     double far_distance = 100;
+    /// Only points p of the world with normal.p <= offset are drawn; a unit normal. Volumes show
+    /// their cross section there, but rounded ones, as meshes do, their inner side.
+    std::optional<FacePlane> clip;
 };
 
 /// The axes of a camera that looks at a target from the direction

@@ -84,7 +84,7 @@ class Address {
     if (words.size > 0) for (const name of ['mesh', 'edges', 'orthographic']) if (words.has('opacity') || words.has(name)) state[name] = words.has(name);
     if (manifest.themes[words.get('theme')]) state.theme = words.get('theme');
     const clip = list('clip', 4);
-    state.clip = clip && length(clip.slice(0, 3)) > 0 ? { normal: unit(clip.slice(0, 3)), offset: clip[3] / length(clip.slice(0, 3)) } : null;
+    if (words.size > 0) state.clip = clip && length(clip.slice(0, 3)) > 0 ? { normal: unit(clip.slice(0, 3)), offset: clip[3] / length(clip.slice(0, 3)) } : null;
     view.orthographic = state.orthographic;
     const [target, backward, right] = ['target', 'backward', 'right'].map((name) => list(name, 3));
     if (target) view.target = target;

@@ -17,6 +17,8 @@ class View {
     const away = dot(subtract(told.center, told.position), scaled(-1, told.axes[2]));
     this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-9);
     this.target = subtract(told.position, scaled(told.orthographic ? away : this.distance, told.axes[2]));
+    // A plane of the world { normal, offset }, or null: only points p with normal.p <= offset are drawn. The normal has any length but 0.
+    this.clip = told.clip ?? null;
   }
 
   // Half the height of the view at distance 1: a narrow pane still shows the width that was fitted.
@@ -78,8 +80,16 @@ class View {
         target: [x, y, width, height],
         pixel: (2 * halfHeight) / height,
         line_scale: lineScale,
+        clip: this.clipInEye(far),
       },
     };
+  }
+  // The points that are drawn are those p of eye space, where `far` is 1, with dot(xyz, p) + w >= 0; all, if all four are 0.
+  clipInEye(far) {
+    if (!this.clip) return [0, 0, 0, 0];
+    const size = length(this.clip.normal), normal = scaled(1 / size, this.clip.normal);
+    const offset = this.clip.offset / size - dot(normal, this.eyePoint);
+    return [...transposedTimes(this.axes, scaled(-1, normal)), clamp(offset / far, -1e6, 1e6)];
   }
   // An orthographic camera stands back far enough to see all.
   get eyePoint() {

@@ -6,7 +6,7 @@ class App {
     this.blocks = new Blocks();
     const { manifest } = this;
     this.state = {
-      ...manifest.start, mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: null,
+      ...manifest.start, mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
       selected: null, isolated: false, pair: null,  // a node or triangle; two triangles that meet
       test: -1, hover: -1, root: 0, cell: null, by: 'ending',  // of the traversal
     };
@@ -219,7 +219,7 @@ class App {
       const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
       if (frame && state.root > 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
       if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
-      if (state.clip) words.push(`--clip ${[...state.clip.normal, state.clip.offset].map(short)}`);
+      if (state.clip && state.mode !== 'traversal') words.push(`--clip ${[...state.clip.normal, state.clip.offset].map(short)}`);
       if (state.orthographic) words.push('--ortho');
       if (state.theme === 'dark') words.push('--background dark');
     }

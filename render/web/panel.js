@@ -454,6 +454,21 @@ class Panel {
 
   // The volumes that are shown, of one column; or the node that is chosen.
   saveGlb() {
+    const { app } = this, { selected } = app.state, k = selected?.column ?? app.state.column, { bodies } = app.columns[k], most = 20000;
+    const chosen = selected && !app.state.isolated;
+    const shown = chosen ? [{ b: selected.body, slot: selected.slot }]
+      : bodies.flatMap((_, b) => (app.state.mode === 'levels' ? app.content.coverOf(k, b).map((slot) => ({ slot })) : (app.scenes[k].nodes ?? []).filter(({ side }) => side === b && !app.state.without.includes(b))).map(({ slot }) => ({ b, slot })));
+    if (shown.length > most) return this.node.replaceChildren(this.faint(`These are ${counted(shown.length)} volumes; a file has ${counted(most)} at most. Choose a level further up.`));
+    const colors = new Map((app.scenes[k].nodes ?? []).map((node) => [`${node.side} ${node.slot}`, app.state.mode === 'traversal' ? bodies[node.side].color : app.labelsOf(app.columns[k].query)[node.group][app.state.theme]]));
+    const file = glbOf(shown.map(({ b, slot }) => {
+      const { name, tree } = bodies[b], volume = tree.volume(slot), node = tree.order[slot];
+      return {
+        name: `${name} ${node}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot)), color: colors.get(`${b} ${slot}`) ?? volume.color,
+        opacity: app.state.mode === 'levels' ? Math.max(app.state.opacity, 0.05) : 1, pose: app.poseOf(k, b), center: tree.told.center, id: node, depth: tree.levelOf(slot),
+      };
+    }), app.manifest.scene);
+    if (file) app.offer(new Blob([file], { type: 'model/gltf-binary' }), 'glb');
+    else this.node.replaceChildren(this.faint('No volumes are shown here.'));
   }
 }
 

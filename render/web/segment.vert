@@ -11,6 +11,7 @@ in vec3 to;
 flat out vec4 v_color;
 flat out uint v_id;
 out float v_depth;
+out float v_behind;
 
 void main() {
     vec3 a = origin + scale * (to_eye * from), b = origin + scale * (to_eye * to);
@@ -28,6 +29,7 @@ void main() {
     float side = (gl_VertexID & 2) != 0 ? 0.5 : -0.5, depth = max(second ? -b.z : -a.z, near_plane);
     vec2 at = (second ? on_b : on_a) + width * (side * beside + (second ? 0.5 : -0.5) * ahead) / half_size;
     v_depth = orthographic != 0 ? depth : 1.0 / depth;
+    v_behind = behind_clip(second ? b : a) / (orthographic != 0 ? 1.0 : depth);
     float window = (orthographic != 0 ? depth - near_plane : 1.0 - near_plane / depth) / (1.0 - near_plane);
     gl_Position = -a.z < near_plane && -b.z < near_plane ? vec4(2.0, 2.0, 0.0, 1.0) : vec4(at, 2.0 * window - 1.0, 1.0);
 }

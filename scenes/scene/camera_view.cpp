@@ -55,7 +55,7 @@ nlohmann::ordered_json array_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 CameraView read_camera(const JsonPlace& place) {
     check_fields(place, {"azimuth", "elevation", "distance", "target", "up", "field_of_view",
-                         "orthographic", "view_height", "inset"});
+                         "orthographic", "view_height", "inset", "clip"});
     CameraView camera;
     if (has(place, "azimuth")) camera.azimuth = read_number(field(place, "azimuth"), -1e6, 1e6);
     if (has(place, "elevation")) camera.elevation = read_number(field(place, "elevation"), -90, 90);
@@ -71,6 +71,12 @@ CameraView read_camera(const JsonPlace& place) {
         check_fields(inset, {"center", "radius"});
         camera.inset =
             Inset{read_vec3(field(inset, "center")), read_positive(field(inset, "radius"))};
+    }
+    if (has(place, "clip")) {
+        const JsonPlace clip = field(place, "clip");
+        check_fields(clip, {"normal", "offset"});
+        camera.clip =
+            FacePlane{read_direction(field(clip, "normal")), read_number(field(clip, "offset"))};
     }
     return camera;
 }
@@ -104,6 +110,8 @@ nlohmann::ordered_json camera_json(const CameraView& camera) {
     if (camera.inset)
         json["inset"] = {{"center", array_of(camera.inset->center)},
                          {"radius", camera.inset->radius}};
+    if (camera.clip)
+        json["clip"] = {{"normal", array_of(camera.clip->normal)}, {"offset", camera.clip->offset}};
     return json;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "scb/convex.h"
 #include "scb/vec.h"
 #include "scenes/text/json_reader.h"
 
@@ -32,6 +33,9 @@ struct CameraView {
     std::optional<bool> orthographic;
     std::optional<double> view_height;  ///< orthographic: scene units from bottom to top
     std::optional<Inset> inset;
+    /// Only points p of the world with normal.p <= offset are drawn; the normal has any length but
+    /// 0.
+    std::optional<FacePlane> clip;
 };
 
 /// What `--camera` takes: `fit` (all fitted, default angles), `orbit:AZIMUTH,ELEVATION[,DISTANCE]`,

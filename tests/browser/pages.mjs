@@ -115,7 +115,7 @@ export function assert_same_ids(ids, others, share) {
 // Every pixel's node, in the page and in the picture's id buffer, by the same camera.
 export async function assert_ids_of_picture(onPage, scene, level, ...options) {
   const camera = ['--camera', 'orbit:30,20,4', '--frames', '0'], size = [320, 240];
-  const out = join(folder, `ids-${scene}-${options[1]}`);
+  const out = join(folder, `ids-${scene}${options.join('')}`);
   mkdirSync(out);
   scb('render', 'levels', scene, ...options, ...camera, '--levels', String(level), '--size', size.join('x'), '--no-panel', '--samples', '1', '--ids', '-o', out);
   const picture = read_png(join(out, readdirSync(out).find((name) => /ids.*\.png$/.test(name))));

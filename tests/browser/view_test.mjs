@@ -54,6 +54,11 @@ for (const [scene, level, ...options] of [
   ['spheres-l1', 4, '--volume', 'dop14'],
   ['cone', 6, '--volume', 'rss'],
   ['knots-l1', 7, '--volume', 'ball'],
+  ['spheres-l1', 4, '--volume', 'scb', '--clip', '0.3,-1,0,0'],
+  ['cone', 4, '--volume', 'scb2', '--clip', '0,-3,1,0', '--ortho'],
+  ['knots-l1', 4, '--volume', 'obb', '--clip', '1,-1,0,0.1'],
+  ['spheres-l1', 3, '--volume', 'dop14', '--clip', '0,-1,0,0.1'],
+  ['cone', 2, '--volume', 'capsule', '--clip', '0,-1,0,0'],
 ]) {
   test(`the id of each pixel is that of the picture: ${scene} ${options.join(' ')}`, () => assert_ids_of_picture(onPage, scene, level, ...options));
 }

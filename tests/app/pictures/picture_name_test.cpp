@@ -65,6 +65,8 @@ TEST_F(PictureNames, SayWhatIsNotAsByDefault) {
           {"--camera orbit:-20,30", "camera-orbit--20-30"},
           {"--up x", "up-x"},
           {"--ortho", "ortho"},
+          {"--clip 0,0,1,0.3", "clip-0-0-1-0.3"},
+          {"--clip -.5,0,-2e-1,-0", "clip--0.5-0--0.2-0"},
           {"--samples 1", "samples-1"},
           {"--size 400x300", "size-400x300"},
           {"--background dark", "background-dark"}})

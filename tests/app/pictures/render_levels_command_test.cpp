@@ -51,6 +51,36 @@ TEST(RenderLevels, RenderedLevelsAreCountedInTheIndex) {
         fs::exists(folder / "out/knots-l1_ball_level-leaves_size-320x240_frame-0000_ids.png"));
 }
 
+TEST(RenderLevels, AClippingPlaneLeavesOneSide) {
+    const TemporaryFolder folder;
+    const auto ids_of = [&](const std::string& options) {
+        const std::string out = folder / "out";
+        fs::remove_all(out);
+        const ProgramRun run = run_scb("render levels cone --levels 6 --size 320x240 --samples 1 " +
+                                       options + " --ids --json -o " + out);
+        EXPECT_EQ(run.status, 0) << run.err;
+        const json index = json::parse(run.out);
+        write_text(folder / "camera.json", index["camera"].dump());
+        return render::unpack_ids(
+            render::read_png(out + "/" + index["files"][0]["ids"].get<std::string>()));
+    };
+    const auto covered = [](const render::IdImage& ids) {
+        return static_cast<int>(
+            std::count_if(ids.ids.begin(), ids.ids.end(), [](auto id) { return id != 0; }));
+    };
+    const render::IdImage whole = ids_of(""), cut = ids_of("--clip 0,0,1,0");
+    EXPECT_LT(covered(cut), 0.8 * covered(whole));
+    EXPECT_GT(covered(cut), 0.2 * covered(whole));
+    // The view is the same, and what is left covers what it covered.
+    for (std::size_t i = 0; i < cut.ids.size(); ++i)
+        ASSERT_TRUE(cut.ids[i] == 0 || whole.ids[i] != 0);
+    EXPECT_EQ(ids_of("--camera " + (folder / "camera.json")), cut);
+    EXPECT_EQ(ids_of("--clip 0,0,1e-300,0"), cut);
+    EXPECT_EQ(ids_of("--clip 0,0,2,70"), whole);
+    EXPECT_EQ(ids_of("--clip 0,0,1e-300,1e70"), whole);
+    EXPECT_EQ(covered(ids_of("--clip 0,0,1e-300,-1e70")), 0);
+}
+
 TEST(RenderLevels, TheCameraOfAnIndexGivesTheSamePictureAgain) {
     const TemporaryFolder folder;
     const std::string common = " --levels 6 --size 320x240 --samples 1 --ids -o ";

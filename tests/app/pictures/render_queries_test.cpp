@@ -290,6 +290,14 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs cone.off", "there is no such file");
     refused("pairs spheres-l1 --camera up", "--camera");
     refused("levels spheres-l1 --camera contact", "levels have no contact");
+    refused("pairs spheres-l1 --clip 0,0,0,1", "--clip 0,0,0,1: the normal X,Y,Z must not be zero");
+    refused("rejections spheres-l1 --clip 0,0,1", "four numbers are expected; give X,Y,Z,D");
+    refused("levels spheres-l1 --clip 0,0,1,0,5", "four numbers are expected");
+    refused("levels spheres-l1 --clip 0,0,z,1", "number 3 cannot be read");
+    refused("levels spheres-l1 --clip 0,inf,0,1", "number 2 must be from -1e+70 to 1e+70");
+    refused("pairs spheres-l1 --clip 0,0,1,nan", "number 4 must be from");
+    refused("pairs spheres-l1 --clip 0,0,1,-1e300", "number 4 must be from");
+    refused("pairs spheres-l1 --clip 1e-999,0,1,0", "number 1 cannot be read");
     refused("rejections spheres-l1 --steps 0", "--steps 0: give at least 1");
     refused("pairs spheres-l1 --pick 1280,0", "the pixels 0,0 to 1279,719");
     refused("pairs spheres-l1 --pick 12", "this is not a pixel");

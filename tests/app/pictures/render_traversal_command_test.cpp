@@ -105,7 +105,8 @@ TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
         {"--camera fit", "--camera"},
         {"--ids", "--ids"},
         {"--samples 4", "--samples"},
-        {"--ortho", "--ortho"}};
+        {"--ortho", "--ortho"},
+        {"--clip 0,0,1,0", "--clip"}};
     for (const auto& [arguments, message] : cases) {
         const ProgramRun run =
             run_scb("render traversal spheres-l1 " + arguments + " -o " + (folder / "none"));

@@ -111,10 +111,14 @@ inline Hit cast(const Pane& pane, double x, double y) {
     const Ray ray = ray_through(pane, x, y);
     // Depth is measured along the view axis.
     const double nearest = pane.camera.near_distance / -dot(ray.direction, pane.camera.axes.col(2));
+    const std::optional<FacePlane>& clip = pane.camera.clip;
     Hit hit;
     for (const VolumeInstance& instance : pane.volumes) {
-        const Span span =
+        Span span =
             std::visit([&](const auto& volume) { return intersect(ray, volume); }, instance.volume);
+        if (clip)
+            cut(span, dot(clip->normal, ray.origin), dot(clip->normal, ray.direction), -HUGE_VAL,
+                clip->offset);
         if (span.entry > span.exit) continue;
         const double distance = span.entry < nearest ? span.exit : span.entry;
         if (distance < nearest) continue;

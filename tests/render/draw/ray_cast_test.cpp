@@ -91,6 +91,65 @@ TEST_P(RayCast, AgreesForScenesOfAnyScale) {
     }
 }
 
+/// From every side, far off and close, through the eye, and along the view axis, which is a plane
+/// that some rays do not meet.
+std::vector<FacePlane> planes_through(const Vec3& center, const Camera& camera) {
+    std::vector<FacePlane> planes;
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 n = orbit_axes(i * 61.0 + 7, i * 31.0 - 75).col(2);
+        planes.push_back({n, dot(n, center) + 0.3 * (i % 3)});
+    }
+    const Vec3 right = camera.axes.col(0), backward = camera.axes.col(2);
+    planes.push_back({right, dot(right, center) + 0.01});
+    planes.push_back({-right, -dot(right, camera.position)});
+    planes.push_back({backward, dot(backward, center) + 0.2});
+    planes.push_back({-backward, -dot(backward, center) + 0.2});
+    return planes;
+}
+
+TEST_P(RayCast, AgreesOnWhatAClippingPlaneLeaves) {
+    const std::vector<AnyVolume> volumes = assorted_volumes();
+    Picture picture = picture_of(volumes, 160, 120, GetParam());
+    for (const bool orthographic : {false, true}) {
+        Camera& camera = picture.panes[0].camera;
+        camera =
+            fit_camera(orbit_axes(-20, 50), support_of(volumes), {4.0 / 3, 0.04, orthographic, 30});
+        for (const FacePlane& plane : planes_through(center_of(support_of(volumes)), camera)) {
+            camera.clip = plane;
+            SCOPED_TRACE(testing::Message() << plane.normal.transpose() << " " << plane.offset);
+            draw_and_compare(picture);
+        }
+    }
+}
+
+TEST_P(RayCast, AgreesOnWhatAClippingPlaneLeavesAnEyeInside) {
+    const std::vector<AnyVolume> volumes = {Scb{Vec3(0, 0, 0), 3, Vec3(0.6, 0, 0.8), 1.2, -1.5}};
+    Picture picture = picture_of(volumes, 160, 120, GetParam());
+    Camera& camera = picture.panes[0].camera;
+    camera = orbit_camera(0, 0, Vec3(0, 0.1, 0), 0.1, false, 70);
+    camera.near_distance = 0.01;
+    camera.far_distance = 10;
+    for (const FacePlane& plane : planes_through(Vec3(0.4, 1.9, 0.1), camera)) {
+        camera.clip = plane;
+        SCOPED_TRACE(testing::Message() << plane.normal.transpose() << " " << plane.offset);
+        draw_and_compare(picture);
+    }
+}
+
+// Those of a column of pixels, all of them on the side that is not drawn.
+TEST_P(RayCast, AgreesWhereRaysAreNearlyParallelToTheClippingPlane) {
+    const std::vector<AnyVolume> volumes = assorted_volumes();
+    Picture picture = picture_of(volumes, 160, 120, GetParam());
+    Camera& camera = picture.panes[0].camera;
+    const double in_pixel = GetParam() == 4 ? 0.25 : 0.5,
+                 right = in_pixel * 2 * tan_half_fov(camera) / picture.height;
+    for (const double slope : {1e-8, 1e-6, 1e-5, -1e-8, -1e-6, -1e-5}) {
+        const Vec3 n = (camera.axes * Vec3(1, 0, right + slope)).normalized();
+        camera.clip = FacePlane{n, dot(n, camera.position) - 0.05 * camera.far_distance};
+        draw_and_compare(picture);
+    }
+}
+
 // Their surfaces are meshes: beside the lines where a facet or a volume ends a pixel may differ.
 // A ray of the reference that meets a convex volume takes a search.
 constexpr int pixels_to_next = unless_sanitized(1, 5);

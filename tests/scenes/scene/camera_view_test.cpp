@@ -41,6 +41,7 @@ TEST(CameraJson, ComesBackAsItWasWritten) {
     camera.orthographic = true;
     camera.view_height = 4;
     camera.inset = Inset{{-0.025, 0, 0}, 0.12};
+    camera.clip = FacePlane{{0, 1, -2}, 0.1};
     const CameraView again = parse_camera_json(camera_json(camera).dump(), "again");
     EXPECT_EQ(camera_json(again), camera_json(camera));
     EXPECT_EQ(again.azimuth, 0.1);
@@ -48,6 +49,8 @@ TEST(CameraJson, ComesBackAsItWasWritten) {
     EXPECT_EQ(*again.target, Vec3(1, 2, 3));
     EXPECT_EQ(again.inset->center, Vec3(-0.025, 0, 0));
     EXPECT_EQ(again.inset->radius, 0.12);
+    EXPECT_EQ(again.clip->normal, Vec3(0, 1, -2));
+    EXPECT_EQ(again.clip->offset, 0.1);
 }
 
 TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
@@ -60,6 +63,11 @@ TEST(CameraJson, IsReadFromAFileWithPlacesInErrors) {
               refusal([&] { parse_camera(bad); }));
     expect_in("field_of_view: expected a number from 1 to 170",
               refusal([] { parse_camera_json(R"({"field_of_view": 180})", "c"); }));
+    expect_in("clip.normal: expected three numbers that are not all zero", refusal([] {
+                  parse_camera_json(R"({"clip": {"normal": [0, 0, 0], "offset": 1}})", "c");
+              }));
+    expect_in("clip: the field \"offset\" is missing",
+              refusal([] { parse_camera_json(R"({"clip": {"normal": [0, 0, 1]}})", "c"); }));
     expect_in("inset: the field \"radius\" is missing",
               refusal([] { parse_camera_json(R"({"inset": {"center": [0, 0, 0]}})", "c"); }));
 }
