@@ -212,17 +212,18 @@ class App {
 
   // The commands that draw the same without a browser.
   commands() {
-    const { manifest, state, columns } = this, { selected } = state, commands = manifest.commands[state.mode] ?? [], words = [];
-    if (state.mode !== 'verdicts') {
+    const { manifest, state, columns } = this, commands = manifest.commands[state.mode] ?? [], words = [];
+    if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
+    const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
+    if (frame && state.root > 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
+    if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
+    // The traversal has no view of the scene, and what is inspected its own.
+    if (state.mode !== 'traversal' && state.mode !== 'verdicts') {
       if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbit_angles}`);
-      if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
-      const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
-      if (frame && state.root > 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
-      if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
-      if (state.clip && state.mode !== 'traversal') words.push(`--clip ${[...state.clip.normal, state.clip.offset].map(short)}`);
+      if (state.clip) words.push(`--clip ${[...state.clip.normal, state.clip.offset].map(short)}`);
       if (state.orthographic) words.push('--ortho');
-      if (state.theme === 'dark') words.push('--background dark');
     }
+    if (state.theme === 'dark') words.push('--background dark');
     if (manifest.frames.length > 1) words.push(`--frames ${manifest.frames[state.at]}`);
     return commands.map((command) => [command, ...words, '-o out/'].join(' '));
   }

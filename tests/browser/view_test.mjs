@@ -515,6 +515,44 @@ test('what is seen is saved as PNG', async () => {
   });
 });
 
+test('volumes are saved as GLB, which scb reads', async () => {
+  await onPage(page_of('cone', '--volume', 'scb2', '--level', '3'), {}, async (page) => {
+    const saved = async () => {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'GLB' }).click()]);
+      const file = join(folder, 'saved.glb');
+      await download.saveAs(file);
+      const bytes = readFileSync(file);
+      return JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)));
+    };
+    const all = await saved();
+    assert.equal(all.meshes.length, 16, 'eight volumes of each body');
+    assert.equal(JSON.parse(scb('stats', join(folder, 'saved.glb'), '--json')).hierarchies.length, 1);
+    await press(page, '/');
+    await page.keyboard.type('B:5');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    assert.deepEqual((await saved()).meshes.map(({ name }) => name), ['B 5']);
+  });
+});
+
+test('the commands of all modes work', async () => {
+  await onPage(page_of('cone', '--frames', '100'), {}, async (page) => {
+    const commands = new Set();
+    for (const key of ['1', '2', '3', '4', '5', '6', '7']) {
+      await press(page, key);
+      for (const command of await page.evaluate(() => document.getElementById('canvas').app.commands())) commands.add(command);
+    }
+    await press(page, '2', 'k', 'o', 't');
+    for (const command of await page.evaluate(() => document.getElementById('canvas').app.commands())) commands.add(command);
+    assert.equal(commands.size, 8);
+    for (const command of commands) {
+      const words = command.split(' ').slice(1), out = join(folder, 'commands');
+      words[words.length - 1] = out;
+      assert.equal(spawnSync(process.env.SCB, ['--quiet', ...words, '--size', '320x240'], { stdio: 'inherit' }).status, 0, command);
+    }
+  });
+});
+
 test('it turns by dragging, moves, zooms, and follows its size', async () => {
   await onPage(page_of('cone', '--level', '4'), {}, async (page) => {
     const box = await page.locator('#canvas').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
