@@ -83,8 +83,9 @@ class Panel {
     this.frame = manifest.frames.length > 1
       ? this.slider('Frame', 0, manifest.frames.length - 1, () => state.at, (value) => app.set({ at: value }), '', () => String(manifest.frames[state.at]))
       : null;
-    if (this.frame && app.hasQueries) this.markFrames();
     this.updates = [];
+    this.chart = new FrameChart(app);
+    if (this.frame) this.frame.append(this.button('Play', 'Space', () => app.play(), () => app.playing));
     this.search = element('input', { type: 'search', placeholder: app.hasQueries ? 'node, A:node, or two: 5,7' : 'node, or body:node', spellcheck: false });
     this.search.setAttribute('aria-label', 'Search a node by its number');
     this.search.addEventListener('keydown', (event) => {
@@ -101,11 +102,11 @@ class Panel {
     this.root.append(
       ...(shown.length > 1 ? [element('div', { className: 'row', role: 'group', 'aria-label': 'What is shown' },
         ...shown.map(({ name, text, about }, i) => this.button(text, `${about} (key ${i + 1})`, () => app.set({ mode: name }), () => state.mode === name)))] : []),
+      ...(this.frame ? [this.frame, ...this.chart.parts()] : []),
       this.query,
       ...ofLevels(element('h2', { textContent: 'Levels' }), this.level),
       ...(this.bodyLevels.length ? ofLevels(element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...this.bodyLevels)) : []),
       ...ofLevels(this.numbers),
-      ...(this.frame ? [element('h2', { textContent: 'Frames' }), this.frame, element('div', { className: 'row' }, this.button('Play', 'Space', () => app.play(), () => app.playing))] : []),
       element('h2', { textContent: bodies.length > 1 ? 'Node, triangle or pair' : 'Node or triangle' }), element('label', {}, element('span', { textContent: 'Search' }), this.search), this.node,
       element('h2', { textContent: 'Look' }), ...ofLevels(this.opacity),
       ...(bodies.length > 1 ? [element('div', { className: 'row' }, ...bodies.slice(0, 24).map((body, b) => this.button(body.name, 'Show or hide this body', () => app.set({ without: state.without.includes(b) ? state.without.filter((one) => one !== b) : [...state.without, b] }), () => !state.without.includes(b))))] : []),
@@ -154,15 +155,6 @@ class Panel {
     return made;
   }
 
-  // The frames that have queries, below the slider.
-  markFrames() {
-    const { frames } = this.app.manifest, known = new Set(this.app.columns.flatMap(({ query }) => query?.told.frames.map(({ frame }) => frame) ?? []));
-    if (known.size === frames.length || known.size > 100) return;
-    const list = element('datalist', { id: 'queried' }, ...[...known].map((frame) => element('option', { value: frames.indexOf(frame) })));
-    this.frame.append(list);
-    this.frame.querySelector('input').setAttribute('list', 'queried');
-  }
-
   drawLegend() {
     const { legend } = this.app.manifest;
     if (legend) this.legend.append(...this.scale(legend.title, legend.ticks));
@@ -201,6 +193,7 @@ class Panel {
     const { app } = this, { state } = app;
     for (const slider of [this.level, ...this.bodyLevels, this.opacity, ...(this.frame ? [this.frame] : [])]) slider.update();
     for (const update of this.updates) update();
+    this.chart.update();
     for (const part of this.ofLevels) part.hidden = state.mode !== 'levels';
     this.query.replaceChildren(...(state.mode === 'levels' ? [] : this.queryParts()));
     if (state.mode === 'levels') this.numbers.replaceChildren(...this.levelNumbers());

@@ -25,6 +25,7 @@ SCB_DECLARE_EMBEDDED(web_address_js)
 SCB_DECLARE_EMBEDDED(web_controls_js)
 SCB_DECLARE_EMBEDDED(web_solids_js)
 SCB_DECLARE_EMBEDDED(web_glb_js)
+SCB_DECLARE_EMBEDDED(web_frames_js)
 SCB_DECLARE_EMBEDDED(web_panel_js)
 SCB_DECLARE_EMBEDDED(web_main_js)
 SCB_DECLARE_EMBEDDED(web_volume_vert)
@@ -110,8 +111,8 @@ std::string script() {
           SCB_EMBEDDED(web_tree_js), SCB_EMBEDDED(web_camera_js), SCB_EMBEDDED(web_painter_js),
           SCB_EMBEDDED(web_query_js), SCB_EMBEDDED(web_content_js), SCB_EMBEDDED(web_icicle_js),
           SCB_EMBEDDED(web_matrix_js), SCB_EMBEDDED(web_solids_js), SCB_EMBEDDED(web_glb_js),
-          SCB_EMBEDDED(web_panel_js), SCB_EMBEDDED(web_address_js), SCB_EMBEDDED(web_controls_js),
-          SCB_EMBEDDED(web_main_js)})
+          SCB_EMBEDDED(web_frames_js), SCB_EMBEDDED(web_panel_js), SCB_EMBEDDED(web_address_js),
+          SCB_EMBEDDED(web_controls_js), SCB_EMBEDDED(web_main_js)})
         text += part;
     return text + "})();\n";
 }

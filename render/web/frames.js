@@ -1,0 +1,53 @@
+// The volume tests of each frame that has its query in the page, with those that were wasted on top; of several columns one below the other.
+class FrameChart {
+  constructor(app) {
+    this.app = app;
+    this.columns = app.columns.map(({ query }, k) => ({ query, k })).filter(({ query }) => query && app.manifest.frames.length > 1);
+    this.canvas = element('canvas', { className: 'chart', title: 'Volume tests by frame, the wasted ones on top; click to go there' });
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', 'Volume tests by frame');
+    this.canvas.addEventListener('click', (event) => app.set({ at: this.frameAt(event.offsetX) }));
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  // The canvas, and the frames that waste the most; nothing where there are no frames to choose from.
+  parts() {
+    return this.columns.length === 0 ? [] : [this.canvas, (this.worst = element('div'))];
+  }
+
+  update() {
+    const { app } = this;
+    this.draw();
+    this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.told.frames.length > 1).flatMap(({ query, k }) => {
+      const worst = [...query.told.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
+      return [app.panel.faint(`${of}frames with the most wasted tests`), element('div', { className: 'row' }, ...worst.map(({ frame, wasted, n_v }) =>
+        app.panel.chooser(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: app.manifest.frames.indexOf(frame) }))))];
+    }));
+  }
+
+  frameAt(x) {
+    const { frames } = this.app.manifest;
+    return clamp(Math.floor((x / this.canvas.clientWidth) * frames.length), 0, frames.length - 1);
+  }
+
+  draw() {
+    const { app, canvas } = this, width = canvas.clientWidth, height = canvas.clientHeight, ratio = window.devicePixelRatio || 1, context = canvas.getContext('2d');
+    if (width === 0 || this.columns.length === 0) return;
+    Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const { frames } = app.manifest, row = height / this.columns.length, step = width / frames.length, most = Math.max(1, ...this.columns.flatMap(({ query }) => query.told.frames.map(({ n_v }) => n_v)));
+    this.columns.forEach(({ query }, i) => {
+      const bottom = (i + 1) * row, unit = (row - 3) / most;
+      for (const { frame, n_v, wasted } of query.told.frames) {
+        const x = frames.indexOf(frame) * step;
+        context.fillStyle = css(passedOn(app.theme, 0.6));
+        context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 1), unit * (n_v - wasted));
+        context.fillStyle = css(query.told.worths[0][app.state.theme]);
+        context.fillRect(x, bottom - unit * n_v, Math.max(step, 1), unit * wasted);
+        context.fillRect(x, bottom - 1, Math.max(step, 1), 1);  // also of none
+      }
+    });
+    context.fillStyle = css(app.theme.text);
+    context.fillRect((app.state.at + 0.5) * step - 0.5, 0, 1, height);
+  }
+}
