@@ -78,7 +78,7 @@ function checkScb(c, r, n, e, f) {
   assertSolid(mesh, { volume: belowPlane(r, Math.min(e, r)) - belowPlane(r, Math.max(f, -r)), size: r, beyond: beyondSlabs(c, r, [{ n, e, f }]), what });
   // The flat sides are there wholly, so the rims are on the sphere.
   for (const k of [e, f]) {
-    if (Math.abs(k) >= r || e === f) continue;
+    if (Math.abs(k) >= r || e - f < 1e-5 * r) continue;
     const side = trianglesOf(mesh).filter((t) => t.every((p) => Math.abs(dot(n, subtract(p, c)) - k) < 2e-6 * r));
     const disc = Math.PI * (r * r - k * k);
     assert.ok(Math.abs(areaOf(side) - disc) < 0.01 * disc + 1e-6 * r * r, `${what}: side ${areaOf(side)} for ${disc}`);
@@ -97,6 +97,7 @@ test('slab cut balls', () => {
     checkScb(somewhere(), 1, randomUnit(), between(0, 0.01), between(-0.01, 0));
   }
   checkScb([0, 0, 0], 1, [1, 0, 0], 5, -5);
+  checkScb([0, 0, 0], 1, [1, 0, 0], 0.5 + 4e-7, 0.5);
 });
 
 test('slab cut balls without thickness are discs, and others are nothing', () => {
@@ -118,6 +119,12 @@ function checkScb2(c, r, n, e, f, m, e2, f2) {
     const side = trianglesOf(mesh).filter((t) => t.every((p) => Math.abs(dot(n, subtract(p, c)) - k) < 2e-6 * r));
     assert.ok(Math.abs(areaOf(side) - slice(k)) < 0.03 * slice(k) + 1e-3 * r * r, `${what}: side ${areaOf(side)} for ${slice(k)}`);
   }
+  // The edges reach the sphere.
+  for (const k of [e, f])
+    for (const l of [e2, f2]) {
+      const end = add(c, add(add(scaled(k, n), scaled(l, m)), scaled(Math.sqrt(r * r - k * k - l * l), unit(cross(n, m)))));
+      if (k * k + l * l < 0.999 * r * r && e - f > 1e-4 * r && e2 - f2 > 1e-4 * r) assert.ok(pointsOf(mesh).some((p) => length(subtract(p, end)) < 2e-5 * r), what);
+    }
   return mesh;
 }
 
@@ -133,6 +140,8 @@ test('balls cut by two slabs', () => {
   }
   const ball = checkScb2([1, 2, 3], 2, [0, 0, 1], 2, -2, [1, 0, 0], 2, -2);
   assert.ok(ball.indices.length / 3 >= 500);
+  // One side is a few rounding errors from the center.
+  checkScb2([0, 0, 0], 1, [0, 0, 1], 5e-4, -7e-6, [1, 0, 0], 1, -1);
   // All edges, and all rims, at one point.
   checkScb2([0, 0, 0], 5, [0, 0, 1], 3, -3, [1, 0, 0], 4, -4);
 });
@@ -257,7 +266,10 @@ test('rounded hulls', () => {
   for (let i = 0; i < 5; ++i) {
     const axes = randomFrame(), half = [between(0.1, 1), between(0.1, 1), between(0.1, 1)], [x, y, z] = half, r = between(0.02, 1);
     const box = Array.from({ length: 8 }, (_, k) => times(axes, half.map((h, axis) => ((k >> axis) & 1 ? h : -h))));
-    checkRounded(box, r, 8 * x * y * z + 8 * (x * y + y * z + z * x) * r + 2 * Math.PI * (x + y + z) * r * r + ballVolume(r), 'box');
+    const round = checkRounded(box, r, 8 * x * y * z + 8 * (x * y + y * z + z * x) * r + 2 * Math.PI * (x + y + z) * r * r + ballVolume(r), 'box');
+    // Its faces are there wholly.
+    const top = trianglesOf(round).filter(([a, b, c]) => dot(unit(cross(subtract(b, a), subtract(c, a))), axes[2]) > 1 - 1e-9);
+    assert.ok(Math.abs(areaOf(top) - 4 * x * y) < 1e-3 * x * y);
     checkRounded(box, 0, 8 * x * y * z, 'sharp box');
     // A tetrahedron: each edge adds a part of a cylinder, by the angle between its faces' normals.
     const t = Array.from({ length: 4 }, () => scaled(between(0.5, 1), randomUnit()));
