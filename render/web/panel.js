@@ -452,11 +452,13 @@ class Panel {
     const shown = chosen ? [{ b: selected.body, slot: selected.slot }]
       : bodies.flatMap((_, b) => (app.state.mode === 'levels' ? app.content.coverOf(k, b).map((slot) => ({ slot })) : (app.scenes[k].nodes ?? []).filter(({ side }) => side === b && !app.state.without.includes(b))).map(({ slot }) => ({ b, slot })));
     if (shown.length > most) return this.node.replaceChildren(this.faint(`These are ${counted(shown.length)} volumes; a file has ${counted(most)} at most. Choose a level further up.`));
+    // Round things by fewer corners where there are many of them.
+    const corners = shown.length <= 300 ? 48 : shown.length <= 4000 ? 24 : 12;
     const colors = new Map((app.scenes[k].nodes ?? []).map((node) => [`${node.side} ${node.slot}`, app.state.mode === 'traversal' ? bodies[node.side].color : app.labelsOf(app.columns[k].query)[node.group][app.state.theme]]));
     const file = glbOf(shown.map(({ b, slot }) => {
       const { name, tree } = bodies[b], volume = tree.volume(slot), node = tree.order[slot];
       return {
-        name: `${name} ${node}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot)), color: colors.get(`${b} ${slot}`) ?? volume.color,
+        name: `${name} ${node}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot), corners), color: colors.get(`${b} ${slot}`) ?? volume.color,
         opacity: app.state.mode === 'levels' ? Math.max(app.state.opacity, 0.05) : 1, pose: app.poseOf(k, b), center: tree.told.center, id: node, depth: tree.levelOf(slot),
       };
     }), app.manifest.scene);
