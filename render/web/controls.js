@@ -12,6 +12,7 @@ class Controls {
       this.moved = 0;
     });
     canvas.addEventListener('pointermove', (event) => this.move(event));
+    canvas.addEventListener('pointerleave', () => app.icicle.light(null));
     canvas.addEventListener('pointerup', (event) => this.up(event));
     canvas.addEventListener('pointercancel', (event) => this.up(event));
     canvas.addEventListener('wheel', (event) => {
@@ -27,7 +28,7 @@ class Controls {
 
   move(event) {
     const { app, pointers } = this, { view, canvas } = app, before = pointers.get(event.pointerId);
-    if (!before) return;
+    if (!before) return this.hover(event);
     const now = [event.offsetX, event.offsetY], x = now[0] - before[0], y = now[1] - before[1];
     this.moved += Math.abs(x) + Math.abs(y);
     if (pointers.size === 2) {
@@ -41,6 +42,14 @@ class Controls {
     }
     pointers.set(event.pointerId, now);
     app.ask();
+  }
+
+  // In the traversal, the tests of the node below the mouse.
+  hover(event) {
+    const { app } = this;
+    if (app.state.mode !== 'traversal' || !app.unpacked) return;
+    const found = app.pick(event.offsetX, event.offsetY);
+    app.icicle.light(found && 'slot' in found && found.column === app.state.column ? [found.body, found.slot] : null);
   }
 
   up(event) {

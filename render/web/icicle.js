@@ -111,6 +111,20 @@ class Icicle {
     return ending < 0 ? passedOn(app.theme) : query.told.groups[ending][theme];
   }
 
+  // Lights up the tests of a node that the mouse is on in the scene; null: of none.
+  light(lit) {
+    if (String(lit) === String(this.lit ?? null)) return;
+    this.lit = lit;
+    this.draw();
+  }
+
+  // Whether a test is one of those that are looked for: of a node, or of a cell of the matrix.
+  isDim(a, b) {
+    const { cell } = this.app.state, { lit, query } = this;
+    if (lit) return (lit[0] === 0 ? a : b) !== lit[1];
+    return Boolean(cell) && (query.trees[0].levelOf(a) !== cell[0] || query.trees[1].levelOf(b) !== cell[1]);
+  }
+
   // Whether the other of two columns did not make the test.
   isOnlyHere(test) {
     const { app, frame } = this, other = app.scenes[1 - app.state.column];
@@ -118,9 +132,8 @@ class Icicle {
   }
 
   box(test, x, y, w, h) {
-    const { context, app, frame } = this, { cell } = app.state, [a, b] = [frame.a[test], frame.b[test]];
-    const dim = cell && (this.query.trees[0].levelOf(a) !== cell[0] || this.query.trees[1].levelOf(b) !== cell[1]);
-    context.globalAlpha = dim ? 0.25 : 1;
+    const { context, app, frame } = this;
+    context.globalAlpha = this.isDim(frame.a[test], frame.b[test]) ? 0.25 : 1;
     context.fillStyle = css(this.colorOf(test, w < 4));
     context.fillRect(x, y, Math.max(w - (w > 3 ? 1 : 0), 0.5), h - (h > 4 ? 1 : 0));
     context.globalAlpha = 1;

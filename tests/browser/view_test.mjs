@@ -317,6 +317,19 @@ test('the matrix is that of the events, and lights up scene and icicle', async (
     const found = await page.evaluate(() => [...document.getElementById('canvas').app.scenes[0].frame.cells.all].map(([key, { tests }]) => [key, tests]));
     assert.deepEqual(new Map(found), cells);
     const icicle = await page.locator('#icicle').screenshot(), scene = await seen(page), box = await page.locator('#matrix').boundingBox();
+    // A node below the mouse lights up its tests.
+    const [node_x, node_y] = await page.evaluate(() => {
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas');
+      for (let i = 0; i < 20000; ++i) {
+        const at = [(i * 7919) % clientWidth, (i * 104729) % clientHeight];
+        if (app.pick(...at)?.slot >= 0) return at;
+      }
+      return [0, 0];
+    });
+    const canvas = await page.locator('#canvas').boundingBox();
+    await page.mouse.move(canvas.x + node_x, canvas.y + node_y);
+    assert.ok(!(await page.locator('#icicle').screenshot()).equals(icicle));
+    await page.mouse.move(5, 5);
     const [x, y, key] = await page.evaluate(() => {
       const { matrix, scenes } = document.getElementById('canvas').app, [key, cell] = [...scenes[0].frame.cells.all].sort((p, q) => q[1].tests - p[1].tests)[0];
       return [matrix.corner[0] + (cell.x + 0.5) * matrix.size, matrix.corner[1] + (cell.y + 0.5) * matrix.size, key];
