@@ -13,11 +13,15 @@ std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
                                                const scenes::Scene* scene) {
     if ((options.camera.empty() && options.up.empty()) || options.follows_contact())
         return std::nullopt;
-    if (scene != nullptr) return camera_view_for(options, *scene);
     scenes::CameraView wish;
-    if (!options.camera.empty()) wish = scenes::parse_camera(options.camera);
-    if (!options.up.empty()) wish.up = options.up_vector();
-    if (options.orthographic) wish.orthographic = true;
+    if (scene != nullptr) {
+        wish = camera_view_for(options, *scene);
+    } else {
+        if (!options.camera.empty()) wish = scenes::parse_camera(options.camera);
+        if (!options.up.empty()) wish.up = options.up_vector();
+        if (options.orthographic) wish.orthographic = true;
+    }
+    wish.clip.reset();  // both volumes are shown whole
     return wish;
 }
 

@@ -74,7 +74,7 @@ int run(const CheckOptions& options, const Console& console) {
     result.environment = golden_environment(check.settings);
     add_commands(result, check, options);
     add_diff_commands(result, options.files.report);
-    add_views(result, work.report(), options.models, console);
+    add_views(result, work.report(), options, console, [&watch] { return watch.signal() == 0; });
     write_results(result, options.files, work.report());
     for (const std::string& file : golden::uncompared_images(check.folders.baselines, suite))
         console.note("scb: " + (check.folders.baselines / file).string() + " " + why_uncompared);

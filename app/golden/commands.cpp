@@ -7,7 +7,6 @@
 #include "app/view/view_page.h"
 #include "golden/suite/shell_word.h"
 #include "render/files/output_file.h"
-#include "scb/error.h"
 
 namespace scb::app {
 namespace {
@@ -66,20 +65,25 @@ void add_diff_commands(golden::SuiteResult& result, const std::filesystem::path&
 }
 
 void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
-               const std::string& models_dir, const Console& console) {
+               const GoldenOptions& golden, const Console& console,
+               const std::function<bool()>& go_on) {
     for (golden::CaseResult& c : result.cases) {
-        if (c.traces.size() != 2 || c.view.empty()) continue;
+        if (c.traces.size() != 2 || c.view.empty() || !go_on()) continue;
         ViewOptions options;
-        options.level.scene.models_dir = models_dir;
+        options.level.scene.models_dir = golden.models;
+        options.level.picture.gl = golden.gl;
         for (const std::string& trace : c.traces)
             options.level.scene.names.push_back((folder / trace).string());
-        const std::string page = c.name + ".view.html";
+        std::string html;
         try {
-            render::write_file_whole(folder / page, view_page(options, console));
-            c.view.insert(0, page);
-        } catch (const InputError& error) {
+            html = view_page(options, console);
+        } catch (const std::exception& error) {  // the report must not end with it
             console.note("scb: " + c.name + " has no page of `scb view`: " + error.what());
+            continue;
         }
+        const std::string page = c.name + ".view.html";
+        render::write_file_whole(folder / page, html);
+        c.view.insert(0, page);
     }
 }
 

@@ -163,6 +163,7 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.level.scene = options.scene;
     view.level.hierarchy = options.hierarchy;
     view.level.picture.background = options.picture.background;
+    view.level.picture.gl = options.picture.gl;
     view.query = options.query;
     view.queries.clear();
     for (const int frame : frames)
@@ -172,6 +173,8 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.scene = options.where;
     view.volumes = options.volumes;
     view.hierarchies = options.hierarchies;
+    view.bodies = options.of_bodies;
+    view.queries_asked = options.of_queries;
     return view_page(view, console);
 }
 
@@ -191,7 +194,14 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
     whole = whole && step();
     // The page has whole queries.
-    const bool has_view = !options.no_view && query.options.stop_level < 0;
+    std::string view;
+    if (whole && !options.no_view && query.options.stop_level < 0) {
+        try {
+            view = report_view(options, report, console);
+        } catch (const InputError& error) {
+            console.note("scb: there is no page of `scb view`: " + std::string(error.what()));
+        }
+    }
     const InspectPage page{inspect_name(report) + ".png",
                            bodies,
                            options.picture.width(),
@@ -199,7 +209,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
                            options.picture.theme() == &render::light_theme,
                            options.command,
                            options.explain,
-                           has_view ? report.files + "_view.html" : ""};
+                           view.empty() ? "" : report.files + "_view.html"};
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
     head["poses"] = poses_json(query.scene, query.frames);
@@ -207,7 +217,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
         pictures.write(report.files + "_frames.csv", frames_csv(report));
         pictures.write(report.files + "_pairs.csv", pairs_csv(report));
         pictures.write(report.files + ".html", inspect_html(report, page));
-        if (!page.view.empty()) pictures.write(page.view, report_view(options, report, console));
+        if (!page.view.empty()) pictures.write(page.view, view);
         pictures.finish(std::move(head), console);
     }
     return whole;
@@ -346,10 +356,11 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--margin", "--split", "--test",   "--threshold", "--bodies"};
         options->of_scene = given_text(
             command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
-        options->where = given_text(command, {"--pose", "--models", "--bodies"});
+        options->where = given_text(command, {"--pose", "--models"});
+        options->of_bodies = given_text(command, {"--bodies"});
         options->volumes = given_text(command, {"--volume"});
-        options->hierarchies =
-            given_text(command, {"--growth", "--margin", "--split", "--test", "--threshold"});
+        options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
+        options->of_queries = given_text(command, {"--test", "--threshold", "--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);
         options->command = "scb inspect" + given_text(command, of_queries) +
                            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",

@@ -15,11 +15,12 @@ struct InspectOptions {
     QueryOptions query;
     QueryLimits limits;
     PictureOptions picture{.output = ""};
-    std::vector<std::string> recording;       ///< see given_recording_options
-    std::vector<std::string> of_pictures;     ///< those given that only pictures have a use for
-    std::string command, explain;             ///< see InspectPage
-    std::string of_scene;                     ///< what was given of the scene, as given_text has it
-    std::string where, volumes, hierarchies;  ///< see ViewOptions, whose `scene` the first is
+    std::vector<std::string> recording;    ///< see given_recording_options
+    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
+    std::string command, explain;          ///< see InspectPage
+    std::string of_scene;                  ///< what was given of the scene, as given_text has it
+    /// Those of a page of `scb view`, see ViewOptions, from `scene` on.
+    std::string where, of_bodies, volumes, hierarchies, of_queries;
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

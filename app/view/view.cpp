@@ -81,10 +81,11 @@ void add_view(const Command& program, const Console& console, Action& action) {
         for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split",
                                    "--test", "--threshold", "--bodies"})
             if (command.count(option) > 0) options->recording.emplace_back(option);
-        options->scene = given_text(command, {"--pose", "--models", "--bodies"});
+        options->scene = given_text(command, {"--pose", "--models"});
+        options->bodies = given_text(command, {"--bodies"});
         options->volumes = given_text(command, {"--volume"});
-        options->hierarchies =
-            given_text(command, {"--growth", "--margin", "--split", "--test", "--threshold"});
+        options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
+        options->queries_asked = given_text(command, {"--test", "--threshold"});
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options] { return run(*options, console); };
     });

@@ -128,9 +128,6 @@ class Columns {
         auto sources = std::make_unique<QuerySources>();
         sources->emplace_back(scene, asked_.hierarchy, query, QueryLimits{}, true);
         QuerySource& source = sources->front();
-        if (source.frames().size() != 1)
-            throw InputError("--frames " + scene.frames +
-                             ": of a recording the page has one frame; give one.");
         add(source, recording.engine + ", " + source.header().engine->volumes, scene.names);
         subject_.sources.push_back(std::move(sources));
         return true;
@@ -151,6 +148,7 @@ class Columns {
             column.bodies = kind.bodies;
             column.names = scene.names;
             if (!level->recorded) column.kind = kind.name;
+            column.several_frames = level->scene.frames > 1;
             add(std::move(column),
                 level->recorded ? std::vector{level->frame} : frames_of(level->scene),
                 level->frame);
@@ -169,7 +167,10 @@ class Columns {
         int first = queried.front();
         // Recorded trees are those of one frame.
         std::vector<int> frames = {first};
-        if (!source.is_recording()) {
+        if (source.is_recording()) {
+            if (queried.size() != 1)
+                throw InputError("of a recording the page has one frame; give one with --frames.");
+        } else {
             column.kind = volume_kind_name(source.query().kind);
             frames = frames_of(*column.scene);
             if (!asked_.scene.frames.empty())
@@ -182,6 +183,7 @@ class Columns {
         }
         for (std::size_t side = 0; side < 2; ++side)
             column.bodies.push_back(source.body(side, first));
+        column.several_frames = column.scene->frames > 1;
         add(std::move(column), frames, first);
     }
 
@@ -207,6 +209,10 @@ class Columns {
         const ViewColumn& first = subject_.columns.front();
         if (!std::binary_search(subject_.frames.begin(), subject_.frames.end(), subject_.frame))
             subject_.frame = subject_.frames.front();
+        for (ViewColumn& column : subject_.columns)
+            for (std::size_t b = 0; b < column.bodies.size() && !column.is_recorded(); ++b)
+                column.bodies[b].pose =
+                    pose_at(column.scene->bodies[column.places[b]].motion, subject_.frame);
         for (const ViewColumn& column : subject_.columns) {
             if (&column == &first) continue;
             subject_.same_nodes &= column.bodies.size() == first.bodies.size();

@@ -158,8 +158,7 @@ class Parts {
     std::size_t poses(const ViewColumn& column, std::size_t b) {
         std::vector<double> rows;
         for (const int frame : subject_.frames) {
-            const bool recorded = column.kind.empty();
-            const Pose pose = recorded
+            const Pose pose = column.is_recorded()
                                   ? column.bodies[b].pose
                                   : pose_at(column.scene->bodies[column.places[b]].motion, frame);
             for (int i = 0; i < 3; ++i) {
@@ -225,6 +224,7 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
         columns.push_back({{"title", scenes::printable(column.title)},
                            {"bodies", std::move(bodies)},
                            {"explain", column.explain},
+                           {"several_frames", column.several_frames},
                            {"query", nullptr}});
     }
     const auto at = std::find(subject.frames.begin(), subject.frames.end(), subject.frame);

@@ -33,7 +33,10 @@ bool has_two_scenes(const ViewOptions& options) {
 
 /// The deepest level of which a reader can still tell the volumes.
 int first_level(const ViewSubject& subject, const std::string& asked) {
-    if (asked != "auto") return std::max(0, parse_level(asked, subject.deepest));
+    if (asked != "auto") {
+        const int level = parse_level(asked, subject.deepest);
+        return level == leaf_level ? subject.deepest : level;
+    }
     constexpr std::size_t most = 500;
     int level = 0;
     for (int next = 1; next <= subject.deepest; ++next) {
@@ -118,9 +121,11 @@ std::map<std::string, std::vector<std::string>> commands_of(const ViewOptions& o
                                             {"wasted", "pairs --heat wasted"},
                                             {"traversal", "traversal"}})
             commands[mode].push_back(std::string("scb render ") + picture + words_of(scene) +
-                                     options.scene + asked + options.hierarchies);
+                                     options.scene + options.bodies + asked + options.hierarchies +
+                                     options.queries_asked);
         commands["verdicts"].push_back("scb inspect" + words_of(scene) + options.scene +
-                                       (one ? options.volumes : "") + options.hierarchies);
+                                       options.bodies + (one ? options.volumes : "") +
+                                       options.hierarchies + options.queries_asked);
     }
     return commands;
 }
@@ -128,14 +133,15 @@ std::map<std::string, std::vector<std::string>> commands_of(const ViewOptions& o
 /// The command that explains a test of the column, but for frame and nodes.
 std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
     if (!column.query || column.query->is_recording()) return "";
-    std::string command = "scb explain" + words_of(column.names) + options.scene;
+    std::string command = "scb explain" + words_of(column.names) + options.scene + options.bodies;
     if (scenes::names_trace(column.names[0])) return command;
     command += " --volume " + column.kind;
-    // Else it is among what was given.
-    if (!options.compare.empty() && column.kind == "scb")
-        command +=
+    // Of what is compared; else it is among what was given.
+    std::string queries = options.queries_asked;
+    if (overlap_test_of(options.compare.substr(0, options.compare.find(','))))
+        queries +=
             " --test " + std::string(overlap_test_name(column.query->query().options.overlap.test));
-    return command + options.hierarchies;
+    return command + options.hierarchies + queries;
 }
 
 }  // namespace
@@ -198,10 +204,14 @@ std::string view_page(const ViewOptions& options, const Console& console) {
                               first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
                        SCB_VERSION;
     nlohmann::ordered_json manifest = view_manifest(subject, start, store);
+    const auto queries =
+        static_cast<std::size_t>(std::count_if(subject.columns.begin(), subject.columns.end(),
+                                               [](const ViewColumn& c) { return c.query; }));
     for (std::size_t k = 0; k < subject.columns.size(); ++k)
         if (subject.columns[k].query)
             manifest["columns"][k]["query"] =
-                view_query_json(subject.columns[k], options.steps, store);
+                view_query_json(subject.columns[k], subject.frames,
+                                static_cast<std::size_t>(options.steps) / queries, store);
     page.manifest = manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     page.still = still_of(asked, subject, start, std::move(bodies), page.title);
     return render::web_page(page, store);

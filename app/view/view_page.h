@@ -18,9 +18,9 @@ struct ViewOptions {
     std::string compare{};                 ///< see CompareOptions::names
     std::vector<std::string> recording{};  ///< see CompareOptions::given
     int steps = 1000;                      ///< see view_query_json
-    // As given_text has it, what was given: where the bodies are, the volumes, other things of
-    // hierarchies that all pictures take, and of levels alone.
-    std::string scene{}, volumes{}, hierarchies{}, levels{};
+    // As given_text has it, what was given: where the scene is, which bodies, the volumes, other
+    // things of hierarchies, of levels alone, and of queries alone.
+    std::string scene{}, bodies{}, volumes{}, hierarchies{}, levels{}, queries_asked{};
 
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;

@@ -6,6 +6,7 @@
 
 #include "app/view/view_manifest.h"
 #include "app/view/view_steps.h"
+#include "core/analysis/costly_tests.h"
 #include "core/analysis/ending.h"
 #include "core/analysis/worst_pairs.h"
 #include "render/figures/inspect_figure.h"
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The worst ones of each kind that a page lists.
-constexpr std::size_t most_worst = 12;
+constexpr std::size_t most_worst = 8;
 
 Json groups_json(const TraceHeader& header) {
     const std::vector<render::EndingGroup> light =
@@ -56,11 +57,7 @@ Json worths_json() {
         add(label, [reason = reason](const render::Theme& theme) {
             return render::pass_reason_color(reason, theme);
         });
-    // As on the page of `scb inspect`.
-    add("rejected wrongly", [](const render::Theme& theme) {
-        return &theme == &render::light_theme ? render::Rgba8{180, 0, 60}
-                                              : render::Rgba8{255, 122, 144};
-    });
+    add("rejected wrongly", render::wrong_rejection_color);
     return worths;
 }
 
@@ -84,8 +81,7 @@ struct Worst {
                 list.push_back(
                     {{"frame", pair.frame},
                      {"test", pair.pair.test},
-                     {"cost", pair.pair.below.volume_tests + pair.pair.below.triangle_tests},
-                     {"gap", pair.pair.gap}});
+                     {"cost", pair.pair.below.volume_tests + pair.pair.below.triangle_tests}});
             worst.push_back(std::move(list));
         }
         Json list = Json::array();
@@ -98,8 +94,8 @@ struct Worst {
     }
 };
 
-std::vector<std::uint32_t> costly_tests(const TraceFrame& frame, const TraversalTree& tree,
-                                        const Attribution& attribution) {
+std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const TraversalTree& tree,
+                                       const Attribution& attribution) {
     Worst worst;
     worst.add(frame, tree, attribution);
     std::vector<std::uint32_t> tests;
@@ -112,18 +108,20 @@ std::vector<std::uint32_t> costly_tests(const TraceFrame& frame, const Traversal
 
 }  // namespace
 
-Json view_query_json(const ViewColumn& column, int steps, render::BlockStore& store) {
+Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, std::size_t steps,
+                     render::BlockStore& store) {
     QuerySource& source = *column.query;
     const TraceHeader& header = source.header();
     const std::vector<render::EndingGroup> groups =
         render::ending_groups(header, render::light_theme);
     render::QueryBodies bodies;
     for (std::size_t side = 0; side < 2; ++side) bodies[side].tree = column.bodies[side].tree.get();
-    const std::size_t most_steps = static_cast<std::size_t>(steps) / source.frames().size();
+    const std::size_t most_steps = steps / source.frames().size();
     Json frames = Json::array();
     Worst worst;
     PassCounts sum;
     for (const int number : source.frames()) {
+        if (!std::binary_search(in_page.begin(), in_page.end(), number)) continue;
         const TraceFrame& frame = source.frame(number);
         const TraversalTree tree = traversal_tree(header, frame);
         const Attribution attribution = source.attribution(frame, tree);
@@ -144,7 +142,7 @@ Json view_query_json(const ViewColumn& column, int steps, render::BlockStore& st
             entry["steps"] = store.add(std::string_view(
                 view_steps_json(
                     source.query(), frame,
-                    explained_tests(tree, costly_tests(frame, tree, attribution), most_steps))
+                    costly_tests(tree, worst_tests(frame, tree, attribution), most_steps))
                     .dump(-1, ' ', false, Json::error_handler_t::replace)));
         frames.push_back(std::move(entry));
     }

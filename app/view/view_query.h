@@ -8,9 +8,9 @@
 namespace scb::app {
 
 /// The queries of a column, with all their tests and what these are worth: see render/web/query.js.
-/// `steps`: so many tests of the page have the steps of the overlap test in it, those that cost the
-/// most.
-nlohmann::ordered_json view_query_json(const ViewColumn& column, int steps,
-                                       render::BlockStore& store);
+/// Of the frames that are in the page. `steps`: so many tests have the steps of the overlap test
+/// with them, those that cost the most.
+nlohmann::ordered_json view_query_json(const ViewColumn& column, const std::vector<int>& frames,
+                                       std::size_t steps, render::BlockStore& store);
 
 }  // namespace scb::app

@@ -1,5 +1,7 @@
 #include "core/analysis/attribution.h"
 
+#include <cassert>
+
 #include "core/analysis/operation_cost.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/exact_verdict.h"
@@ -86,7 +88,7 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
         const ContactCertificate certificate =
             exact_verdict(shape_of(a.volumes[nodes.a]), shape_of(b.volumes[nodes.b]), placed);
         pairs.push_back(
-            {certificate.contact, certificate.margin, contacts[pairs.size()],
+            {true, certificate.contact, certificate.margin, contacts[pairs.size()],
              a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()});
     }
     return pairs;
@@ -114,6 +116,7 @@ PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
 Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
                       std::span<const TestedPair> pairs) {
     const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    assert(pairs.size() == tests.size());
     const std::vector<Work> below = work_below(header, frame, tree);
     Attribution result;
     PassCounts& counts = result.counts;
@@ -125,6 +128,7 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const 
     std::vector<char> weak_so_far(tests.size());
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const TestedPair& of = pairs[i];
+        if (!of.known) continue;
         if (tests[i].stage != Stage::overlapping) {
             if (of.exact != Contact::overlapping && of.contacts == 0) continue;
             result.wrongly_rejected.push_back({i, of.contacts, of.exact});
@@ -135,7 +139,7 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const 
         PassedPair pair = passed_pair(i, of);
         pair.below = below[i];
         if (const std::uint32_t parent = tree.parents[i]; parent != none) {
-            pair.within_false_pair = pairs[parent].contacts == 0;
+            pair.within_false_pair = pairs[parent].known && pairs[parent].contacts == 0;
             pair.within_weak_test = weak_so_far[parent] != 0;
         }
         const bool weak = pair.reason == PassReason::weak_test;

@@ -43,14 +43,15 @@ struct Attribution {
 
 /// What is known of the two nodes of a volume test.
 struct TestedPair {
+    bool known = true;                  ///< else nothing is claimed of it
     Contact exact = Contact::touching;  ///< of the volumes; touching where it is not known
     double gap = 0;                     ///< of disjoint ones, at least
     std::uint64_t contacts = 0;         ///< pairs of triangles below them that intersect
     bool leaves = false;                ///< both are leaves
 };
 
-/// Attributes every volume test of a query. `pairs`: per test. `tree` is traversal_tree's. Of other
-/// engines no operations are known.
+/// Attributes every volume test of a query. `pairs`: one for each test of the frame. `tree` is
+/// traversal_tree's. Of other engines no operations are known.
 Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
                       std::span<const TestedPair> pairs);
 

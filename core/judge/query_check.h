@@ -102,8 +102,7 @@ bool has_known_items(const EngineQuery& query);
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
 
 /// What its tests passed on and why, in the language of this project's own queries: of the tests
-/// that are in `frame`, its trace_frame. Of missed pairs of triangles only whether there are any is
-/// known.
+/// that are in `frame`, its trace_frame. Nothing where the query tells no results.
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
                         const TraceHeader& header, const TraceFrame& frame,
                         const TraversalTree& tree);

@@ -58,7 +58,7 @@ std::string place_of(const TraceDiff& d) {
         const std::optional<TracedTest>& parted = d.first->a ? d.first->a : d.first->b;
         return "#frame=" + std::to_string(d.first->frame) +
                "&nodes=" + std::to_string(parted->test.nodes.a) + "," +
-               std::to_string(parted->test.nodes.b);
+               std::to_string(parted->test.nodes.b) + (d.first->a ? "" : "&column=1");
     }
     return d.frames.empty() ? "" : "#show=pairs&frame=" + std::to_string(d.frames[0].frame);
 }

@@ -140,6 +140,10 @@ Rgba8 pass_reason_color(PassReason reason, const Theme& theme) {
     return theme.accent;
 }
 
+Rgba8 wrong_rejection_color(const Theme& theme) {
+    return &theme == &light_theme ? Rgba8{180, 0, 60} : Rgba8{255, 122, 144};
+}
+
 std::string change_text(std::uint64_t from, std::uint64_t to) {
     if (from == 0) return "–";
     char text[32];

@@ -36,6 +36,8 @@ struct InspectFigure {
 /// triangles meet, purple (as in pictures of rejections) for loose fits, the accent for false
 /// positives of the test.
 Rgba8 pass_reason_color(PassReason reason, const Theme& theme);
+/// Of pairs that were rejected wrongly: that of alarms.
+Rgba8 wrong_rejection_color(const Theme& theme);
 
 /// How much more or less that is: "+9.6 %", "−3.9 %"; a dash where there was nothing.
 std::string change_text(std::uint64_t from, std::uint64_t to);

@@ -9,7 +9,14 @@ class Address {
     });
   }
 
+  // Soon: browsers refuse many changes of the address in a short time.
   write() {
+    clearTimeout(this.later);
+    this.later = setTimeout(() => this.writeNow(), 150);
+  }
+
+  writeNow() {
+    clearTimeout(this.later);
     const { app } = this, { state, view, manifest } = app, number = (x) => String(+x.toPrecision(7)), words = new URLSearchParams();
     if (state.mode !== 'levels') words.set('show', state.mode);
     if (state.hidden.length) words.set('hide', state.hidden.join('|'));
@@ -76,9 +83,11 @@ class Address {
     this.wanted = list('nodes', 2);
     const column = whole('of', 0, columns.length - 1), body = number('body') ?? 0;
     const slot = number('node') !== null && columns[column].bodies[body] ? app.treeOf(column, body).slotOf(number('node')) : -1;
-    if (words.size > 0) state.selected = slot >= 0 ? { column, body, slot, triangle: number('triangle') } : null;
-    const pair = list('pair', 4);
-    state.pair = pair && columns[pair[2]]?.query ? pair : null;
+    const triangles = (one) => (one?.mesh == null ? 0 : manifest.meshes[one.mesh].triangles), isTriangle = (n, one) => Number.isInteger(n) && n >= 0 && n < triangles(one);
+    const triangle = number('triangle');
+    if (words.size > 0) state.selected = slot >= 0 ? { column, body, slot, triangle: isTriangle(triangle, columns[column].bodies[body]) ? triangle : null } : null;
+    const pair = list('pair', 4), paired = pair && columns[pair[2]];
+    state.pair = paired?.query && [0, 1].every((side) => isTriangle(pair[side], paired.bodies[side])) && Number.isInteger(pair[3]) ? pair : null;
     state.isolated = words.has('only') && slot >= 0;
     if (number('opacity') !== null) state.opacity = clamp(number('opacity'), 0, 1);
     if (words.size > 0) for (const name of ['mesh', 'edges', 'orthographic']) if (words.has('opacity') || words.has(name)) state[name] = words.has(name);

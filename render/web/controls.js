@@ -3,13 +3,13 @@ class Controls {
   constructor(app) {
     this.app = app;
     this.pointers = new Map();
-    this.moved = 0;
+    this.travelled = 0;
     const { canvas } = app;
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
-      this.moved = 0;
+      this.travelled = 0;
     });
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerleave', () => app.icicle.light(null));
@@ -18,9 +18,7 @@ class Controls {
     canvas.addEventListener('wheel', (event) => {
       event.preventDefault();
       app.view.zoom(Math.exp(0.0015 * event.deltaY * (event.deltaMode === 1 ? 20 : 1)));
-      app.ask();
-      clearTimeout(this.afterWheel);
-      this.afterWheel = setTimeout(() => app.address.write(), 200);
+      app.moved();
     }, { passive: false });
     document.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => app.ask()).observe(canvas);
@@ -30,7 +28,7 @@ class Controls {
     const { app, pointers } = this, { view, canvas } = app, before = pointers.get(event.pointerId);
     if (!before) return this.hover(event);
     const now = [event.offsetX, event.offsetY], x = now[0] - before[0], y = now[1] - before[1];
-    this.moved += Math.abs(x) + Math.abs(y);
+    this.travelled += Math.abs(x) + Math.abs(y);
     if (pointers.size === 2) {
       const other = [...pointers].find(([id]) => id !== event.pointerId)[1], apart = (p) => Math.hypot(p[0] - other[0], p[1] - other[1]);
       if (apart(now) > 0) view.zoom(apart(before) / apart(now));
@@ -55,7 +53,7 @@ class Controls {
   up(event) {
     const { app } = this;
     if (!this.pointers.delete(event.pointerId)) return;
-    if (this.moved >= 4 || event.type !== 'pointerup') return app.address.write();
+    if (this.travelled >= 4 || event.type !== 'pointerup') return app.moved();
     const found = app.pick(event.offsetX, event.offsetY);
     if (!found) app.select(0, 0, -1);
     else if (found.pair) app.selectPair(found.column, found.pair);
@@ -71,11 +69,11 @@ class Controls {
     const turn = (x, y) => {
       if (event.shiftKey) view.pan(-200 * x, -200 * y, app.canvas.clientHeight);
       else view.orbit(x, y);
-      app.refresh();
+      app.moved();
     };
     const zoom = (factor) => {
       view.zoom(factor);
-      app.refresh();
+      app.moved();
     };
     const along = (axis) => app.along(axis, event.shiftKey ? -1 : 1);
     const acts = {
@@ -97,7 +95,7 @@ class Controls {
       escape: () => app.set({ selected: null, pair: null, cell: null, test: -1 }),
     };
     modes.forEach(({ name }, i) => (acts[i + 1] = () => (name === 'levels' || app.hasQueries) && app.set({ mode: name })));
-    const name = event.key.toLowerCase(), act = acts[name], onControl = event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement;
+    const name = event.key.toLowerCase(), act = acts[name], onControl = ['INPUT', 'BUTTON', 'SUMMARY'].includes(event.target.tagName);
     // A control that has the focus has its own use for these.
     if (!act || (onControl && (name === ' ' || name.startsWith('arrow')))) return;
     event.preventDefault();

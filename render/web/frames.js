@@ -2,6 +2,7 @@
 class FrameChart {
   constructor(app) {
     this.app = app;
+    this.places = new Map(app.manifest.frames.map((frame, i) => [frame, i]));
     this.columns = app.columns.map(({ query }, k) => ({ query, k })).filter(({ query }) => query && app.manifest.frames.length > 1);
     this.canvas = element('canvas', { className: 'chart', title: 'Volume tests by frame, the wasted ones on top; click to go there' });
     this.canvas.setAttribute('role', 'img');
@@ -12,7 +13,9 @@ class FrameChart {
 
   // The canvas, and the frames that waste the most; nothing where there are no frames to choose from.
   parts() {
-    return this.columns.length === 0 ? [] : [this.canvas, (this.worst = element('div'))];
+    if (this.columns.length === 0) return [];
+    const most = Math.max(...this.columns.flatMap(({ query }) => query.told.frames.map(({ n_v }) => n_v)));
+    return [this.canvas, element('div', { className: 'faint', textContent: `Volume tests by frame, the wasted ones colored; at most ${counted(most)}` }), (this.worst = element('div'))];
   }
 
   update() {
@@ -21,7 +24,7 @@ class FrameChart {
     this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.told.frames.length > 1).flatMap(({ query, k }) => {
       const worst = [...query.told.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
       return [app.panel.faint(`${of}frames with the most wasted tests`), element('div', { className: 'row' }, ...worst.map(({ frame, wasted, n_v }) =>
-        app.panel.chooser(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: app.manifest.frames.indexOf(frame) }))))];
+        app.panel.chooser(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.places.get(frame) }))))];
     }));
   }
 
@@ -39,7 +42,7 @@ class FrameChart {
     this.columns.forEach(({ query }, i) => {
       const bottom = (i + 1) * row, unit = (row - 3) / most;
       for (const { frame, n_v, wasted } of query.told.frames) {
-        const x = frames.indexOf(frame) * step;
+        const x = this.places.get(frame) * step;
         context.fillStyle = css(passedOn(app.theme, 0.6));
         context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 1), unit * (n_v - wasted));
         context.fillStyle = css(query.told.worths[0][app.state.theme]);

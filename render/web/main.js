@@ -115,6 +115,13 @@ class App {
     return this.refresh();
   }
 
+  // Nothing but the camera has changed.
+  moved() {
+    this.panel.showCommands();
+    this.address.write();
+    this.ask();
+  }
+
   // Unpacks what is needed, then draws; what was asked for in the meantime wins.
   async refresh() {
     const turn = (this.turn = (this.turn ?? 0) + 1);
@@ -125,6 +132,7 @@ class App {
       this.scenes = scenes;
       this.content.upload(scenes);
     } catch (error) {
+      if (turn !== this.turn) return;
       this.panel.node.replaceChildren(element('p', { textContent: error.message }));
       return;
     }
@@ -220,18 +228,18 @@ class App {
     // The traversal has no view of the scene, and what is inspected its own.
     if (state.mode !== 'traversal' && state.mode !== 'verdicts') {
       if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbit_angles}`);
-      if (state.clip) words.push(`--clip ${[...state.clip.normal, state.clip.offset].map(short)}`);
+      if (state.clip) words.push(`--clip ${[...state.clip.normal, state.clip.offset]}`);
       if (state.orthographic) words.push('--ortho');
     }
     if (state.theme === 'dark') words.push('--background dark');
-    if (manifest.frames.length > 1) words.push(`--frames ${manifest.frames[state.at]}`);
+    if (columns[0].several_frames) words.push(`--frames ${manifest.frames[state.at]}`);
     return commands.map((command) => [command, ...words, '-o out/'].join(' '));
   }
 
   // The command that explains a test of a column.
   explain(column, test) {
-    const { explain, query } = this.columns[column], { frame } = this.scenes[column], { manifest, state } = this;
-    return explain && `${explain}${manifest.frames.length > 1 ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${query.trees[0].order[frame.a[test]]},${query.trees[1].order[frame.b[test]]}`;
+    const { explain, query, several_frames } = this.columns[column], { frame } = this.scenes[column], { manifest, state } = this;
+    return explain && `${explain}${several_frames ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${query.trees[0].order[frame.a[test]]},${query.trees[1].order[frame.b[test]]}`;
   }
 
   // The column at a point of the canvas.
@@ -294,6 +302,7 @@ class App {
   // The pair of triangles, and the test of the leaves that have them.
   async selectPair(column, pair) {
     const slots = await Promise.all(pair.map((triangle, body) => this.leafOf(column, body, triangle))), { frame } = this.scenes[column];
+    if (!frame) return;
     return this.set({ selected: null, pair: [...pair, column, this.columns[column].query.testOf(frame, ...slots)] });
   }
 
@@ -330,7 +339,7 @@ class App {
   fit(balls = this.columns.flatMap((_, k) => this.ballsOf(k)), room = 1) {
     const { center, radius } = ballAbout(balls), [, , width, height] = this.rectangles[0];
     this.view.fit({ center, radius: room * Math.max(radius, 1e-9 * length(center)) || 1 }, width / height);
-    this.refresh();
+    this.moved();
   }
   // Goes to the node that is chosen, else to what the query marks.
   approach() {
@@ -347,13 +356,14 @@ class App {
   }
   along(axis, sign) {
     this.view.along([0, 1, 2].map((i) => (i === axis ? sign : 0)));
-    this.refresh();
+    this.moved();
   }
   play() {
     this.playing = !this.playing;
+    clearTimeout(this.next);
     const step = () => {
       if (!this.playing) return;
-      this.set({ at: (this.state.at + 1) % this.manifest.frames.length }).then(() => setTimeout(step, 40));
+      this.set({ at: (this.state.at + 1) % this.manifest.frames.length }).then(() => (this.next = setTimeout(step, 40)));
     };
     step();
     this.panel.update();

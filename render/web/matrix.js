@@ -64,11 +64,12 @@ class Matrix {
     else if (test >= 0) frameOf(trees[0].levelOf(frame.a[test]), trees[1].levelOf(frame.b[test]), 2);
     context.fillStyle = css(theme.faint);
     context.font = '11px Roboto, system-ui, sans-serif';
-    context.fillText('A, depth →', left, 13);
+    const [name_a, name_b] = app.columns[app.state.column].bodies.map(({ name }) => `${name}, depth →`);
+    context.fillText(name_a, left, 13, width - left);
     context.save();
     context.translate(13, top);
     context.rotate(Math.PI / 2);
-    context.fillText('B, depth →', 0, 0);
+    context.fillText(name_b, 0, 0, height - top);
     context.restore();
   }
 

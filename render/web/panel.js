@@ -198,13 +198,18 @@ class Panel {
     this.query.replaceChildren(...(state.mode === 'levels' ? [] : this.queryParts()));
     if (state.mode === 'levels') this.numbers.replaceChildren(...this.levelNumbers());
     this.clip.replaceChildren(...(state.clip ? this.clipParts() : []));
-    this.commands.replaceChildren(...(app.commands().length ? app.commands().map((command) => element('code', { textContent: command })) : [this.faint('scb draws two kinds of volumes at a time.')]));
+    this.showCommands();
     const { selected } = state, chosen = state.pair ?? selected;
     if (state.pair) this.showPair(state.pair);
     else if (selected) this.showNode(selected);
     else this.node.replaceChildren(this.faint('Click a volume, or search its number.'));
     if (chosen && chosen !== this.shown) this.node.scrollIntoView({ block: 'nearest' });
     this.shown = chosen;
+  }
+
+  showCommands() {
+    const { app } = this;
+    this.commands.replaceChildren(...(app.commands().length ? app.commands().map((command) => element('code', { textContent: command })) : [this.faint('scb draws two kinds of volumes at a time.')]));
   }
 
   // The level that is shown in numbers, body by body; a column of the table for each column of the scene.
@@ -248,6 +253,7 @@ class Panel {
       if (!query) return parts.push(this.faint('No query of it is in the page.'));
       if (!frame) return parts.push(...this.otherFrames(query));
       if (columns.length === 1) parts.push(this.table(this.counts(k).map(([name, value]) => [name, value])));
+      if (!frame.told.judged && ['wasted', 'verdicts'].includes(state.mode)) return parts.push(this.faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
       if (app.scenes[k].heat) return parts.push(...this.heatParts(k));
       if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k) : [this.chooser('Its traversal', '', () => app.set({ column: k }))]));
       if (state.mode === 'pairs') return parts.push(...this.pairParts(k));
@@ -261,7 +267,7 @@ class Panel {
   counts(k) {
     const { query } = this.app.columns[k], { frame } = this.app.scenes[k];
     if (!frame) return [];
-    const { told } = frame, passed = frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0);
+    const { told } = frame, passed = (frame.passed ??= frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0));
     return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
       ...(told.judged ? [['wasted N_v', `${counted(told.wasted)}, ${percent(told.wasted, told.n_v)}`]] : [])];
   }
@@ -273,7 +279,7 @@ class Panel {
     if (!app.compares || scenes.some(({ frame }) => !frame)) return parts;
     const only = (k) => {
       const { query } = columns[1 - k], { frame } = scenes[k], other = scenes[1 - k].frame;
-      return frame.a.reduce((sum, slot, i) => sum + (query.testOf(other, slot, frame.b[i]) < 0 ? 1 : 0), 0);
+      return (frame.onlyHere ??= frame.a.reduce((sum, slot, i) => sum + (query.testOf(other, slot, frame.b[i]) < 0 ? 1 : 0), 0));
     };
     const rowsOf = [['tests only here', ...columns.map((_, k) => counted(only(k)))]];
     if (state.mode === 'pairs') rowsOf.push(['pairs only here', ...scenes.map(({ frame }) => counted(frame.told.only_here ?? 0))]);
@@ -333,7 +339,7 @@ class Panel {
     const { app } = this, many = query.told.frames.length > 1;
     return query.told.worst.flatMap((list, i) => {
       if (list.length === 0) return [];
-      const { label } = query.told.worths[i], what = label === 'rejected wrongly' ? 'pairs missed' : 'tests wasted';
+      const { label } = query.told.worths[i], what = i + 1 === worth.wrong ? 'pairs missed' : 'tests wasted';
       return [this.faint(`worst, ${label}: ${what}`),
         element('div', { className: 'row' }, ...list.map(({ frame, test, cost }) => this.chooser(`${many ? `frame ${frame}: ` : ''}${counted(cost)}`, `Show test ${test}`, () => app.showTest(k, test, frame))))];
     });
@@ -406,7 +412,7 @@ class Panel {
       const meets = [], other = bodies[1 - body].name, kind = app.columns.length > 1 ? `${title}: ` : '';
       for (let i = 0; i < frame.pairs.length; i += 2) if (frame.pairs[i + body] === triangle) meets.push([frame.pairs[i], frame.pairs[i + 1]]);
       if (k === 0) parts.push(this.faint(meets.length ? `It meets ${counted(meets.length)} of ${other}` : `It meets none of ${other}`), element('div', { className: 'row' }, ...meets.slice(0, 60).map((pair) => this.chooser(String(pair[1 - body]), 'Show this pair', () => app.selectPair(k, pair)))));
-      if (heat) parts.push(this.table([[kind + (app.state.mode === 'wasted' ? 'wasted tests' : 'tests'), counted(heat.counts[body][triangle])]]));
+      if (heat) parts.push(this.table([[kind + (app.state.mode === 'wasted' ? 'wasted tests' : 'tests'), counted(heat.counts[body][triangle] ?? 0)]]));
     });
     return parts;
   }
@@ -417,7 +423,7 @@ class Panel {
     if (!frame) return this.node.replaceChildren(this.faint('The page has no query of this frame.'));
     const rows = [a, b].map((triangle, side) => [`triangle of ${bodies[side].name}`, this.chooser(String(triangle), 'Choose this triangle', () => app.selectTriangle(k, side, triangle))]);
     const parts = [this.table(rows)];
-    if (test >= 0) parts.push(this.table([['in the leaves', `${query.trees[0].order[frame.a[test]]}, ${query.trees[1].order[frame.b[test]]}`]]), element('div', { className: 'row' }, this.chooser('The test of these leaves', '', () => app.showTest(k, test))));
+    if (test >= 0 && test < frame.outcomes.length) parts.push(this.table([['in the leaves', `${query.trees[0].order[frame.a[test]]}, ${query.trees[1].order[frame.b[test]]}`]]), element('div', { className: 'row' }, this.chooser('The test of these leaves', '', () => app.showTest(k, test))));
     else parts.push(this.faint('Their leaves were not tested against each other.'));
     this.node.replaceChildren(...parts);
   }
@@ -479,9 +485,4 @@ function numbersText({ shape, numbers, extras }, center) {
     case 'rounded': return [['center', at], ['rounding', short(n[4])], ['points of the core', counted(extras)]];
     default: return [['volume', 'none']];
   }
-}
-
-// Of a ball about the volume.
-function radiusOf({ shape, numbers }) {
-  return shapeNames[shape] === 'box' ? Math.hypot(numbers[3], numbers[7], numbers[11]) : numbers[3] ?? 1;
 }

@@ -57,10 +57,15 @@ class Query {
       const erred = (bits[i] & 64) !== 0;
       if (told.judged) worths[i] = this.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
     }
-    const frame = { told, outcomes, a, b, parents, pairs, meets, worths };
+    const query = this, frame = {
+      told, outcomes, a, b, parents, pairs, meets, worths,
+      // What tests were worth, once somebody asks.
+      get judged() {
+        return (this.judgedClasses ??= query.classes(this, worths, query.told.worths.length));
+      },
+    };
     const groups = this.told.groups.length;
     frame.ended = this.classes(frame, outcomes.map((outcome) => Math.max(outcome - 1, 0)), groups);
-    frame.judged = this.classes(frame, worths, this.told.worths.length);
     frame.meeting = [0, 1].map((side) => new Set(pairs.filter((_, i) => i % 2 === side)));
     return frame;
   }
@@ -155,9 +160,8 @@ class Query {
   // Of these, those that are drawn: their levels must be unpacked. `areaOf`: that of the triangles that are drawn in place of a node, or 0.
   drawn({ all, focus }, areaOf) {
     const nodes = all.flat(), size = ({ side, slot, group }) => {
-      const { shape, numbers } = this.trees[side].volume(slot);
-      if (shape === 0) return 0;
-      const d = shapeNames[shape] === 'box' ? 2 * Math.hypot(numbers[3], numbers[7], numbers[11]) : 2 * numbers[3];
+      const volume = this.trees[side].volume(slot), d = 2 * radiusOf(volume);
+      if (volume.shape === 0) return 0;
       const area = areaOf({ side, slot, group });
       return area > 0 ? d * Math.sqrt(2 * area) : d * d;  // as in rejections_figure.cpp
     };

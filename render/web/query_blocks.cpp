@@ -1,6 +1,7 @@
 #include "render/web/query_blocks.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace scb::render {
 namespace {
@@ -46,7 +47,9 @@ static_assert(2 + most_groups <= erred);
 /// Per test the bits of what it is worth.
 std::vector<std::uint8_t> worth_bits(const TraversalTree& tree, const Attribution& attribution) {
     std::vector<std::uint8_t> bits(tree.outcomes.size());
+    // Of what passed and is not judged nobody knows that it did in vain.
     std::vector<char> meets(bits.size());
+    for (std::size_t i = 0; i < bits.size(); ++i) meets[i] = !is_rejection(tree.outcomes[i]);
     for (const PassedPair& pair : attribution.passed) {
         if (pair.reason == PassReason::weak_test) bits[pair.test] |= erred;
         meets[pair.test] = pair.reason == PassReason::triangles_meet;
@@ -80,6 +83,7 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
             std::find_if(groups.begin(), groups.end(), [outcome](const EndingGroup& g) {
                 return std::find(g.endings.begin(), g.endings.end(), outcome) != g.endings.end();
             });
+        assert(group != groups.end());
         outcomes[i] |= static_cast<std::uint8_t>(2 + (group - groups.begin()));
     }
     QueryBlocks result;

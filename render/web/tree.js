@@ -65,7 +65,8 @@ class Tree {
 
   // Unpacks all levels down to this one, part after part.
   load(level) {
-    this.loading = this.loading.then(async () => {
+    // One after the other; what failed does not stop the next.
+    this.loading = this.loading.catch(() => {}).then(async () => {
       if (this.has(level) || this.depth < 0) return;
       while (!this.has(level)) this.parts.push(await this.unpack(this.told.parts[this.parts.length]));
       this.upload();
@@ -159,4 +160,9 @@ class Tree {
       extras: part.texels[16 * i + 13],
     };
   }
+}
+
+// Of a ball about a volume.
+function radiusOf({ shape, numbers }) {
+  return shapeNames[shape] === 'box' ? Math.hypot(numbers[3], numbers[7], numbers[11]) : numbers[3] ?? 0;
 }

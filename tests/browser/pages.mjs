@@ -41,7 +41,10 @@ export function watched(page, main) {
   return wrong;
 }
 
-export const settled = (page) => page.evaluate(() => document.getElementById('canvas').app.refresh().then(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))));
+export const settled = (page) => page.evaluate(() => document.getElementById('canvas').app.refresh().then(() => {
+  document.getElementById('canvas').app.address.writeNow();
+  return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+}));
 export const state = (page) => page.evaluate(() => ({ ...document.getElementById('canvas').app.state }));
 export const address = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
 export async function shot(page, name) {
