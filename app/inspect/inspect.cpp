@@ -165,16 +165,17 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.level.picture.background = options.picture.background;
     view.level.picture.gl = options.picture.gl;
     view.query = options.query;
+    view.recording = options.recording;
     view.queries.clear();
     for (const int frame : frames)
         view.queries += (view.queries.empty() ? "" : ",") + std::to_string(frame);
     if (!scenes::names_trace(options.scene.names[0]))
         view.level.scene.frames = std::to_string(*frames.begin());
     view.scene = options.where;
-    view.volumes = options.volumes;
     view.hierarchies = options.hierarchies;
     view.bodies = options.of_bodies;
-    view.queries_asked = options.of_queries;
+    view.tests = options.tests;
+    view.descent = options.descent;
     return view_page(view, console);
 }
 
@@ -195,7 +196,10 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     whole = whole && step();
     // The page has whole queries.
     std::string view;
-    if (whole && !options.no_view && query.options.stop_level < 0) {
+    // The page has whole queries.
+    const bool all =
+        query.options.stop_level < 0 && options.limits.max_pairs == QueryLimits{}.max_pairs;
+    if (whole && all && !options.no_view) {
         try {
             view = report_view(options, report, console);
         } catch (const InputError& error) {
@@ -358,9 +362,9 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
         options->where = given_text(command, {"--pose", "--models"});
         options->of_bodies = given_text(command, {"--bodies"});
-        options->volumes = given_text(command, {"--volume"});
         options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
-        options->of_queries = given_text(command, {"--test", "--threshold", "--descent"});
+        options->tests = given_text(command, {"--test", "--threshold"});
+        options->descent = given_text(command, {"--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);
         options->command = "scb inspect" + given_text(command, of_queries) +
                            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",

@@ -20,7 +20,7 @@ struct InspectOptions {
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< what was given of the scene, as given_text has it
     /// Those of a page of `scb view`, see ViewOptions, from `scene` on.
-    std::string where, of_bodies, volumes, hierarchies, of_queries;
+    std::string where, of_bodies, hierarchies, tests, descent;
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

@@ -17,7 +17,7 @@ int run(const ViewOptions& options, const Console& console) {
     options.check();
     const PictureOptions& picture = options.level.picture;
     const std::string html = view_page(options, console);
-    check_output(picture.output, "-o " + picture.output);
+    check_output(picture.output, "-o");
     render::write_file_whole(picture.output, html);
     print_result(picture.output + "\n");
     console.note("scb: " + picture.output + ": " +
@@ -83,9 +83,8 @@ void add_view(const Command& program, const Console& console, Action& action) {
             if (command.count(option) > 0) options->recording.emplace_back(option);
         options->scene = given_text(command, {"--pose", "--models"});
         options->bodies = given_text(command, {"--bodies"});
-        options->volumes = given_text(command, {"--volume"});
         options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
-        options->queries_asked = given_text(command, {"--test", "--threshold"});
+        options->tests = given_text(command, {"--test", "--threshold"});
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options] { return run(*options, console); };
     });

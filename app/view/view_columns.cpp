@@ -64,6 +64,16 @@ class Columns {
             add_levels(scene);
     }
 
+    /// The same frame as of the first one, where it has that.
+    void add_scene_at_frame(SceneOptions scene) {
+        if (!subject_.columns.empty() && scene.frames.empty()) {
+            const std::vector<int> frames = frames_of(scene.load());
+            if (std::binary_search(frames.begin(), frames.end(), subject_.frame))
+                scene.frames = std::to_string(subject_.frame);
+        }
+        add_scene(scene);
+    }
+
     ViewSubject subject() && {
         finish();
         return std::move(subject_);
@@ -247,7 +257,7 @@ ViewSubject view_subject(const ViewSources& asked, const Console& console) {
         for (const std::string& name : names) {
             SceneOptions one = asked.scene;
             one.names = {name};
-            columns.add_scene(one);
+            columns.add_scene_at_frame(one);
         }
     } else {
         columns.add_scene(asked.scene);

@@ -18,10 +18,13 @@ struct ViewOptions {
     std::string compare{};                 ///< see CompareOptions::names
     std::vector<std::string> recording{};  ///< see CompareOptions::given
     int steps = 1000;                      ///< see view_query_json
-    // As given_text has it, what was given: where the scene is, which bodies, the volumes, other
-    // things of hierarchies, of levels alone, and of queries alone.
-    std::string scene{}, bodies{}, volumes{}, hierarchies{}, levels{}, queries_asked{};
+    /// What commands call the files, where these lie elsewhere by then.
+    std::vector<std::string> told_names{};
+    // As given_text has it, what was given: where the scene is, which bodies, other things of
+    // hierarchies, of levels alone, overlap tests, and which nodes queries divide.
+    std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{};
 
+    bool has_two_scenes() const;
     /// Refuses what makes no sense before any work is done; throws InputError.
     void check() const;
 };

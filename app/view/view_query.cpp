@@ -116,7 +116,8 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
         render::ending_groups(header, render::light_theme);
     render::QueryBodies bodies;
     for (std::size_t side = 0; side < 2; ++side) bodies[side].tree = column.bodies[side].tree.get();
-    const std::size_t most_steps = steps / source.frames().size();
+    const std::size_t most_steps =
+        steps == 0 ? 0 : std::max<std::size_t>(1, steps / source.frames().size());
     Json frames = Json::array();
     Worst worst;
     PassCounts sum;
@@ -138,6 +139,7 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) entry["nodes"] = *blocks.nodes;
+        if (blocks.left_out > 0) entry["left_out"] = blocks.left_out;
         if (!source.is_recording() && most_steps > 0)
             entry["steps"] = store.add(std::string_view(
                 view_steps_json(

@@ -13,6 +13,7 @@ namespace {
 
 int bin_of(double share) {
     if (!(share > 0)) return LengthHistogram::bins;
+    if (!std::isfinite(share)) return 0;  // beside roots without size
     const double place = std::floor(-LengthHistogram::per_halving * binary_logarithm(share));
     return static_cast<int>(std::clamp(place, 0.0, 1.0 * LengthHistogram::bins));
 }

@@ -45,8 +45,8 @@ class Address {
     words.set('opacity', number(state.opacity));
     for (const name of ['mesh', 'edges', 'orthographic']) if (state[name]) words.set(name, 1);
     words.set('theme', state.theme);
-    if (state.clip) words.set('clip', [...state.clip.normal, state.clip.offset].map(number).join());
-    words.set('target', view.target.map(number).join());
+    if (state.clip) words.set('clip', [...state.clip.normal, state.clip.offset].join());
+    words.set('target', view.target.join());
     words.set('backward', view.axes[2].map(number).join());
     words.set('right', view.axes[0].map(number).join());
     words.set('distance', number(view.distance));
@@ -65,7 +65,8 @@ class Address {
     };
     state.mode = app.hasQueries && modes.some(({ name }) => name === words.get('show')) ? words.get('show') : 'levels';
     state.hidden = words.has('hide') ? words.get('hide').split('|') : [];
-    state.without = words.has('without') ? words.get('without').split(',').map(Number) : [];
+    state.without = (words.get('without') ?? '').split(',').filter((word) => /^\d+$/.test(word)).map(Number);
+    if (words.size > 0) Object.assign(state, { levels: {}, focus: 0.5 });
     state.differences = words.get('differences') !== '0';
     state.column = whole('column', 0, columns.length - 1);
     state.hover = -1;
@@ -91,13 +92,13 @@ class Address {
     state.isolated = words.has('only') && slot >= 0;
     if (number('opacity') !== null) state.opacity = clamp(number('opacity'), 0, 1);
     if (words.size > 0) for (const name of ['mesh', 'edges', 'orthographic']) if (words.has('opacity') || words.has(name)) state[name] = words.has(name);
-    if (manifest.themes[words.get('theme')]) state.theme = words.get('theme');
+    if (Object.hasOwn(manifest.themes, words.get('theme') ?? '')) state.theme = words.get('theme');
     const clip = list('clip', 4);
     if (words.size > 0) state.clip = clip && length(clip.slice(0, 3)) > 0 ? { normal: unit(clip.slice(0, 3)), offset: clip[3] / length(clip.slice(0, 3)) } : null;
     view.orthographic = state.orthographic;
     const [target, backward, right] = ['target', 'backward', 'right'].map((name) => list(name, 3));
     if (target) view.target = target;
-    if (backward && right && length(cross(backward, right)) > 0.1) {
+    if (backward && right && length(cross(backward, right)) > 0.1 && length(backward) < 2 && length(right) < 2) {
       const back = unit(backward), up = unit(cross(back, right));
       view.axes = [cross(up, back), up, back];
     }

@@ -15,7 +15,7 @@ class View {
     this.axes = told.axes;
     this.orthographic = told.orthographic;
     const away = dot(subtract(told.center, told.position), scaled(-1, told.axes[2]));
-    this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-9);
+    this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-300);
     this.target = subtract(told.position, scaled(told.orthographic ? away : this.distance, told.axes[2]));
     // A plane of the world { normal, offset }, or null: only points p with normal.p <= offset are drawn. The normal has any length but 0.
     this.clip = told.clip ?? null;
@@ -67,7 +67,7 @@ class View {
   // What shaders/eye.glsl wants, for a rectangle of the target, and how world points get into eye space.
   eye(rectangle, lineScale, balls) {
     const depths = balls.map((ball) => [dot(subtract(this.eyePoint, ball.center), this.axes[2]), ball.radius]);
-    const far = Math.max(...depths.map(([depth, radius]) => depth + radius), 1e-9) * 1.02;
+    const far = Math.max(...depths.map(([depth, radius]) => depth + radius), 1e-300) * 1.02;
     const near = Math.max(Math.min(...depths.map(([depth, radius]) => depth - radius)) * 0.98, far * 1e-4);
     const halfHeight = this.orthographic ? (this.distance * this.slope) / far : this.slope;
     const [x, y, width, height] = rectangle;

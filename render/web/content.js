@@ -14,7 +14,7 @@ class Content {
       if (state.mesh || state.edges) needed.push(this.loadMeshes());
       await Promise.all(needed);
       // What became of the node that is chosen.
-      return Promise.all(columns.map(async ({ query }) => ({ frame: state.selected && query ? await query.get(number) : null })));
+      return Promise.all(columns.map(async ({ query }) => ({ frame: (state.selected || state.pair) && query ? await query.get(number) : null })));
     }
     await this.loadMeshes();
     const frames = await Promise.all(columns.map(({ query }) => query?.get(number) ?? null));

@@ -51,6 +51,10 @@ class App {
   get hasQueries() {
     return this.columns.some(({ query }) => query);
   }
+  // The column with the most bodies.
+  get longest() {
+    return this.columns.reduce((most, column) => (column.bodies.length > most.bodies.length ? column : most));
+  }
   // Whether what differs between two columns is to be seen.
   get compares() {
     return this.columns.length === 2 && this.manifest.same_nodes && this.state.differences;
@@ -322,17 +326,24 @@ class App {
 
   // A node by its number, "A:412"; two of them, "412,97", whose test is shown.
   async find(text) {
-    const column = this.state.selected?.column ?? this.state.column, { bodies, query } = this.columns[column];
-    const slotOf = (words, body) => (words.trim() !== '' && Number.isInteger(Number(words)) ? bodies[body]?.tree.slotOf(Number(words)) ?? -1 : -1);
-    const refuse = (what) => this.panel.node.replaceChildren(element('p', { textContent: what }));
-    const parts = text.split(',');
-    if (parts.length === 2 && query) {
-      const slots = parts.map((part, side) => slotOf(part.slice(part.lastIndexOf(':') + 1), side)), frame = await query.get(this.manifest.frames[this.state.at]);
-      const test = frame && slots.every((slot) => slot >= 0) ? query.testOf(frame, ...slots) : -1;
+    const first = this.state.selected?.column ?? this.state.column, refuse = (what) => this.panel.node.replaceChildren(element('p', { textContent: what }));
+    // Of a body by its name, or by A and B.
+    const nodeOf = (bodies, words, otherwise) => {
+      const at = words.lastIndexOf(':'), name = words.slice(0, Math.max(at, 0)).trim(), number = words.slice(at + 1).trim();
+      const named = bodies.findIndex((one) => one.name === name), body = at < 0 ? otherwise : named >= 0 ? named : ['A', 'B'].indexOf(name);
+      return { body, slot: /^\d+$/.test(number) ? bodies[body]?.tree.slotOf(Number(number)) ?? -1 : -1 };
+    };
+    for (const column of [first, ...this.columns.keys()]) {
+      const { bodies, query } = this.columns[column], { body, slot } = nodeOf(bodies, text, 0);
+      if (slot >= 0) return this.select(column, body, slot);
+      const parts = text.split(','), nodes = parts.map((part, side) => nodeOf(bodies, part, side));
+      if (parts.length !== 2 || !query || nodes.some(({ body: of, slot: at }, side) => of !== side || at < 0)) continue;
+      const frame = await query.get(this.manifest.frames[this.state.at]);
+      if (!frame) return refuse('The page has no query of this frame.');
+      const test = query.testOf(frame, nodes[0].slot, nodes[1].slot);
       return test >= 0 ? this.showTest(column, test) : refuse(`These two were not tested: ${text}.`);
     }
-    const at = text.lastIndexOf(':'), body = at < 0 ? 0 : bodies.findIndex(({ name }) => name === text.slice(0, at).trim()), slot = slotOf(text.slice(at + 1), body);
-    return slot >= 0 ? this.select(column, body, slot) : refuse(`There is no node ${text}.`);
+    return refuse(`There is no node ${text}.`);
   }
 
   // `room`: what of the view around them is left free, as a factor.
@@ -348,11 +359,11 @@ class App {
       const tree = this.treeOf(k, b), volume = tree.volume(slot);
       return { center: place(k, b, add(tree.told.center, volume.numbers.slice(0, 3))), radius: radiusOf(volume) };
     };
-    if (selected) return this.fit([ballOf(selected.column, selected.body, selected.slot)], 1.5);
     const { nodes, contacts } = this.scenes[column];
-    const balls = nodes?.length ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
+    const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
       : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).told.center, point)), radius: 0 })));
-    if (balls.length > 0) this.fit(balls, 1.2);
+    const finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
+    if (finite.length > 0) this.fit(finite, 1.2);
   }
   along(axis, sign) {
     this.view.along([0, 1, 2].map((i) => (i === axis ? sign : 0)));

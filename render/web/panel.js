@@ -34,6 +34,7 @@ const terms = {
   'mean \u03c4': 'mean thickness of the volumes, e \u2212 f',
   'area': 'surface area of all volumes together',
   'volume': 'volume of all volumes together',
+  'tests left out': 'tests of nodes that no root leads to; the numbers of tests count without them',
   'slack': 'by how much the step separates the two: positive if it does',
   'fit too loose': 'the volumes meet, but no triangles below them do',
   'test too weak': 'the volumes do not meet, but the test let them pass',
@@ -74,7 +75,7 @@ class Panel {
   constructor(app) {
     this.app = app;
     this.root = document.getElementById('panel');
-    const { manifest, state } = app, bodies = app.columns[0].bodies;
+    const { manifest, state } = app, { bodies } = app.longest;
     this.level = this.slider('Level', 0, app.depth, () => state.level, (value) => app.set({ level: value }));
     this.bodyLevels = bodies.length > 1
       ? bodies.map((body, i) => this.slider(body.name, 0, app.depth, () => state.levels[i] ?? state.level, (value) => app.set({ levels: { ...state.levels, [i]: value } })))
@@ -158,7 +159,7 @@ class Panel {
   drawLegend() {
     const { legend } = this.app.manifest;
     if (legend) this.legend.append(...this.scale(legend.title, legend.ticks));
-    else this.legend.append(...this.app.columns[0].bodies.map((body) => element('div', {}, this.key(body.color), body.name)));
+    else this.legend.append(...this.app.longest.bodies.map((body) => element('div', {}, this.key(body.color), body.name)));
   }
 
   // Colors from 0 to 1, and what they mean.
@@ -215,10 +216,10 @@ class Panel {
   // The level that is shown in numbers, body by body; a column of the table for each column of the scene.
   levelNumbers() {
     const { app } = this, many = app.columns.length > 1;
-    return app.columns[0].bodies.flatMap((body, b) => {
+    return app.longest.bodies.flatMap((body, b) => {
       const level = Math.min(app.levelOf(b), app.depth), of = app.columns.map(({ bodies }) => bodies[b]?.tree.told.levels).map((levels) => levels?.[Math.min(level, levels.length - 1)]);
       const row = (name, i, words) => [name, ...of.map((numbers) => (numbers ? words(numbers[i]) : ''))];
-      return [this.faint(`${app.columns[0].bodies.length > 1 ? `${body.name}, level` : 'Level'} ${level} of ${app.depth}`),
+      return [this.faint(`${app.longest.bodies.length > 1 ? `${body.name}, level` : 'Level'} ${level} of ${app.depth}`),
         this.table([...(many ? [['', ...app.columns.map(({ title }) => title)]] : []), row('volumes', 0, counted), row('mean d', 1, short), row('mean \u03c4', 2, short), row('area', 3, short), row('volume', 4, short)])];
     });
   }
@@ -236,7 +237,7 @@ class Panel {
   clipParts() {
     const { normal, offset } = this.app.state.clip, { center, radius } = ballAbout(this.app.ballsOf(0)), axis = normal.findIndex((x) => Math.abs(x) === 1), sign = normal[axis] ?? 1;
     if (axis < 0) return [this.faint(`Cut at ${normal.map(short).join(', ')}: ${short(offset)}.`)];
-    const place = (sign * (offset - dot(center, normal))) / radius;
+    const place = radius > 0 ? (sign * (offset - dot(center, normal))) / radius : 0;
     const slider = this.slider('Cut at', -100, 100, () => Math.round(100 * place), (value) => this.setClip(axis, value / 100, sign), '', () => short(sign * offset));
     slider.update();
     return [element('div', { className: 'row' }, ...['x', 'y', 'z'].map((name, i) => this.chooser(name, `Cut across ${name}`, () => this.setClip(i, 0, sign), i === axis)),
@@ -268,7 +269,7 @@ class Panel {
     const { query } = this.app.columns[k], { frame } = this.app.scenes[k];
     if (!frame) return [];
     const { told } = frame, passed = (frame.passed ??= frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0));
-    return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
+    return [...(told.left_out ? [['tests left out', counted(told.left_out)]] : []), [query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
       ...(told.judged ? [['wasted N_v', `${counted(told.wasted)}, ${percent(told.wasted, told.n_v)}`]] : [])];
   }
 
@@ -405,13 +406,13 @@ class Panel {
 
   // What a triangle meets, and how often it was tested.
   triangleParts(body, triangle) {
-    const { app } = this, parts = [];
+    const { app } = this, parts = [], own = app.state.selected.column;
     app.columns.forEach(({ query, bodies, title }, k) => {
       const { frame, heat } = app.scenes[k] ?? {};
-      if (!query || !frame || query.told.objects) return;
+      if (!query || !frame || query.told.objects || body > 1 || (k !== own && !app.manifest.same_nodes)) return;
       const meets = [], other = bodies[1 - body].name, kind = app.columns.length > 1 ? `${title}: ` : '';
       for (let i = 0; i < frame.pairs.length; i += 2) if (frame.pairs[i + body] === triangle) meets.push([frame.pairs[i], frame.pairs[i + 1]]);
-      if (k === 0) parts.push(this.faint(meets.length ? `It meets ${counted(meets.length)} of ${other}` : `It meets none of ${other}`), element('div', { className: 'row' }, ...meets.slice(0, 60).map((pair) => this.chooser(String(pair[1 - body]), 'Show this pair', () => app.selectPair(k, pair)))));
+      if (k === own) parts.push(this.faint(meets.length ? `It meets ${counted(meets.length)} of ${other}` : `It meets none of ${other}`), element('div', { className: 'row' }, ...meets.slice(0, 60).map((pair) => this.chooser(String(pair[1 - body]), 'Show this pair', () => app.selectPair(k, pair)))));
       if (heat) parts.push(this.table([[kind + (app.state.mode === 'wasted' ? 'wasted tests' : 'tests'), counted(heat.counts[body][triangle] ?? 0)]]));
     });
     return parts;
