@@ -37,6 +37,7 @@ class App {
     new Controls(this);
     await this.refresh();
     await this.follow();
+    this.address.writeNow();
     document.documentElement.dataset.ready = 'true';
   }
 
