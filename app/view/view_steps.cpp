@@ -6,7 +6,11 @@
 
 namespace scb::app {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json view_steps_json(const SceneQuery& query, const TraceFrame& frame,
                      std::span<const std::uint32_t> tests) {

@@ -43,6 +43,16 @@ TEST(LengthHistogram, AThicknessOfRoundingNoiseIsNone) {
     EXPECT_EQ(lengths.thicknesses.back(), 1u);
 }
 
+TEST(LengthHistogram, LengthsBesideARootWithoutSizeAreTheLargest) {
+    LengthHistogram lengths;
+    lengths.root_diameter = 0;
+    lengths.add(1, 0);
+    lengths.add(0, 0);
+    lengths.add(HUGE_VAL, 1);
+    EXPECT_EQ(lengths.diameters.front(), 2u);
+    EXPECT_EQ(lengths.diameters.back(), 1u);
+}
+
 TEST(LengthHistogram, IsDrawnWithinItsRectangleOrNotAtAll) {
     for (const int width : {20, 120, 195, 300, 440})
         for (const int height : {20, 90, 140, 300}) {

@@ -33,9 +33,8 @@ struct RecordedAndOwn {
     std::string path = folder / "own.scbrec";
     Trace trace;
 
-    explicit RecordedAndOwn(VolumeKind volume)
-        : trace(
-              record_trace(body_a(), body_b(), asking(volume, OverlapTest::symmetric), {0, 3, 6})) {
+    explicit RecordedAndOwn(VolumeKind volume, OverlapTest test = OverlapTest::symmetric)
+        : trace(record_trace(body_a(), body_b(), asking(volume, test), {0, 3, 6})) {
         const auto kind = static_cast<std::size_t>(volume);
         TraceRecording recording(trace.header, {&body_a().mesh, &body_b().mesh},
                                  {&body_a().hierarchies[kind], &body_b().hierarchies[kind]});
@@ -106,6 +105,43 @@ TEST(RecordedTrace, HasTheTreesOfOwnHierarchies) {
             for (const Vec3& d : touching_directions())
                 ASSERT_NEAR(reach_of(volume, d), reach_of(own_volume, d), 1e-9);
         }
+    }
+}
+
+TEST(RecordedTrace, AttributesTestsAsThoseOfOwnQueriesAre) {
+    for (const auto& [volume, test] : {std::pair{VolumeKind::scb, OverlapTest::printed},
+                                       {VolumeKind::scb2, {}},
+                                       {VolumeKind::obb, {}},
+                                       {VolumeKind::aabb, {}},
+                                       {VolumeKind::rss, {}}}) {
+        SCOPED_TRACE(volume_kind_name(volume));
+        const RecordedAndOwn both(volume, test);
+        const auto kind = static_cast<std::size_t>(volume);
+        const AnyHierarchy &a = body_a().hierarchies[kind], &b = body_b().hierarchies[kind];
+        RecordedTrace recorded(both.path, "", "all");
+        std::uint64_t wrong = 0, missed = 0;
+        for (const TraceFrame& own : both.trace.frames) {
+            const TraceHeader& header = both.trace.header;
+            const TraversalTree tree = traversal_tree(header, own);
+            const Attribution of_own =
+                attribute(a, b, header, own, tree,
+                          all_contacts(a, body_a().mesh, b, body_b().mesh, header, own));
+            const TraceFrame& frame = recorded.frame(own.frame);
+            const Attribution found =
+                recorded.attribution(traversal_tree(recorded.header(), frame));
+            EXPECT_EQ(found.counts.inner, of_own.counts.inner);
+            EXPECT_EQ(found.counts.leaves, of_own.counts.leaves);
+            EXPECT_EQ(found.counts.wasted.volume_tests, of_own.counts.wasted.volume_tests);
+            ASSERT_EQ(found.wrongly_rejected.size(), of_own.wrongly_rejected.size());
+            for (std::size_t i = 0; i < found.wrongly_rejected.size(); ++i) {
+                EXPECT_EQ(found.wrongly_rejected[i].test, of_own.wrongly_rejected[i].test);
+                EXPECT_EQ(found.wrongly_rejected[i].missed, of_own.wrongly_rejected[i].missed);
+            }
+            wrong += found.counts.wrongly_rejected;
+            missed += found.counts.missed;
+        }
+        EXPECT_EQ(wrong > 0, volume == VolumeKind::scb);
+        EXPECT_EQ(missed > 0, volume == VolumeKind::scb);
     }
 }
 
