@@ -1,6 +1,6 @@
 #include "app/query/level_list.h"
 
-#include <algorithm>
+#include <set>
 
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
@@ -8,11 +8,12 @@
 namespace scb::app {
 
 std::vector<int> parse_levels(const std::string& text, int deepest,
-                              const std::vector<int>& automatic) {
-    const std::string option = "--levels " + text;
+                              const std::vector<int>& automatic, const std::string& name) {
+    const std::string option = name + " " + text;
     std::vector<int> levels;
-    const auto add = [&levels](int level) {
-        if (std::find(levels.begin(), levels.end(), level) == levels.end()) levels.push_back(level);
+    std::set<int> seen;
+    const auto add = [&](int level) {
+        if (seen.insert(level).second) levels.push_back(level);
     };
     const scenes::NumberRange range{option, "level", "this scene's hierarchies have", deepest,
                                     "levels such as 5,7,9 or 0:12 or leaves"};
@@ -34,10 +35,10 @@ std::vector<int> parse_levels(const std::string& text, int deepest,
     return levels;
 }
 
-int parse_level(const std::string& text, int deepest) {
-    const std::vector<int> levels = parse_levels(text, deepest);
+int parse_level(const std::string& text, int deepest, const std::string& name) {
+    const std::vector<int> levels = parse_levels(text, deepest, {}, name);
     if (levels.size() != 1)
-        throw InputError("--levels " + text + ": this command takes one level; give one.");
+        throw InputError(name + " " + text + ": this command takes one level; give one.");
     return levels[0];
 }
 

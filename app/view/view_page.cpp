@@ -23,21 +23,10 @@
 namespace scb::app {
 namespace {
 
-/// What an option of another name is told.
-std::string as_option(const InputError& error, const std::string& told, const std::string& own) {
-    const std::string text = error.what();
-    return text.starts_with(told + " ") ? own + text.substr(told.size()) : text;
-}
-
 /// The deepest level of which a reader can still tell the volumes.
 int first_level(const ViewSubject& subject, const std::string& asked) {
     if (asked != "auto") {
-        int level = 0;
-        try {
-            level = parse_level(asked, subject.deepest);
-        } catch (const InputError& error) {
-            throw InputError(as_option(error, "--levels", "--level"));
-        }
+        const int level = parse_level(asked, subject.deepest, "--level");
         return level == leaf_level ? subject.deepest : level;
     }
     constexpr std::size_t most = 500;
@@ -108,10 +97,10 @@ std::string view_page(const ViewOptions& options, const Console& console) {
                                 {options.compare, options.recording}},
                                console);
     } catch (const InputError& error) {
-        const bool of_queries =
-            options.queries != "auto" &&
-            std::string_view(error.what()).starts_with("--frames " + options.queries + ":");
-        throw InputError(of_queries ? as_option(error, "--frames", "--queries") : error.what());
+        // The frames of the queries have an option of another name here.
+        const std::string frames = "--frames " + options.queries + ":", text = error.what();
+        if (options.queries == "auto" || !text.starts_with(frames)) throw;
+        throw InputError("--queries" + text.substr(std::string_view("--frames").size()));
     }
     const std::vector<scenes::BodyAtFrame>& first = subject.columns[0].bodies;
     const scenes::Scene& first_scene = *subject.columns[0].scene;
