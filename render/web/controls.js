@@ -39,7 +39,7 @@ class Controls {
       view.orbit((x * Math.PI) / canvas.clientHeight, (y * Math.PI) / canvas.clientHeight);
     }
     pointers.set(event.pointerId, now);
-    app.ask();
+    app.ask(true);
   }
 
   // In the traversal, the tests of the node below the mouse.

@@ -124,7 +124,7 @@ class App {
   moved() {
     this.panel.showCommands();
     this.address.write();
-    this.ask();
+    this.ask(true);
   }
 
   // Unpacks what is needed, then draws; what was asked for in the meantime wins.
@@ -157,13 +157,35 @@ class App {
     this.ask();
   }
 
-  ask() {
+  // Draws soon, once what was drawn last is done. Where that takes long, what moves is drawn coarsely, and finely when it rests.
+  ask(moving = false) {
+    this.moving = moving && this.cost > 200;
+    clearTimeout(this.rest);
+    if (this.moving) this.rest = setTimeout(() => this.ask(), 400);
     if (this.queued || !this.unpacked) return;
     this.queued = true;
-    requestAnimationFrame(() => {
+    const step = () => {
+      if (this.fence) return requestAnimationFrame(step);
       this.queued = false;
-      if (this.unpacked) this.draw();
-    });
+      if (!this.unpacked) return;
+      this.draw(this.moving);
+      this.watch(performance.now(), this.moving ? 4 : 1);
+    };
+    requestAnimationFrame(step);
+  }
+
+  // How long the picture takes, in milliseconds, if it is drawn finely.
+  watch(began, times) {
+    const { gl } = this.painter;
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (this.fence && !gl.isContextLost() && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return requestAnimationFrame(look);
+      if (this.fence) gl.deleteSync(this.fence);
+      this.fence = null;
+      this.cost = times * (performance.now() - began);
+    };
+    requestAnimationFrame(look);
   }
 
   // The color of a count on a logarithmic scale with its end, as heat_figure.cpp has it.
@@ -175,10 +197,10 @@ class App {
     return viridis[below].map((c, i) => Math.round(c + t * (viridis[below + 1][i] - c)));
   }
 
-  draw() {
+  draw(coarse = false) {
     const { canvas, columns, view } = this, ratio = window.devicePixelRatio || 1;
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    this.painter.resize(width, height, width * height <= 2.2e6 ? 2 : 1);
+    this.painter.resize(width, height, width * height <= 2.2e6 && !coarse ? 2 : 1);
     const { samples } = this.painter, many = columns.length, across = width >= height;
     const balls = columns.map((_, k) => this.ballsOf(k)), middle = balls.flat().reduce((most, ball) => Math.max(most, length(subtract(ball.center, view.target)) + ball.radius), 0);
     view.standBack = 2 * middle + view.distance;
