@@ -20,11 +20,7 @@ ExplainedNode node_of(const SceneQuery& query, std::size_t body, std::int64_t no
                          "; its hierarchy has the nodes 0 to " +
                          std::to_string(topology.nodes.size() - 1) + ".");
     const auto index = static_cast<std::uint32_t>(node);
-    const std::vector<TopologyNode>& all = topology.nodes;
-    int depth = 0;
-    for (std::uint32_t at = 0; at != index; ++depth)
-        at = all[index].first < all[all[at].left + 1].first ? all[at].left : all[at].left + 1;
-    return {name, index, depth, all[index].count};
+    return {name, index, node_depth(topology, index), topology.nodes[index].count};
 }
 
 template <class V>

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/golden/case_views.h"
 #include "app/golden/commands.h"
 #include "app/golden/results.h"
 #include "app/query/scene_options.h"

@@ -4,9 +4,7 @@
 #include <cstdlib>
 
 #include "app/pictures/picture_options.h"
-#include "app/view/view_page.h"
 #include "golden/suite/shell_word.h"
-#include "render/files/output_file.h"
 
 namespace scb::app {
 namespace {
@@ -62,30 +60,6 @@ void add_diff_commands(golden::SuiteResult& result, const std::filesystem::path&
         if (c.traces.size() == 2)
             c.diff = golden::typed(
                 {"diff", (folder / c.traces[0]).string(), (folder / c.traces[1]).string()});
-}
-
-void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
-               const GoldenOptions& golden, const Console& console,
-               const std::function<bool()>& go_on) {
-    for (golden::CaseResult& c : result.cases) {
-        if (c.traces.size() != 2 || c.view.empty() || !go_on()) continue;
-        ViewOptions options;
-        options.level.scene.models_dir = golden.models;
-        options.level.picture.gl = golden.gl;
-        for (const std::string& trace : c.traces)
-            options.level.scene.names.push_back((folder / trace).string());
-        options.told_names = c.traces;
-        std::string html;
-        try {
-            html = view_page(options, console);
-        } catch (const std::exception& error) {  // the report must not end with it
-            console.note("scb: " + c.name + " has no page of `scb view`: " + error.what());
-            continue;
-        }
-        const std::string page = c.name + ".view.html";
-        render::write_file_whole(folder / page, html);
-        c.view.insert(0, page);
-    }
 }
 
 }  // namespace scb::app

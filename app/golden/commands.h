@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-
-#include "app/cli/console.h"
 #include "app/golden/options.h"
 #include "golden/run/check_cases.h"
 
@@ -20,12 +17,5 @@ void add_commands(golden::SuiteResult& result, const golden::GoldenCheck& check,
 
 /// Gives each case whose traces are kept in that folder the command that compares them.
 void add_diff_commands(golden::SuiteResult& result, const std::filesystem::path& folder);
-
-/// Writes a page of `scb view` into that folder for each case whose traces are kept there, as long
-/// as `go_on` says so. A case whose page cannot be made, as where its scene cannot be opened from
-/// here, has none. Throws OutputError.
-void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
-               const GoldenOptions& options, const Console& console,
-               const std::function<bool()>& go_on);
 
 }  // namespace scb::app

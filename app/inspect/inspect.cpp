@@ -22,7 +22,6 @@
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
-#include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
@@ -159,23 +158,18 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
         for (const FalsePair& pair : *pairs) frames.insert(pair.frame);
     for (const WronglyRejectedPair& pair : report.wrong) frames.insert(pair.frame);
     if (frames.empty()) frames.insert(report.frames.front().frame);
-    ViewOptions view;
+    ViewOptions view = options.view;
     view.level.scene = options.scene;
     view.level.hierarchy = options.hierarchy;
     view.level.picture.background = options.picture.background;
     view.level.picture.gl = options.picture.gl;
     view.query = options.query;
-    view.recording = options.recording;
+    view.level.recording = options.recording;
     view.queries.clear();
     for (const int frame : frames)
         view.queries += (view.queries.empty() ? "" : ",") + std::to_string(frame);
     if (!scenes::names_trace(options.scene.names[0]))
         view.level.scene.frames = std::to_string(*frames.begin());
-    view.scene = options.where;
-    view.hierarchies = options.hierarchies;
-    view.bodies = options.of_bodies;
-    view.tests = options.tests;
-    view.descent = options.descent;
     return view_page(view, console);
 }
 
@@ -194,7 +188,6 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     std::string bodies;
     if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
     whole = whole && step();
-    // The page has whole queries.
     std::string view;
     // The page has whole queries.
     const bool all =
@@ -360,11 +353,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--margin", "--split", "--test",   "--threshold", "--bodies"};
         options->of_scene = given_text(
             command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
-        options->where = given_text(command, {"--pose", "--models"});
-        options->of_bodies = given_text(command, {"--bodies"});
-        options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
-        options->tests = given_text(command, {"--test", "--threshold"});
-        options->descent = given_text(command, {"--descent"});
+        options->view.note_given(command);
+        options->view.descent = given_text(command, {"--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);
         options->command = "scb inspect" + given_text(command, of_queries) +
                            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",

@@ -6,6 +6,7 @@
 #include "app/pictures/picture_options.h"
 #include "app/query/query_options.h"
 #include "app/query/scene_options.h"
+#include "app/view/view_page.h"
 
 namespace scb::app {
 
@@ -19,8 +20,7 @@ struct InspectOptions {
     std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< what was given of the scene, as given_text has it
-    /// Those of a page of `scb view`, see ViewOptions, from `scene` on.
-    std::string where, of_bodies, hierarchies, tests, descent;
+    ViewOptions view;                      ///< its texts of what was given
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

@@ -78,13 +78,11 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "  scb view spheres-l1 --compare corrected,printed --frames 50 -o tests.html\n"
         "  scb view before.scbtrace after.scbtrace -o traces.html");
     command.callback([&action, &console, command, options] {
-        for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split",
-                                   "--test", "--threshold", "--bodies"})
-            if (command.count(option) > 0) options->recording.emplace_back(option);
-        options->scene = given_text(command, {"--pose", "--models"});
-        options->bodies = given_text(command, {"--bodies"});
-        options->hierarchies = given_text(command, {"--growth", "--margin", "--split"});
-        options->tests = given_text(command, {"--test", "--threshold"});
+        std::vector<std::string>& recording = options->level.recording;
+        recording = given_hierarchy_options(command);
+        for (const char* option : {"--test", "--threshold", "--bodies"})
+            if (command.count(option) > 0) recording.emplace_back(option);
+        options->note_given(command);
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options] { return run(*options, console); };
     });

@@ -15,14 +15,11 @@ namespace {
 constexpr int most_frames = 20'000;
 
 /// The frames that a scene has poses at.
-std::vector<int> frames_of(const scenes::Scene& scene) {
-    if (!scene.listed.empty()) return scene.listed;
-    if (scene.frames > most_frames)
+std::vector<int> page_frames(const scenes::Scene& scene) {
+    if (scene.listed.empty() && scene.frames > most_frames)
         throw InputError("the scene has " + std::to_string(scene.frames) +
                          " frames; a page holds the poses of 20,000 at most.");
-    std::vector<int> frames(static_cast<std::size_t>(scene.frames));
-    std::iota(frames.begin(), frames.end(), 0);
-    return frames;
+    return frames_of(scene, "all");
 }
 
 /// Collects columns.
@@ -67,7 +64,7 @@ class Columns {
     /// The same frame as of the first one, where it has that.
     void add_scene_at_frame(SceneOptions scene) {
         if (!subject_.columns.empty() && scene.frames.empty()) {
-            const std::vector<int> frames = frames_of(scene.load());
+            const std::vector<int> frames = page_frames(scene.load());
             if (std::binary_search(frames.begin(), frames.end(), subject_.frame))
                 scene.frames = std::to_string(subject_.frame);
         }
@@ -158,9 +155,8 @@ class Columns {
             column.bodies = kind.bodies;
             column.names = scene.names;
             if (!level->recorded) column.kind = kind.name;
-            column.several_frames = level->scene.frames > 1;
             add(std::move(column),
-                level->recorded ? std::vector{level->frame} : frames_of(level->scene),
+                level->recorded ? std::vector{level->frame} : page_frames(level->scene),
                 level->frame);
         }
         subject_.levels.push_back(std::move(level));
@@ -182,18 +178,15 @@ class Columns {
                 throw InputError("of a recording the page has one frame; give one with --frames.");
         } else {
             column.kind = volume_kind_name(source.query().kind);
-            frames = frames_of(*column.scene);
+            frames = page_frames(*column.scene);
             if (!asked_.scene.frames.empty())
-                first =
-                    scenes::frames_among(frames, asked_.scene.frames, "the scene", "it may have")
-                        .front();
+                first = asked_.scene.frame_of(*column.scene);
             else if (std::binary_search(queried.begin(), queried.end(),
                                         column.scene->default_frame))
                 first = column.scene->default_frame;
         }
         for (std::size_t side = 0; side < 2; ++side)
             column.bodies.push_back(source.body(side, first));
-        column.several_frames = column.scene->frames > 1;
         add(std::move(column), frames, first);
     }
 

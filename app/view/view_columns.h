@@ -17,7 +17,6 @@ struct ViewColumn {
     std::vector<scenes::BodyAtFrame> bodies;  ///< at the frame that is shown first
     QuerySource* query = nullptr;             ///< of the first two bodies; null: none
     std::vector<std::string> names;           ///< of the scene on a command line
-    bool several_frames = false;              ///< whether commands name one
     std::string kind;     ///< as --volume names it; empty of what another engine recorded
     std::string explain;  ///< the command that explains a test, but for frame and pair; or empty
 

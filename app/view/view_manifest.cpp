@@ -224,7 +224,7 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
         columns.push_back({{"title", scenes::printable(column.title)},
                            {"bodies", std::move(bodies)},
                            {"explain", column.explain},
-                           {"several_frames", column.several_frames},
+                           {"several_frames", column.scene->frames > 1},
                            {"query", nullptr}});
     }
     const auto at = std::find(subject.frames.begin(), subject.frames.end(), subject.frame);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/command_text.h"
 #include "app/cli/version.h"
 #include "app/pictures/level_bodies.h"
 #include "app/query/level_list.h"
@@ -67,6 +68,13 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubjec
 
 }  // namespace
 
+void ViewOptions::note_given(const Command& command) {
+    scene = given_text(command, {"--pose", "--models"});
+    bodies = given_text(command, {"--bodies"});
+    hierarchies = given_text(command, {"--growth", "--margin", "--split"});
+    tests = given_text(command, {"--test", "--threshold"});
+}
+
 bool ViewOptions::has_two_scenes() const {
     const std::vector<std::string>& names = level.scene.names;
     return names.size() == 2 && std::all_of(names.begin(), names.end(), scenes::names_scene);
@@ -94,7 +102,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
                                 asked.hierarchy,
                                 options.query,
                                 options.queries,
-                                {options.compare, options.recording}},
+                                {options.compare, asked.recording}},
                                console);
     } catch (const InputError& error) {
         // The frames of the queries have an option of another name here.

@@ -120,14 +120,12 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
         steps == 0 ? 0 : std::max<std::size_t>(1, steps / source.frames().size());
     Json frames = Json::array();
     Worst worst;
-    PassCounts sum;
     for (const int number : source.frames()) {
         if (!std::binary_search(in_page.begin(), in_page.end(), number)) continue;
         const TraceFrame& frame = source.frame(number);
         const TraversalTree tree = traversal_tree(header, frame);
         const Attribution attribution = source.attribution(frame, tree);
         worst.add(frame, tree, attribution);
-        sum += attribution.counts;
         const render::QueryBlocks blocks =
             render::query_blocks(bodies, frame, tree, attribution, groups, store);
         Json entry = {{"frame", number},
@@ -139,7 +137,6 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) entry["nodes"] = *blocks.nodes;
-        if (blocks.left_out > 0) entry["left_out"] = blocks.left_out;
         if (!source.is_recording() && most_steps > 0)
             entry["steps"] = store.add(std::string_view(
                 view_steps_json(

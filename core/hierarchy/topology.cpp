@@ -230,4 +230,14 @@ std::vector<std::uint16_t> node_depths(const Topology& topology) {
     return depths;
 }
 
+std::uint16_t node_depth(const Topology& topology, std::uint32_t node) {
+    const std::vector<TopologyNode>& nodes = topology.nodes;
+    std::uint16_t depth = 0;
+    for (std::uint32_t at = 0; at != node; ++depth) {
+        const std::uint32_t left = nodes[at].left;
+        at = nodes[node].first < nodes[left + 1].first ? left : left + 1;
+    }
+    return depth;
+}
+
 }  // namespace scb

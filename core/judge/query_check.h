@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "core/analysis/attribution.h"
 #include "core/explain/contact_certificate.h"
 #include "core/judge/engine_query.h"
 
@@ -100,12 +99,6 @@ bool has_known_items(const EngineQuery& query);
 /// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; of objects those
 /// of object_contacts; empty where only one side has a mesh. O(tests) exact verdicts.
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
-
-/// What its tests passed on and why, in the language of this project's own queries: of the tests
-/// that are in `frame`, its trace_frame. Nothing where the query tells no results.
-Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
-                        const TraceHeader& header, const TraceFrame& frame,
-                        const TraversalTree& tree);
 
 /// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,
 /// passed ones that are disjoint, or erred about two triangles.

@@ -49,8 +49,8 @@ struct CaseResult {
     std::vector<std::string> traces;  ///< kept ones: of the baseline and of the run
     std::string trace_difference;     ///< how the traces differ, as lines of text
     std::string diff;                 ///< a command, which compares the kept traces
-    /// A page of `scb view` with the kept traces, beside results.json, and what it is to show: where
-    /// they part first. Without a page only the latter, "#frame=50&nodes=5,7".
+    /// A page of `scb view` with the kept traces, beside results.json, and where they part first,
+    /// which it is to show. Without a page only the latter: "#frame=50&nodes=5,7".
     std::string view;
     double seconds = 0;
 

@@ -53,14 +53,14 @@ class Content {
     if (state.cell) {
       const { trees } = app.columns[own].query, seen = [new Set(), new Set()], most = 2000;
       frame.a.forEach((slot, i) => {
-        if (trees[0].levelOf(slot) !== state.cell[0] || trees[1].levelOf(frame.b[i]) !== state.cell[1]) return;
+        if (slot < 0 || frame.b[i] < 0 || trees[0].levelOf(slot) !== state.cell[0] || trees[1].levelOf(frame.b[i]) !== state.cell[1]) return;
         seen[0].add(slot);
         seen[1].add(frame.b[i]);
       });
       return seen.flatMap((slots, side) => [...slots].slice(0, most).map((slot) => ({ side, slot })));
     }
     const test = own === state.column ? app.shownTest(frame) : 0;
-    return test < 0 || test >= frame.outcomes.length ? [] : [{ side: 0, slot: frame.a[test] }, { side: 1, slot: frame.b[test] }];
+    return test < 0 || test >= frame.outcomes.length ? [] : [{ side: 0, slot: frame.a[test] }, { side: 1, slot: frame.b[test] }].filter(({ slot }) => slot >= 0);
   }
 
   // Triangles and lines of the frame, and what differs.

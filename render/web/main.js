@@ -250,7 +250,7 @@ class App {
     const { manifest, state, columns } = this, commands = manifest.commands[state.mode] ?? [], words = [];
     if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
     const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
-    if (frame && state.root > 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
+    if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     // The traversal has no view of the scene, and what is inspected its own.
     if (state.mode !== 'traversal' && state.mode !== 'verdicts') {

@@ -27,6 +27,7 @@ class Matrix {
       const [a, b] = query.trees, cells = new Map();
       let wide = 0, high = 0;
       frame.a.forEach((slot, i) => {
+        if (slot < 0 || frame.b[i] < 0) return;
         const x = a.levelOf(slot), y = b.levelOf(frame.b[i]), key = `${x},${y}`, cell = cells.get(key) ?? { x, y, tests: 0, rejected: 0 };
         ++cell.tests;
         cell.rejected += query.rejects(frame.outcomes[i]) ? 1 : 0;

@@ -34,7 +34,6 @@ const terms = {
   'mean \u03c4': 'mean thickness of the volumes, e \u2212 f',
   'area': 'surface area of all volumes together',
   'volume': 'volume of all volumes together',
-  'tests left out': 'tests of nodes that no root leads to; the numbers of tests count without them',
   'slack': 'by how much the step separates the two: positive if it does',
   'fit too loose': 'the volumes meet, but no triangles below them do',
   'test too weak': 'the volumes do not meet, but the test let them pass',
@@ -129,10 +128,9 @@ class Panel {
   }
 
   button(text, title, act, pressed) {
-    const made = element('button', { type: 'button', textContent: text, title: title ?? '' });
-    made.addEventListener('click', act);
+    const made = this.chooser(text, title, act);
     const update = () => made.setAttribute('aria-pressed', pressed() ? 'true' : 'false');
-    if (pressed && this.updates) this.updates.push(update);
+    if (pressed) this.updates.push(update);
     return made;
   }
   // One that is made anew at each update.
@@ -269,7 +267,7 @@ class Panel {
     const { query } = this.app.columns[k], { frame } = this.app.scenes[k];
     if (!frame) return [];
     const { told } = frame, passed = (frame.passed ??= frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0));
-    return [...(told.left_out ? [['tests left out', counted(told.left_out)]] : []), [query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
+    return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
       ...(told.judged ? [['wasted N_v', `${counted(told.wasted)}, ${percent(told.wasted, told.n_v)}`]] : [])];
   }
 
@@ -355,7 +353,7 @@ class Panel {
     const cell = state.cell && frame.cells?.all.get(state.cell.join());
     const rows = [
       ['test', counted(i)],
-      ...bodies.map((body, side) => [`node of ${body.name}`, this.chooser(`${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
+      ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : this.chooser(`${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
       ['how it ended', group ? group.label : `they overlap: ${bodies[frame.outcomes[i]].name} was divided`],
       ...(verdict ? [['worth', this.word(verdict.label)]] : []),
       ['tests that follow', counted(frame.sizes[i] - 1)],

@@ -1,7 +1,7 @@
 // What a test can be worth but right, in the order of the page's `worths`.
 const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
 
-// The tests of a query by one kind of volumes, frame by frame. Nodes are slots of their trees.
+// The tests of a query by one kind of volumes, frame by frame. Nodes are slots of their trees; -1: one that no root leads to, in recordings of broken trees.
 class Query {
   constructor(blocks, told, trees) {
     Object.assign(this, { blocks, told, trees });
@@ -25,7 +25,7 @@ class Query {
     const nodes = 'nodes' in told ? await this.blocks.get(told.nodes) : null;
     for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
     const count = bits.length, outcomes = bits.map((byte) => byte & 63);
-    const a = new Uint32Array(count), b = new Uint32Array(count), parents = new Int32Array(count).fill(-1);
+    const a = new Int32Array(count), b = new Int32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
       for (let i = 0; i < count; ++i) {
         a[i] = this.trees[0].slotOf(nodes[3 * i]);
@@ -81,6 +81,7 @@ class Query {
     const sides = [frame.a, frame.b].map((slots) => {
       const found = new Map();
       slots.forEach((slot, i) => {
+        if (slot < 0) return;
         let entry = found.get(slot);
         if (!entry) found.set(slot, (entry = { tests: 0, counts: new Uint32Array(many) }));
         ++entry.tests;

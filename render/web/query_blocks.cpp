@@ -88,23 +88,11 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
     }
     QueryBlocks result;
     if (!follow_from_outcomes(bodies, frame, tree)) {
-        // A page has no place for nodes that no root leads to.
-        std::vector<std::uint32_t> nodes, places(outcomes.size(), TraversalTree::no_parent);
-        std::uint32_t kept = 0;
-        for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        std::vector<std::uint32_t> nodes;
+        for (std::size_t i = 0; i < tree.parents.size(); ++i) {
             const IndexPair of_test = frame.events.volume_tests[i].nodes;
-            if (!bodies[0].tree->shape().hangs(of_test.a) ||
-                !bodies[1].tree->shape().hangs(of_test.b))
-                continue;
-            const std::uint32_t parent = tree.parents[i];
-            nodes.insert(nodes.end(),
-                         {of_test.a, of_test.b,
-                          parent == TraversalTree::no_parent ? parent : places[parent]});
-            outcomes[kept] = outcomes[i];
-            places[i] = kept++;
+            nodes.insert(nodes.end(), {of_test.a, of_test.b, tree.parents[i]});
         }
-        result.left_out = outcomes.size() - kept;
-        outcomes.resize(kept);
         result.nodes = store.add(nodes);
     }
     result.outcomes = store.add(outcomes);

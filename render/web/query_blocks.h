@@ -21,8 +21,7 @@ struct QueryBlocks {
     /// they follow from the outcomes: first the
     /// roots, then, of the pair that was divided last and is still to be gone into, all children.
     std::optional<std::size_t> nodes;
-    std::size_t pairs = 0;     ///< of triangles, u32
-    std::size_t left_out = 0;  ///< tests of nodes that no root leads to
+    std::size_t pairs = 0;  ///< of triangles, u32
 };
 
 /// `groups` are those of the header, see ending_groups. Of `bodies` the trees are needed.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/judge/object_contacts.h"
 #include "scb/collide.h"
 
 namespace scb::scenes {
 
 std::vector<IndexPair> OwnContacts::contacts(const EngineQuery& query, const Meshes& meshes) {
+    if (has_object_volumes(query)) return object_contacts(query);
     const auto& [a, b] = query.sides;
     if (!a.mesh || !b.mesh || !query.rigid || query.self) return {};
     keep(meshes);

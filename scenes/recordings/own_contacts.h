@@ -10,7 +10,7 @@
 namespace scb::scenes {
 
 /// The pairs of triangles that this project finds for the queries of a recording, by hierarchies of
-/// its own, each of which is built once.
+/// its own, each of which is built once; of objects those of object_contacts.
 class OwnContacts {
   public:
     using Meshes = std::map<std::uint32_t, MeshState>;

@@ -6,8 +6,7 @@
 
 #include "core/judge/engine_trace.h"
 #include "core/judge/engine_tree.h"
-#include "core/judge/object_contacts.h"
-#include "core/judge/query_check.h"
+#include "core/judge/query_attribution.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -164,10 +163,8 @@ const TraceFrame& RecordedTrace::frame(int number) {
 Attribution RecordedTrace::attribution(const TraversalTree& tree) {
     const EngineQuery& query = queries_->query();
     if (!query.rigid) return {};
-    const std::vector<IndexPair> contacts = has_object_volumes(query)
-                                                ? object_contacts(query)
-                                                : own_.contacts(query, queries_->meshes());
-    return scb::attribution(query, judge_query(query, contacts), header_, frame_, tree);
+    return scb::attribution(query, judge_query(query, own_.contacts(query, queries_->meshes())),
+                            header_, frame_, tree);
 }
 
 }  // namespace scb::scenes

@@ -6,7 +6,6 @@
 
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
-#include "core/judge/object_contacts.h"
 #include "scenes/recordings/own_contacts.h"
 
 namespace scb::scenes {
@@ -104,10 +103,8 @@ class RecordingJudge {
             add(tests_, "a query's pose is not rigid", {name, "it is not judged"});
             return;
         }
-        const bool objects = has_object_volumes(query);
-        const std::vector<IndexPair> contacts =
-            objects ? object_contacts(query) : own_.contacts(query, recording_->meshes());
-        const QueryJudgement judged = judge_query(query, contacts);
+        const QueryJudgement judged =
+            judge_query(query, own_.contacts(query, recording_->meshes()));
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
         const bool errs =

@@ -77,5 +77,7 @@ Topology build_topology(const Mesh& mesh, const TopologyOptions& options = {});
 
 /// The depth of every node; the root has 0.
 std::vector<std::uint16_t> node_depths(const Topology& topology);
+/// That of one node. O(depth).
+std::uint16_t node_depth(const Topology& topology, std::uint32_t node);
 
 }  // namespace scb

@@ -1,0 +1,52 @@
+#include "core/judge/query_attribution.h"
+
+#include <algorithm>
+
+namespace scb {
+namespace {
+
+/// Per test the pairs that were missed below it, or one where something was found.
+std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
+    std::vector<std::uint64_t> contacts;
+    for (const JudgedTest& test : judged.tests) contacts.push_back(test.meets ? 1 : 0);
+    for (const PairProblem& problem : judged.pairs) {
+        if (!is_missed(problem.cause) || problem.event == no_index) continue;
+        const auto test = std::lower_bound(
+            judged.tests.begin(), judged.tests.end(), problem.event,
+            [](const JudgedTest& t, std::uint32_t event) { return t.event < event; });
+        if (test == judged.tests.end() || test->event != problem.event) continue;
+        for (auto i = static_cast<std::uint32_t>(test - judged.tests.begin()); i != no_index;
+             i = judged.tests[i].parent)
+            ++contacts[i];
+    }
+    return contacts;
+}
+
+}  // namespace
+
+Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
+                        const TraceHeader& header, const TraceFrame& frame,
+                        const TraversalTree& tree) {
+    // Without results nobody knows what a test led to.
+    if (!query.tells_items && !query.tells_pairs) return {};
+    const std::vector<std::uint64_t> contacts = contacts_below(judged);
+    std::vector<TestedPair> pairs;
+    for (std::size_t i = 0; i < judged.tests.size(); ++i) {
+        const JudgedTest& test = judged.tests[i];
+        if (test.nodes.a == no_index || test.nodes.b == no_index) continue;
+        TestedPair pair;
+        pair.known = test.verdict != TestVerdict::unjudged;
+        const bool passed = frame.events.volume_tests[pairs.size()].stage == Stage::overlapping;
+        if (pair.known)
+            pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
+                                                                        : Contact::disjoint;
+        pair.gap = pair.exact == Contact::disjoint ? test.margin : 0;
+        pair.contacts = contacts[i];
+        pair.leaves = query.sides[0].shape->is_leaf(test.nodes.a) &&
+                      query.sides[1].shape->is_leaf(test.nodes.b);
+        pairs.push_back(pair);
+    }
+    return attribute(header, frame, tree, pairs);
+}
+
+}  // namespace scb
