@@ -98,7 +98,7 @@ void add_output_size(const Command& command, PictureOptions& options, const char
 void add_view(const Command& command, PictureOptions& options, CameraOptions& camera) {
     command
         .add_option("--camera", camera.camera,
-                    "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, or a JSON file; else the "
+                    "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else the "
                     "scene's own")
         .type_name("CAMERA");
     command

@@ -78,7 +78,7 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         add_panel_option(command, options.picture);
         command.get_option("--camera")
             .description(
-                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] in degrees, contact (follows what meets), "
+                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows what meets), "
                 "or a JSON file; else the scene's own");
         command
             .add_option("--pick", options.pick,

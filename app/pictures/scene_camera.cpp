@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text_format.h"
+#include "core/base/trigonometry.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -127,6 +128,11 @@ render::Camera camera_for(const scenes::CameraView& wish, const render::Support&
     const Vec3 target = wish.target.value_or(render::center_of(support));
     const double distance = wish.distance.value_or(dot(back, Vec3(camera.position - target)));
     camera.position = target + distance * back;
+    // What a perspective camera at this distance sees of the target's plane.
+    if (wish.distance && !wish.view_height) {
+        const SinCos half = sin_cos_degrees(wish.field_of_view / 2);
+        camera.view_height = 2 * distance * half.sin / half.cos;
+    }
     render::set_depth_range(camera, support);
     return camera;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/level_overlaps.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
@@ -189,6 +190,12 @@ Attribution QuerySource::attribution(const TraceFrame& frame, const TraversalTre
     return attribute(
         a, b, header_, frame, tree,
         all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header_, frame));
+}
+
+std::vector<std::size_t> QuerySource::level_overlaps(const TraceFrame& frame, std::size_t most) {
+    if (recorded_) return recorded_->level_overlaps(most);
+    return scb::level_overlaps(query_.hierarchy(query_.a), query_.hierarchy(query_.b), frame.b_to_a,
+                               header_.options.overlap, most);
 }
 
 }  // namespace scb::app

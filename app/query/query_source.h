@@ -41,6 +41,9 @@ class QuerySource {
     const TraceFrame& frame(int number);
     /// What the tests of the query that was asked for last are worth. `tree` is its traversal_tree.
     Attribution attribution(const TraceFrame& frame, const TraversalTree& tree);
+    /// Of its two bodies, see core/analysis/level_overlaps.h: by the query's own test, or, of a
+    /// recording, by the exact verdict on its volumes.
+    std::vector<std::size_t> level_overlaps(const TraceFrame& frame, std::size_t most);
 
   private:
     void open_trace(const SceneOptions& scene, const std::string& frames);

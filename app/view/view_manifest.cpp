@@ -250,7 +250,9 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
           {"opacity", start.style.opacity},
           {"mesh", start.style.mesh},
           {"edges", start.style.mesh_edges},
-          {"theme", start.style.theme == &render::dark_theme ? "dark" : "light"}}}};
+          {"theme", !start.has_theme                           ? Json(nullptr)
+                    : start.style.theme == &render::dark_theme ? Json("dark")
+                                                               : Json("light")}}}};
 }
 
 }  // namespace scb::app

@@ -16,6 +16,7 @@ namespace scb::app {
 struct ViewStart {
     int level = 0;
     render::LevelStyle style;
+    bool has_theme = true;  ///< whether the style's was asked for; else the reader's is taken
     render::Camera camera;
     double aspect = 1;           ///< width over height of the view that it is fitted to
     Vec3 center = Vec3::Zero();  ///< of the scene

@@ -73,6 +73,7 @@ void ViewOptions::note_given(const Command& command) {
     bodies = given_text(command, {"--bodies"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});
+    has_theme = !given_text(command, {"--background"}).empty();
 }
 
 bool ViewOptions::has_two_scenes() const {
@@ -115,6 +116,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     ViewStart start;
     start.level = first_level(subject, asked.levels);
     start.style = level_style(asked, first, subject.deepest);
+    start.has_theme = options.has_theme;
     std::vector<render::LevelBody> bodies = level_bodies(first, {});
     const scenes::CameraView wish = camera_view_for(asked.camera, first_scene);
     std::vector<render::LevelBody> held = bodies;

@@ -17,13 +17,14 @@ struct ViewOptions {
     std::string queries = "auto";  ///< see ViewSources::queries
     std::string compare{};         ///< see CompareOptions::names
     int steps = 1000;              ///< see view_query_json
+    bool has_theme = false;        ///< whether light or dark was asked for
     /// What commands call the files, where these lie elsewhere by then.
     std::vector<std::string> told_names{};
     // As given_text has it, what was given: where the scene is, which bodies, other things of
     // hierarchies, of levels alone, overlap tests, and which nodes queries divide.
     std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{};
 
-    /// Sets these texts but for `levels` and `descent`.
+    /// Sets these texts but for `levels` and `descent`, and `has_theme`.
     void note_given(const Command& command);
     bool has_two_scenes() const;
     /// Refuses what makes no sense before any work is done; throws InputError.

@@ -4,11 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/cli/command_text.h"
 #include "app/view/view_manifest.h"
 #include "app/view/view_steps.h"
 #include "core/analysis/costly_tests.h"
 #include "core/analysis/ending.h"
 #include "core/analysis/worst_pairs.h"
+#include "render/figures/explain_symbols.h"
 #include "render/figures/inspect_figure.h"
 #include "render/web/query_blocks.h"
 #include "scenes/text/utf8.h"
@@ -20,6 +22,8 @@ using Json = nlohmann::ordered_json;
 
 /// The worst ones of each kind that a page lists.
 constexpr std::size_t most_worst = 8;
+/// Pairs of a level that are counted: a page of many frames has to be made in seconds.
+constexpr std::size_t most_overlaps = 20'000;
 
 Json groups_json(const TraceHeader& header) {
     const std::vector<render::EndingGroup> light =
@@ -34,7 +38,11 @@ Json groups_json(const TraceHeader& header) {
             });
         const bool meet = std::find(light[i].endings.begin(), light[i].endings.end(),
                                     Outcome::triangles_meet) != light[i].endings.end();
+        std::string stages;  // as --stages of scb render rejections names them
+        for (const Outcome ending : light[i].endings)
+            stages += (stages.empty() ? "" : ",") + ending_words(header, ending);
         groups.push_back({{"label", scenes::printable(light[i].label)},
+                          {"stages", file_word(stages)},
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},
                           {"triangles", triangles},
@@ -78,17 +86,19 @@ struct Worst {
         for (const WorstPairs* pairs : {&fits, &tests}) {
             Json list = Json::array();
             for (const FalsePair& pair : pairs->pairs())
-                list.push_back(
-                    {{"frame", pair.frame},
-                     {"test", pair.pair.test},
-                     {"cost", pair.pair.below.volume_tests + pair.pair.below.triangle_tests}});
+                list.push_back({{"frame", pair.frame},
+                                {"test", pair.pair.test},
+                                {"nodes", {pair.test.nodes.a, pair.test.nodes.b}},
+                                {"n_v", pair.pair.below.volume_tests},
+                                {"n_p", pair.pair.below.triangle_tests}});
             worst.push_back(std::move(list));
         }
         Json list = Json::array();
         for (const WronglyRejectedPair& pair : wrong.pairs())
             list.push_back({{"frame", pair.frame},
                             {"test", pair.rejection.test},
-                            {"cost", pair.rejection.missed}});
+                            {"nodes", {pair.test.nodes.a, pair.test.nodes.b}},
+                            {"missed", pair.rejection.missed}});
         worst.push_back(std::move(list));
         return worst;
     }
@@ -134,6 +144,7 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
                       {"pairs", frame.found.pairs.size()},
                       {"judged", attribution.counts.all.volume_tests > 0},
                       {"wasted", attribution.counts.wasted.volume_tests},
+                      {"overlaps", source.level_overlaps(frame, most_overlaps)},
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) entry["nodes"] = *blocks.nodes;
@@ -145,7 +156,13 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
                     .dump(-1, ' ', false, Json::error_handler_t::replace)));
         frames.push_back(std::move(entry));
     }
+    Json symbols = Json::array();
+    if (!source.is_recording())
+        for (const std::string_view line :
+             render::symbol_lines(header.volume, header.options.overlap))
+            symbols.push_back(line);
     return {{"objects", pairs_are_nodes(header)},
+            {"symbols", std::move(symbols)},
             {"groups", groups_json(header)},
             {"worths", worths_json()},
             {"worst", worst.json()},

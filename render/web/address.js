@@ -5,6 +5,7 @@ class Address {
     window.addEventListener('hashchange', () => {
       if (location.hash === this.written) return;
       this.read();
+      this.was = this.chosen();
       app.refresh().then(() => app.follow());
     });
   }
@@ -51,7 +52,14 @@ class Address {
     words.set('right', view.axes[0].map(number).join());
     words.set('distance', number(view.distance));
     this.written = `#${words}`;
-    history.replaceState(null, '', this.written);
+    // Where one can go back to: another mode, or something else that was chosen.
+    const chosen = this.chosen(), is_new = this.was !== undefined && this.was !== chosen;
+    this.was = chosen;
+    history[is_new ? 'pushState' : 'replaceState'](null, '', this.written);
+  }
+  chosen() {
+    const { mode, selected, pair, column, test } = this.app.state;
+    return JSON.stringify([mode, selected, pair, mode === 'traversal' ? [column, test] : []]);
   }
 
   // What an address does not say stays as it is; what makes no sense is left out.
@@ -87,8 +95,8 @@ class Address {
     const triangles = (one) => (one?.mesh == null ? 0 : manifest.meshes[one.mesh].triangles), isTriangle = (n, one) => Number.isInteger(n) && n >= 0 && n < triangles(one);
     const triangle = number('triangle');
     if (words.size > 0) state.selected = slot >= 0 ? { column, body, slot, triangle: isTriangle(triangle, columns[column].bodies[body]) ? triangle : null } : null;
-    const pair = list('pair', 4), paired = pair && columns[pair[2]];
-    state.pair = paired?.query && [0, 1].every((side) => isTriangle(pair[side], paired.bodies[side])) && Number.isInteger(pair[3]) ? pair : null;
+    const pair = list('pair', 3), paired = pair && columns[pair[2]];
+    state.pair = paired?.query && [0, 1].every((side) => isTriangle(pair[side], paired.bodies[side])) ? pair : null;
     state.isolated = words.has('only') && slot >= 0;
     if (number('opacity') !== null) state.opacity = clamp(number('opacity'), 0, 1);
     if (words.size > 0) for (const name of ['mesh', 'edges', 'orthographic']) if (words.has('opacity') || words.has(name)) state[name] = words.has(name);

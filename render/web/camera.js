@@ -17,6 +17,7 @@ class View {
     const away = dot(subtract(told.center, told.position), scaled(-1, told.axes[2]));
     this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-300);
     this.target = subtract(told.position, scaled(told.orthographic ? away : this.distance, told.axes[2]));
+    this.fitted = { distance: this.distance, target: this.target };
     // A plane of the world { normal, offset }, or null: only points p with normal.p <= offset are drawn. The normal has any length but 0.
     this.clip = told.clip ?? null;
   }
@@ -105,9 +106,10 @@ class View {
     return { to_eye: columns.flat(), origin, scale: 1 / far, columns };
   }
 
-  // Degrees, as `--camera orbit` has them; where z is up.
-  get orbit_angles() {
-    const [x, y, z] = this.axes[2], degrees = (radians) => +((radians * 180) / Math.PI).toFixed(2);
-    return [degrees(Math.atan2(x, -y)), degrees(Math.asin(clamp(z, -1, 1)))];
+  // As `--camera orbit` has it, where z is up: degrees, and what is no longer as the pictures fit it, distance and target.
+  orbitWords() {
+    const [x, y, z] = this.axes[2], degrees = (radians) => +((radians * 180) / Math.PI).toFixed(2), { distance, target } = this.fitted;
+    const moved = distance !== this.distance || target.some((at, i) => at !== this.target[i]);
+    return [degrees(Math.atan2(x, -y)), degrees(Math.asin(clamp(z, -1, 1))), ...(moved ? [this.distance, ...this.target].map((n) => +n.toPrecision(6)) : [])];
   }
 }

@@ -8,7 +8,14 @@ class Content {
 
   // Unpacks what is needed. A promise of what there is of each column.
   async prepare() {
-    const { app } = this, { columns, state } = app, number = app.manifest.frames[state.at];
+    const { app } = this, { columns, state } = app, number = app.manifest.frames[state.at], { pair } = state;
+    // The leaves of a pair of triangles, for the panel.
+    const leaves = pair && await Promise.all([0, 1].map((side) => app.leafOf(pair[2], side, pair[side])));
+    return Object.assign(await this.scenesOf(number), { leaves });
+  }
+
+  async scenesOf(number) {
+    const { app } = this, { columns, state } = app;
     if (state.mode === 'levels') {
       const needed = columns.flatMap((column, k) => column.bodies.map((_, b) => column.bodies[b].tree.load(Math.max(app.levelOf(b), this.selectedLevel(k)))));
       if (state.mesh || state.edges) needed.push(this.loadMeshes());
@@ -28,17 +35,28 @@ class Content {
     if (!frame) return { frame: null };
     // Whoever asks for numbers of leaves gets them at once.
     await Promise.all(bodies.map(({ tree }) => tree.openItems()));
-    if (state.mode === 'pairs') return { frame };
+    const own = state.isolated && state.selected.body < 2 ? app.selectedSlot(k) : -1, within = own >= 0 ? query.below(frame, state.selected.body, own) : null;
+    if (state.mode === 'pairs') return { frame, ...this.meetingOf(k, frame, own) };
     if (state.mode === 'traversal') {
       const nodes = this.nodesOfTests(k, frames);
       await Promise.all([0, 1].map((side) => load(side, nodes.reduce((most, node) => (node.side === side ? Math.max(most, bodies[side].tree.levelOf(node.slot)) : most), 0))));
-      return { frame, nodes, steps: await query.steps(frame) };
+      return { frame, nodes, within, steps: await query.steps(frame) };
     }
-    if (app.isHeat) return { frame, heat: query.heat(frame, state.mode === 'wasted', bodies.map((body) => (body.mesh === null ? 0 : this.arrays[body.mesh].indices.length / 3))) };
-    const classes = app.classesOf(frame), labels = app.labelsOf(query);
+    if (app.isHeat) return { frame, heat: query.heat(frame, state.mode === 'wasted', bodies.map((body) => (body.mesh === null ? 0 : this.arrays[body.mesh].indices.length / 3)), within) };
+    const all = app.classesOf(frame), classes = within ? query.classes(frame, all.of, all.counts.length, within) : all, labels = app.labelsOf(query);
     const found = query.nodesOf(classes, labels.map(({ label }) => !state.hidden.includes(label)), state.focus);
     await Promise.all([0, 1].map((side) => load(side, found.all[side].reduce((most, { slot }) => Math.max(most, bodies[side].tree.levelOf(slot)), 0))));
-    return { frame, classes, all: found.all[0].length + found.all[1].length, nodes: query.drawn(found, (node) => this.areaOf(k, node)) };
+    // Errors are never left out.
+    const keeps = (group) => state.mode === 'verdicts' && group + 1 === worth.wrong;
+    return { frame, classes, pairs: this.meetingOf(k, frame, own).pairs, all: found.all[0].length + found.all[1].length, nodes: query.drawn(found, (node) => this.areaOf(k, node), keeps) };
+  }
+
+  // The pairs of triangles that meet, and of each side their triangles; of a slot that is isolated those below it.
+  meetingOf(k, frame, slot) {
+    const { selected } = this.app.state, tree = slot >= 0 ? this.app.treeOf(k, selected.body) : null, below = new Set();
+    if (tree) for (let at = slot; at < tree.order.length; ++at) if (tree.isBelow(at, slot)) for (const item of tree.itemsOf(at)) below.add(item);
+    const pairs = tree ? frame.pairs.filter((_, i) => below.has(frame.pairs[i - (i % 2) + selected.body])) : frame.pairs;
+    return { pairs, meeting: [0, 1].map((side) => new Set(pairs.filter((_, i) => i % 2 === side))) };
   }
 
   selectedLevel(k) {
@@ -74,7 +92,7 @@ class Content {
     scenes.forEach((scene, k) => {
       const { query, bodies } = app.columns[k];
       if (!scene.frame) return;
-      const differing = this.differingTriangles(scenes, k);
+      const differing = this.differingTriangles(k);
       scene.parts = bodies.flatMap((body, side) => {
         const mesh = this.arrays[body.mesh];
         if (!mesh || state.without.includes(side)) return [];
@@ -87,31 +105,32 @@ class Content {
           colors.push(...color);
         };
         if (scene.heat) scene.heat.counts[side].forEach((count, triangle) => put(triangle, app.heatColor(count, scene.heat.end)));
-        else if (state.mode === 'pairs') for (const triangle of scene.frame.meeting[side]) put(triangle, body.color);
+        else if (state.mode === 'pairs') for (const triangle of scene.meeting[side]) put(triangle, body.color);
         else for (const { slot, group } of scene.nodes.filter((node) => node.side === side && this.isTriangle(k, node))) for (const item of query.trees[side].itemsOf(slot)) put(item, app.labelsOf(query)[group][state.theme]);
         return parts.filter(({ triangles }) => triangles.length > 0).map((part) => ({ ...part, mesh: keep(painter.uploadMesh(mesh.positions, Uint32Array.from(part.corners), part.colors)) }));
       });
-      scene.contacts = scene.heat || state.mode === 'verdicts' ? [] : this.contactsOf(k, scene.frame);
-      scene.lines = scene.contacts.length ? keep(painter.uploadSegments(Float32Array.from(scene.contacts.flatMap(({ line }) => line)))) : null;
+      scene.contacts = scene.heat || state.mode === 'verdicts' ? [] : this.contactsOf(k, scene.pairs);
+      const segments = (contacts) => (contacts.length ? keep(painter.uploadSegments(Float32Array.from(contacts.flatMap(({ line }) => line)))) : null);
+      scene.lines = segments(scene.contacts);
+      scene.chosenLine = state.pair ? segments(scene.contacts.filter(({ pair }) => pair[0] === state.pair[0] && pair[1] === state.pair[1])) : null;
     });
   }
 
-  // Of each side the triangles of pairs that only this of two columns found; null where nothing is compared.
-  differingTriangles(scenes, k) {
-    const other = scenes[1 - k]?.frame, { app } = this;
-    if (app.state.mode !== 'pairs' || !app.compares || !other) return null;
-    const { told, pairs } = scenes[k].frame, known = new Set();
-    for (let i = 0; i < other.pairs.length; i += 2) known.add(other.pairs[i] * 2 ** 32 + other.pairs[i + 1]);
-    const found = [new Set(), new Set()];
-    let count = 0;
-    for (let i = 0; i < pairs.length; i += 2) {
-      if (known.has(pairs[i] * 2 ** 32 + pairs[i + 1])) continue;
-      ++count;
-      found[0].add(pairs[i]);
-      found[1].add(pairs[i + 1]);
-    }
-    told.only_here = count;
-    return found;
+  // The pairs of triangles that only this of two columns found; none where nothing is compared.
+  pairsOnlyHere(k) {
+    const { app } = this, own = app.scenes[k]?.frame, other = app.scenes[1 - k]?.frame;
+    if (!app.compares || !own || !other) return [];
+    if (own.onlyPairs?.than === other) return own.onlyPairs;
+    const only = [];
+    for (let i = 0; i < own.pairs.length; i += 2) if (!other.hasPair(own.pairs[i], own.pairs[i + 1])) only.push([own.pairs[i], own.pairs[i + 1]]);
+    return (own.onlyPairs = Object.assign(only, { than: other }));
+  }
+
+  // Of each side the triangles of these pairs.
+  differingTriangles(k) {
+    if (this.app.state.mode !== 'pairs') return null;
+    const only = this.pairsOnlyHere(k);
+    return [0, 1].map((side) => new Set(only.map((pair) => pair[side])));
   }
 
   // Of rejections and verdicts: the nodes that the other of two columns does not show, or, where it has the same volumes, shows otherwise.
@@ -134,7 +153,7 @@ class Content {
   }
 
   // The lines in which the pairs of triangles meet, from the middle of A's tree.
-  contactsOf(k, frame) {
+  contactsOf(k, pairs) {
     const { app } = this, { query, bodies } = app.columns[k], middle = query.trees[0].told.center, contacts = [];
     if (query.told.objects || bodies.some((body) => body.mesh === null)) return [];
     const [of_a, of_b] = bodies.map((_, b) => app.poseOf(k, b));
@@ -144,8 +163,8 @@ class Content {
     };
     // In A's frame.
     const across = (p) => transposedTimes(of_a.rotation, subtract(add(times(of_b.rotation, p), of_b.translation), of_a.translation));
-    for (let i = 0; i < frame.pairs.length; i += 2) {
-      const pair = [frame.pairs[i], frame.pairs[i + 1]], line = lineOf(corners(0, pair[0]), corners(1, pair[1]).map(across));
+    for (let i = 0; i < pairs.length; i += 2) {
+      const pair = [pairs[i], pairs[i + 1]], line = lineOf(corners(0, pair[0]), corners(1, pair[1]).map(across));
       if (line) contacts.push({ pair, line: [...subtract(line[0], middle), ...subtract(line[1], middle)] });
     }
     return contacts;
@@ -249,8 +268,20 @@ class Content {
       if (pairs) segments.push({ ...line, color: app.theme.faint, width: 1.5, on_top: true }, { ...line, color: app.theme.text, width: 3, on_top: false });
       else segments.push({ ...line, color: meet[state.theme], width: 1.5, on_top: true });
     }
+    if (scene.chosenLine) {
+      const line = { segments: scene.chosenLine, placement: placed(0, query.trees[0].told.center), on_top: true };
+      segments.push({ ...line, color: app.theme.background, width: 9 }, { ...line, color: app.theme.text, width: 6 });
+    }
     const volumes = (scene.nodes ?? []).length === 0 ? [] : [0, 1].filter((b) => !state.without.includes(b)).flatMap((b) => this.runs(k, b, this.nodesShown(k, b)));
-    return { meshes, segments, opaque: state.mode === 'traversal' ? [] : volumes, translucent: state.mode === 'traversal' ? volumes : [] };
+    const translucent = state.mode === 'traversal' ? volumes : [];
+    return { meshes, segments, opaque: state.mode === 'traversal' ? [] : volumes, translucent: [...translucent, ...this.chosenVolume(k)] };
+  }
+
+  // The node that is chosen, where the query does not draw it.
+  chosenVolume(k) {
+    const { app } = this, { selected, without } = app.state, slot = selected ? app.selectedSlot(k) : -1;
+    if (slot < 0 || selected.triangle !== null || without.includes(selected.body) || (app.scenes[k].nodes ?? []).some((node) => node.side === selected.body && node.slot === slot)) return [];
+    return this.runs(k, selected.body, [{ slot, color: app.theme.text, opacity: 64, bits: 0 }]);
   }
 
   // The volumes of one side of a query, those of B hatched; of tests in the bodies' colors.

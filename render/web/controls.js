@@ -80,7 +80,7 @@ class Controls {
       arrowleft: () => turn(-0.1, 0), arrowright: () => turn(0.1, 0), arrowup: () => turn(0, -0.1), arrowdown: () => turn(0, 0.1),
       '+': () => zoom(0.9), '=': () => zoom(0.9), '-': () => zoom(1 / 0.9),
       '[': () => app.set({ level: state.level - 1 }), ']': () => app.set({ level: state.level + 1 }),
-      ',': () => app.set({ at: state.at - 1 }), '.': () => app.set({ at: state.at + 1 }),
+      ',': () => app.step(-1), '.': () => app.step(1),
       ' ': () => app.manifest.frames.length > 1 && app.play(),
       x: () => along(0), y: () => along(1), z: () => along(2),
       f: () => app.fit(), a: () => app.approach(), o: () => app.set({ orthographic: !state.orthographic }),
@@ -91,7 +91,7 @@ class Controls {
       n: () => selected && tree.parent[selected.slot + 1] === tree.parent[selected.slot] && go(selected.slot + 1),
       i: () => selected && app.set({ isolated: !state.isolated }),
       v: () => state.mode === 'traversal' && app.set({ by: state.by === 'worth' ? 'ending' : 'worth' }),
-      '/': () => (app.panel.search.focus(), app.panel.search.select()), s: () => app.save(), g: () => app.panel.saveGlb(), h: () => app.help(), '?': () => app.help(),
+      '/': () => (app.panel.nodePanel.search.focus(), app.panel.nodePanel.search.select()), s: () => app.save(), g: () => app.saveGlb(), h: () => app.help(), '?': () => app.help(),
       escape: () => app.set({ selected: null, pair: null, cell: null, test: -1 }),
     };
     modes.forEach(({ name }, i) => (acts[i + 1] = () => (name === 'levels' || app.hasQueries) && app.set({ mode: name })));

@@ -15,7 +15,7 @@ class FrameChart {
   parts() {
     if (this.columns.length === 0) return [];
     const most = Math.max(...this.columns.flatMap(({ query }) => query.told.frames.map(({ n_v }) => n_v)));
-    return [this.canvas, element('div', { className: 'faint', textContent: `Volume tests by frame, the wasted ones colored; at most ${counted(most)}` }), (this.worst = element('div'))];
+    return [this.canvas, faint(`Volume tests by frame, the wasted ones colored; at most ${counted(most)}`), (this.worst = element('div'))];
   }
 
   update() {
@@ -23,14 +23,15 @@ class FrameChart {
     this.draw();
     this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.told.frames.length > 1).flatMap(({ query, k }) => {
       const worst = [...query.told.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
-      return [app.panel.faint(`${of}frames with the most wasted tests`), element('div', { className: 'row' }, ...worst.map(({ frame, wasted, n_v }) =>
-        app.panel.chooser(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.places.get(frame) }))))];
+      return [faint(`${of}frames with the most wasted tests`), row(...worst.map(({ frame, wasted, n_v }) =>
+        button(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.places.get(frame) }))))];
     }));
   }
 
+  // The nearest with a query.
   frameAt(x) {
-    const { frames } = this.app.manifest;
-    return clamp(Math.floor((x / this.canvas.clientWidth) * frames.length), 0, frames.length - 1);
+    const at = (x / this.canvas.clientWidth) * this.app.manifest.frames.length - 0.5, have = this.columns.flatMap(({ query }) => [...query.frames.keys()].map((frame) => this.places.get(frame)));
+    return have.reduce((best, place) => (Math.abs(place - at) < Math.abs(best - at) ? place : best), have[0]);
   }
 
   draw() {

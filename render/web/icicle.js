@@ -11,10 +11,12 @@ class Icicle {
     this.canvas = document.getElementById('icicle');
     this.context = this.canvas.getContext('2d');
     const hover = (test) => test !== app.state.hover && app.set({ hover: test });
-    this.canvas.addEventListener('pointermove', (event) => hover(this.pick(event.offsetX, event.offsetY)));
+    // Boxes are too narrow for fingers: of those nearby the widest.
+    const near = (event) => (event.pointerType === 'touch' ? 12 : 0);
+    this.canvas.addEventListener('pointermove', (event) => hover(this.pick(event.offsetX, event.offsetY, near(event))));
     this.canvas.addEventListener('pointerleave', () => hover(-1));
     this.canvas.addEventListener('click', (event) => {
-      const test = this.pick(event.offsetX, event.offsetY);
+      const test = this.pick(event.offsetX, event.offsetY, near(event));
       // Once more on the box that fills the width leads up.
       if (test >= 0) app.set({ test, cell: null, root: test === this.root ? Math.max(this.frame.parents[test], 0) : test });
     });
@@ -118,9 +120,10 @@ class Icicle {
     this.draw();
   }
 
-  // Whether a test is one of those that are looked for: of a node, or of a cell of the matrix.
-  isDim(a, b) {
-    const { cell } = this.app.state, { lit, query } = this;
+  // Whether a test is none of those that are looked for: of a node, of a cell of the matrix, or of what is isolated.
+  isDim(test) {
+    const { cell, column } = this.app.state, { lit, query, frame } = this, a = frame.a[test], b = frame.b[test], { within } = this.app.scenes[column];
+    if (within && !within[test]) return true;
     if (lit) return (lit[0] === 0 ? a : b) !== lit[1];
     return Boolean(cell) && (query.trees[0].levelOf(a) !== cell[0] || query.trees[1].levelOf(b) !== cell[1]);
   }
@@ -133,7 +136,7 @@ class Icicle {
 
   box(test, x, y, w, h) {
     const { context, app, frame } = this;
-    context.globalAlpha = this.isDim(frame.a[test], frame.b[test]) ? 0.25 : 1;
+    context.globalAlpha = this.isDim(test) ? 0.25 : 1;
     context.fillStyle = css(this.colorOf(test, w < 4));
     context.fillRect(x, y, Math.max(w - (w > 3 ? 1 : 0), 0.5), h - (h > 4 ? 1 : 0));
     context.globalAlpha = 1;
@@ -143,15 +146,17 @@ class Icicle {
       context.lineWidth = 1;
       context.strokeRect(x + 0.5, y + 0.5, w - 2, h - 2);
     }
-    if (w < 60 || h < 14) return;
+    if (w < 60 || h < 14 || frame.sizes[test] === 1) return;
     context.fillStyle = css(frame.outcomes[test] < 2 && app.state.by === 'ending' ? app.theme.text : inkOn(this.colorOf(test, false)));
     context.font = '11px Roboto, system-ui, sans-serif';
-    context.fillText(counted(frame.sizes[test]), x + 4, y + h / 2 + 3.5, w - 8);
+    context.fillText(counted(frame.sizes[test] - 1), x + 4, y + h / 2 + 3.5, w - 8);
   }
 
   // The test at a place; -1: none.
-  pick(x, y) {
-    return (this.boxes ?? []).findLast((box) => x >= box.x && x < box.x + box.w && y >= box.y && y < box.y + box.h)?.test ?? -1;
+  pick(x, y, near = 0) {
+    const found = (this.boxes ?? []).filter((box) => x >= box.x - near && x < box.x + box.w + near && y >= box.y && y < box.y + box.h);
+    const hit = near > 0 ? found.reduce((best, box) => (box.w > (best?.w ?? 0) ? box : best), null) : found.at(-1);
+    return hit?.test ?? -1;
   }
 
   // From box to box, and into them.

@@ -7,9 +7,10 @@ class App {
     const { manifest } = this;
     this.state = {
       ...manifest.start, mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
-      selected: null, isolated: false, pair: null,  // a node or triangle; two triangles that meet
+      selected: null, isolated: false, pair: null,  // a node or triangle; two triangles that meet, and the column that found them
       test: -1, hover: -1, root: 0, cell: null, by: 'ending',  // of the traversal
     };
+    this.state.theme ??= window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
     this.view = new View(manifest.camera, manifest.up);
     this.queued = false;
     this.playing = false;
@@ -120,6 +121,17 @@ class App {
     return this.refresh();
   }
 
+  // The places of frames that one goes through: where queries are shown, of those that have one.
+  get stops() {
+    const { frames } = this.manifest, has = (frame) => this.state.mode === 'levels' || this.columns.some(({ query }) => query?.frames.has(frame));
+    const stops = [...frames.keys()].filter((at) => has(frames[at]));
+    return stops.length > 0 ? stops : [...frames.keys()];
+  }
+  step(sign) {
+    const { at } = this.state, to = sign > 0 ? this.stops.find((stop) => stop > at) : this.stops.findLast((stop) => stop < at);
+    return to === undefined ? null : this.set({ at: to });
+  }
+
   // Nothing but the camera has changed.
   moved() {
     this.panel.showCommands();
@@ -138,7 +150,7 @@ class App {
       this.content.upload(scenes);
     } catch (error) {
       if (turn !== this.turn) return;
-      this.panel.node.replaceChildren(element('p', { textContent: error.message }));
+      this.panel.nodePanel.say(error.message);
       return;
     }
     this.unpacked = true;
@@ -148,6 +160,7 @@ class App {
     classList.toggle('traversal', traversal);
     document.getElementById('tests').hidden = !traversal;
     if (traversal) {
+      document.getElementById('whose').textContent = this.columns.length > 1 ? this.columns[state.column].title : '';
       this.icicle.show(query, frame, state.root);
       this.matrix.show(query, frame);
     }
@@ -252,9 +265,15 @@ class App {
     const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
     if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
+    if (state.mode === 'rejections' && state.hidden.length > 0) {
+      const shown = columns[0].query.told.groups.filter(({ label }) => !state.hidden.includes(label));
+      if (shown.length > 0) words.push(`--stages ${shown.map(({ stages }) => stages).join()}`);
+    }
+    const bodies = columns[0].bodies.filter((_, b) => !state.without.includes(b));
+    if (state.mode === 'rejections' && state.without.length === 1 && bodies.length === 1) words.push(`--body '${bodies[0].name.replaceAll("'", "'\\''")}'`);
     // The traversal has no view of the scene, and what is inspected its own.
     if (state.mode !== 'traversal' && state.mode !== 'verdicts') {
-      if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbit_angles}`);
+      if (manifest.up[2] === 1) words.push(`--camera orbit:${this.view.orbitWords()}`);
       if (state.clip) words.push(`--clip ${[...state.clip.normal, state.clip.offset]}`);
       if (state.orthographic) words.push('--ortho');
     }
@@ -326,18 +345,16 @@ class App {
   async selectTriangle(column, body, triangle) {
     return this.select(column, body, await this.leafOf(column, body, triangle), triangle);
   }
-  // The pair of triangles, and the test of the leaves that have them.
-  async selectPair(column, pair) {
-    const slots = await Promise.all(pair.map((triangle, body) => this.leafOf(column, body, triangle))), { frame } = this.scenes[column];
-    if (!frame) return;
-    return this.set({ selected: null, pair: [...pair, column, this.columns[column].query.testOf(frame, ...slots)] });
+  selectPair(column, pair) {
+    return this.set({ selected: null, pair: [...pair, column] });
   }
 
   // Shows a test of the traversal, among those of the frame that it is in.
   async showTest(column, test, frame = this.manifest.frames[this.state.at]) {
     const found = await this.columns[column].query.get(frame);
-    if (!found || test < 0 || test >= found.outcomes.length) return;
-    return this.set({ mode: 'traversal', column, at: this.manifest.frames.indexOf(frame), test, root: Math.max(found.parents[test], 0) });
+    if (!found || test < 0 || test >= found.outcomes.length) return false;
+    await this.set({ mode: 'traversal', column, at: this.manifest.frames.indexOf(frame), test, root: Math.max(found.parents[test], 0), selected: null, pair: null });
+    return true;
   }
 
   // Shows what a link asked for that only the query can tell: the test of two nodes.
@@ -347,9 +364,9 @@ class App {
     if (wanted) await this.find(wanted.join());
   }
 
-  // A node by its number, "A:412"; two of them, "412,97", whose test is shown.
+  // A node by its number, "A:412"; two of them, "412,97", whose test is shown. A promise of whether there is one.
   async find(text) {
-    const first = this.state.selected?.column ?? this.state.column, refuse = (what) => this.panel.node.replaceChildren(element('p', { textContent: what }));
+    const first = this.state.selected?.column ?? this.state.column, refuse = (what) => this.panel.nodePanel.say(what);
     // Of a body by its name, or by A and B.
     const nodeOf = (bodies, words, otherwise) => {
       const at = words.lastIndexOf(':'), name = words.slice(0, Math.max(at, 0)).trim(), number = words.slice(at + 1).trim();
@@ -358,7 +375,7 @@ class App {
     };
     for (const column of [first, ...this.columns.keys()]) {
       const { bodies, query } = this.columns[column], { body, slot } = nodeOf(bodies, text, 0);
-      if (slot >= 0) return this.select(column, body, slot);
+      if (slot >= 0) return this.select(column, body, slot).then(() => true);
       const parts = text.split(','), nodes = parts.map((part, side) => nodeOf(bodies, part, side));
       if (parts.length !== 2 || !query || nodes.some(({ body: of, slot: at }, side) => of !== side || at < 0)) continue;
       const frame = await query.get(this.manifest.frames[this.state.at]);
@@ -377,16 +394,16 @@ class App {
   }
   // Goes to the node that is chosen, else to what the query marks.
   approach() {
-    const { selected, column } = this.state, place = (k, b, center) => add(times(this.poseOf(k, b).rotation, center), this.poseOf(k, b).translation);
+    const { selected, pair, column } = this.state, place = (k, b, center) => add(times(this.poseOf(k, b).rotation, center), this.poseOf(k, b).translation);
     const ballOf = (k, b, slot) => {
       const tree = this.treeOf(k, b), volume = tree.volume(slot);
       return { center: place(k, b, add(tree.told.center, volume.numbers.slice(0, 3))), radius: radiusOf(volume) };
     };
-    const { nodes, contacts } = this.scenes[column];
-    const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
+    const { nodes, contacts: all } = this.scenes[column], isChosen = ({ pair: [a, b] }) => pair && a === pair[0] && b === pair[1], contacts = pair ? all?.filter(isChosen) : all;
+    const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length && !pair ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
       : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).told.center, point)), radius: 0 })));
     const finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
-    if (finite.length > 0) this.fit(finite, 1.2);
+    if (finite.length > 0) this.fit(finite, pair ? 20 : 1.2);
   }
   along(axis, sign) {
     this.view.along([0, 1, 2].map((i) => (i === axis ? sign : 0)));
@@ -397,7 +414,8 @@ class App {
     clearTimeout(this.next);
     const step = () => {
       if (!this.playing) return;
-      this.set({ at: (this.state.at + 1) % this.manifest.frames.length }).then(() => (this.next = setTimeout(step, 40)));
+      const { stops } = this;
+      this.set({ at: stops.find((stop) => stop > this.state.at) ?? stops[0] }).then(() => (this.next = setTimeout(step, 40)));
     };
     step();
     this.panel.update();
@@ -405,7 +423,27 @@ class App {
 
   save() {
     this.draw();
-    this.canvas.toBlob((blob) => this.offer(blob, 'png'));
+    snapshotOf(this).toBlob((blob) => this.offer(blob, 'png'));
+  }
+
+  // The volumes that are shown, of one column; or the node that is chosen.
+  saveGlb() {
+    const { state } = this, { selected } = state, k = selected?.column ?? state.column, { bodies } = this.columns[k], nodes = this.scenes[k].nodes ?? [], most = 20000;
+    const shown = selected && !state.isolated ? [{ b: selected.body, slot: selected.slot }]
+      : bodies.flatMap((_, b) => (state.mode === 'levels' ? this.content.coverOf(k, b).map((slot) => ({ slot })) : nodes.filter(({ side }) => side === b && !state.without.includes(b))).map(({ slot }) => ({ b, slot })));
+    if (shown.length > most) return this.panel.nodePanel.say(`These are ${counted(shown.length)} volumes; a file has ${counted(most)} at most. Choose a level further up.`);
+    // Round things by fewer corners where there are many of them.
+    const corners = shown.length <= 300 ? 48 : shown.length <= 4000 ? 24 : 12;
+    const colors = new Map(nodes.map((node) => [`${node.side} ${node.slot}`, state.mode === 'traversal' ? bodies[node.side].color : this.labelsOf(this.columns[k].query)[node.group][state.theme]]));
+    const file = glbOf(shown.map(({ b, slot }) => {
+      const { name, tree } = bodies[b], volume = tree.volume(slot), node = tree.order[slot];
+      return {
+        name: `${name} ${node}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot), corners), color: colors.get(`${b} ${slot}`) ?? volume.color,
+        opacity: state.mode === 'levels' ? Math.max(state.opacity, 0.05) : 1, pose: this.poseOf(k, b), center: tree.told.center, id: node, depth: tree.levelOf(slot),
+      };
+    }), this.manifest.scene);
+    if (file) this.offer(new Blob([file], { type: 'model/gltf-binary' }), 'glb');
+    else this.panel.nodePanel.say('No volumes are shown here.');
   }
   offer(blob, ending) {
     const link = element('a', { href: URL.createObjectURL(blob), download: `${this.manifest.scene}.${ending}` });
@@ -415,7 +453,7 @@ class App {
   help() {
     const help = document.getElementById('help');
     help.showModal();
-    help.scrollTop = 0;  // the button at its end has the focus
+    help.scrollTop = 0;
   }
 }
 

@@ -49,7 +49,7 @@ class Matrix {
     context.fillStyle = css(theme.background);
     context.fillRect(0, 0, width, height);
     const left = 24, top = 20;
-    this.size = Math.min((width - left - 6) / Math.max(wide, 1), (height - top - 6) / Math.max(high, 1), 18);
+    this.size = Math.min((width - left - 22) / Math.max(wide, 1), (height - top - 42) / Math.max(high, 1), 18);
     this.corner = [left, top];
     const test = app.shownTest(frame), { trees } = this.query;
     for (const { x, y, tests } of all.values()) {
@@ -65,6 +65,7 @@ class Matrix {
     else if (test >= 0) frameOf(trees[0].levelOf(frame.a[test]), trees[1].levelOf(frame.b[test]), 2);
     context.fillStyle = css(theme.faint);
     context.font = '11px Roboto, system-ui, sans-serif';
+    this.drawNumbers(left, top, wide, high);
     const [name_a, name_b] = app.columns[app.state.column].bodies.map(({ name }) => `${name}, depth →`);
     context.fillText(name_a, left, 13, width - left);
     context.save();
@@ -72,6 +73,26 @@ class Matrix {
     context.rotate(Math.PI / 2);
     context.fillText(name_b, 0, 0, height - top);
     context.restore();
+  }
+
+  // Depths along both sides, and what the colors mean, where there is room.
+  drawNumbers(left, top, wide, high) {
+    const { context, size, frame, app, canvas } = this, step = [1, 2, 5, 10, 20].find((n) => n * size >= 22) ?? 50;
+    context.textAlign = 'center';
+    for (let x = step; x < wide; x += step) context.fillText(String(x), left + (x + 0.5) * size, top + high * size + 11);
+    context.textAlign = 'left';
+    for (let y = step; y < high; y += step) context.fillText(String(y), left + wide * size + 3, top + (y + 0.5) * size + 4);
+    const y = top + high * size + 18, room = Math.min(canvas.clientWidth - left - 8, 150), { most } = frame.cells;
+    if (y + 20 > canvas.clientHeight || room < 60) return;
+    for (let i = 0; i < room; ++i) {
+      context.fillStyle = css(app.scaleColor(i / room));
+      context.fillRect(left + i, y, 1, 6);
+    }
+    context.fillStyle = css(app.theme.faint);
+    context.fillText('0', left, y + 17);
+    context.textAlign = 'right';
+    context.fillText(`${counted(most)} tests`, left + room, y + 17);
+    context.textAlign = 'left';
   }
 
   // The cell at a place, where there are tests.

@@ -59,6 +59,13 @@ class Query {
     }
     const query = this, frame = {
       told, outcomes, a, b, parents, pairs, meets, worths,
+      hasPair(x, y) {
+        if (!this.known) {
+          this.known = new Set();
+          for (let i = 0; i < pairs.length; i += 2) this.known.add(pairs[i] * 2 ** 32 + pairs[i + 1]);
+        }
+        return this.known.has(x * 2 ** 32 + y);
+      },
       // What tests were worth, once somebody asks.
       get judged() {
         return (this.judgedClasses ??= query.classes(this, worths, query.told.worths.length));
@@ -66,7 +73,6 @@ class Query {
     };
     const groups = this.told.groups.length;
     frame.ended = this.classes(frame, outcomes.map((outcome) => Math.max(outcome - 1, 0)), groups);
-    frame.meeting = [0, 1].map((side) => new Set(pairs.filter((_, i) => i % 2 === side)));
     return frame;
   }
 
@@ -74,8 +80,36 @@ class Query {
     return outcome >= 2 && this.told.groups[outcome - 2].rejects;
   }
 
-  // The tests in classes, 1 to `many`; 0: in none. How many there are in each, and of each slot of both sides.
-  classes(frame, of, many) {
+  // How a test ended, in words; and its nodes.
+  endingOf(frame, test) {
+    return frame.outcomes[test] < 2 ? 'they overlap' : this.told.groups[frame.outcomes[test] - 2].label;
+  }
+  pairText(frame, test) {
+    return `${this.trees[0].order[frame.a[test]]},${this.trees[1].order[frame.b[test]]}`;
+  }
+
+  // The test that rejected two slots, or nodes above them; -1: none did.
+  lostAt(frame, ...slots) {
+    const above = slots.map((slot, side) => {
+      const chain = new Set();
+      for (let at = slot; at >= 0; at = this.trees[side].parent[at]) chain.add(at);
+      return chain;
+    });
+    return frame.outcomes.findIndex((outcome, i) => this.rejects(outcome) && above[0].has(frame.a[i]) && above[1].has(frame.b[i]));
+  }
+
+  // Of each test whether its node of a side is the slot or below it.
+  below(frame, side, slot) {
+    const tree = this.trees[side], known = new Map();
+    return Uint8Array.from(side === 0 ? frame.a : frame.b, (at) => {
+      if (!known.has(at)) known.set(at, at >= 0 && tree.isBelow(at, slot) ? 1 : 0);
+      return known.get(at);
+    });
+  }
+
+  // The tests in classes, 1 to `many`; 0: in none, and those that are not `within`. How many there are in each, and of each slot of both sides.
+  classes(frame, of, many, within = null) {
+    if (within) of = of.map((c, i) => (within[i] ? c : 0));
     const counts = new Array(many).fill(0);
     for (const c of of) if (c > 0) ++counts[c - 1];
     const sides = [frame.a, frame.b].map((slots) => {
@@ -115,13 +149,13 @@ class Query {
 
   // Of each triangle of both sides the tests of volumes that hold it; of those alone that followed from a pair below which no triangles
   // meet, where `wasted` says so. `end`: of the scale, the next of 1, 2 and 5 times a power of ten. Needs the trees' items.
-  heat(frame, wasted, triangles) {
+  heat(frame, wasted, triangles, within = null) {
     const { parents, meets } = frame, count = parents.length;
     let total = 0, most = 0;
     const counts = [0, 1].map((side) => {
       const tree = this.trees[side], slots = side === 0 ? frame.a : frame.b, tests = new Float64Array(tree.order.length), of = new Float64Array(triangles[side]);
       for (let i = 0; i < count; ++i) {
-        if (wasted && (parents[i] < 0 || meets[parents[i]])) continue;
+        if ((within && !within[i]) || (wasted && (parents[i] < 0 || meets[parents[i]]))) continue;
         ++tests[slots[i]];
         total += side === 0 ? 1 : 0;
       }
@@ -158,8 +192,8 @@ class Query {
     return { all, focus };
   }
 
-  // Of these, those that are drawn: their levels must be unpacked. `areaOf`: that of the triangles that are drawn in place of a node, or 0.
-  drawn({ all, focus }, areaOf) {
+  // Of these, those that are drawn: their levels must be unpacked. `areaOf`: that of the triangles that are drawn in place of a node, or 0. `keeps`: groups of which none is left out.
+  drawn({ all, focus }, areaOf, keeps) {
     const nodes = all.flat(), size = ({ side, slot, group }) => {
       const volume = this.trees[side].volume(slot), d = 2 * radiusOf(volume);
       if (volume.shape === 0) return 0;
@@ -170,6 +204,7 @@ class Query {
     const order = nodes.map((node) => ({ node, share: node.paths / Math.max(size(node), 1e-300) })).sort((x, y) => x.share - y.share);
     const out = new Set();
     for (const { node } of order) {
+      if (keeps(node.group)) continue;
       left -= node.paths;
       if (left < 0) break;
       out.add(node);
@@ -177,14 +212,14 @@ class Query {
     return nodes.filter((node) => !out.has(node));
   }
 
-  // The slots of a side with the most tests of the classes that `wanted` says, and how many.
-  mostOf(classes, side, wanted, most) {
+  // The slots of a side with tests of the classes that `wanted` says, and how many; those with the most first.
+  mostOf(classes, side, wanted) {
     const rows = [];
     for (const [slot, { counts }] of classes.sides[side]) {
       const n = counts.reduce((sum, count, group) => sum + (wanted(group) ? count : 0), 0);
       if (n > 0) rows.push([slot, n]);
     }
     const { order } = this.trees[side];
-    return rows.sort((x, y) => y[1] - x[1] || order[x[0]] - order[y[0]]).slice(0, most);
+    return rows.sort((x, y) => y[1] - x[1] || order[x[0]] - order[y[0]]);
   }
 }

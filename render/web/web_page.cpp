@@ -12,6 +12,8 @@
 SCB_DECLARE_EMBEDDED(web_html)
 SCB_DECLARE_EMBEDDED(web_css)
 SCB_DECLARE_EMBEDDED(web_linear_js)
+SCB_DECLARE_EMBEDDED(web_words_js)
+SCB_DECLARE_EMBEDDED(web_elements_js)
 SCB_DECLARE_EMBEDDED(web_blocks_js)
 SCB_DECLARE_EMBEDDED(web_programs_js)
 SCB_DECLARE_EMBEDDED(web_tree_js)
@@ -26,7 +28,10 @@ SCB_DECLARE_EMBEDDED(web_controls_js)
 SCB_DECLARE_EMBEDDED(web_solids_js)
 SCB_DECLARE_EMBEDDED(web_glb_js)
 SCB_DECLARE_EMBEDDED(web_frames_js)
+SCB_DECLARE_EMBEDDED(web_query_panel_js)
+SCB_DECLARE_EMBEDDED(web_node_panel_js)
 SCB_DECLARE_EMBEDDED(web_panel_js)
+SCB_DECLARE_EMBEDDED(web_snapshot_js)
 SCB_DECLARE_EMBEDDED(web_main_js)
 SCB_DECLARE_EMBEDDED(web_volume_vert)
 SCB_DECLARE_EMBEDDED(web_rounded_vert)
@@ -107,12 +112,17 @@ std::string shader_elements() {
 std::string script() {
     std::string text = "'use strict';\n(() => {\n";
     for (const std::string_view part :
-         {SCB_EMBEDDED(web_linear_js), SCB_EMBEDDED(web_blocks_js), SCB_EMBEDDED(web_programs_js),
-          SCB_EMBEDDED(web_tree_js), SCB_EMBEDDED(web_camera_js), SCB_EMBEDDED(web_painter_js),
-          SCB_EMBEDDED(web_query_js), SCB_EMBEDDED(web_content_js), SCB_EMBEDDED(web_icicle_js),
-          SCB_EMBEDDED(web_matrix_js), SCB_EMBEDDED(web_solids_js), SCB_EMBEDDED(web_glb_js),
-          SCB_EMBEDDED(web_frames_js), SCB_EMBEDDED(web_panel_js), SCB_EMBEDDED(web_address_js),
-          SCB_EMBEDDED(web_controls_js), SCB_EMBEDDED(web_main_js)})
+         {SCB_EMBEDDED(web_linear_js),     SCB_EMBEDDED(web_words_js),
+          SCB_EMBEDDED(web_elements_js),   SCB_EMBEDDED(web_blocks_js),
+          SCB_EMBEDDED(web_programs_js),   SCB_EMBEDDED(web_tree_js),
+          SCB_EMBEDDED(web_camera_js),     SCB_EMBEDDED(web_painter_js),
+          SCB_EMBEDDED(web_query_js),      SCB_EMBEDDED(web_content_js),
+          SCB_EMBEDDED(web_icicle_js),     SCB_EMBEDDED(web_matrix_js),
+          SCB_EMBEDDED(web_solids_js),     SCB_EMBEDDED(web_glb_js),
+          SCB_EMBEDDED(web_frames_js),     SCB_EMBEDDED(web_query_panel_js),
+          SCB_EMBEDDED(web_node_panel_js), SCB_EMBEDDED(web_panel_js),
+          SCB_EMBEDDED(web_snapshot_js),   SCB_EMBEDDED(web_address_js),
+          SCB_EMBEDDED(web_controls_js),   SCB_EMBEDDED(web_main_js)})
         text += part;
     return text + "})();\n";
 }

@@ -7,6 +7,7 @@
 #include "core/judge/engine_trace.h"
 #include "core/judge/engine_tree.h"
 #include "core/judge/query_attribution.h"
+#include "core/judge/query_overlaps.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -165,6 +166,10 @@ Attribution RecordedTrace::attribution(const TraversalTree& tree) {
     if (!query.rigid) return {};
     return scb::attribution(query, judge_query(query, own_.contacts(query, queries_->meshes())),
                             header_, frame_, tree);
+}
+
+std::vector<std::size_t> RecordedTrace::level_overlaps(std::size_t most) {
+    return scb::level_overlaps(queries_->query(), most);
 }
 
 }  // namespace scb::scenes

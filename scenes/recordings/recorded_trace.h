@@ -46,6 +46,8 @@ class RecordedTrace {
     /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
     /// nothing where its pose is not rigid.
     Attribution attribution(const TraversalTree& tree);
+    /// See query_overlaps.h.
+    std::vector<std::size_t> level_overlaps(std::size_t most);
 
   private:
     bool is_wanted(const RecordedQueries& queries) const;

@@ -13,7 +13,7 @@ namespace scb::scenes {
 namespace {
 
 constexpr std::string_view option_help =
-    "give fit, orbit:AZIMUTH,ELEVATION[,DISTANCE] or the path of a JSON file.";
+    "give fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] or the path of a JSON file.";
 
 CameraView parse_orbit(std::string_view text) {
     const std::string_view numbers = text.substr(text.find(':') + 1);
@@ -35,16 +35,22 @@ CameraView parse_orbit(std::string_view text) {
         if (*at != ',') fail("a comma is expected after number " + std::to_string(values.size()));
         ++at;
     }
-    if (values.size() != 2 && values.size() != 3) fail("two or three numbers are expected");
+    if (values.size() != 2 && values.size() != 3 && values.size() != 6)
+        fail("two, three or six numbers are expected");
     CameraView camera;
     camera.azimuth = values[0];
     camera.elevation = values[1];
     if (!(std::abs(camera.azimuth) <= 1e6)) fail("the azimuth must be -1e6 to 1e6 degrees");
     if (!(std::abs(camera.elevation) <= 90)) fail("the elevation must be -90 to 90 degrees");
-    if (values.size() == 3) {
+    if (values.size() > 2) {
         if (!(values[2] > 0 && values[2] <= max_coordinate))
             fail("the distance must be above 0 and at most " + exact_number(max_coordinate));
         camera.distance = values[2];
+    }
+    if (values.size() == 6) {
+        camera.target = Vec3(values[3], values[4], values[5]);
+        if (!(camera.target->cwiseAbs().maxCoeff() <= max_coordinate))
+            fail("the target must be at most " + exact_number(max_coordinate) + " from 0");
     }
     return camera;
 }

@@ -38,8 +38,8 @@ struct CameraView {
     std::optional<FacePlane> clip;
 };
 
-/// What `--camera` takes: `fit` (all fitted, default angles), `orbit:AZIMUTH,ELEVATION[,DISTANCE]`,
-/// or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
+/// What `--camera` takes: `fit` (all fitted, default angles),
+/// `orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]]`, where X,Y,Z is the target, or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
 /// file and place.
 CameraView parse_camera(std::string_view text);
 

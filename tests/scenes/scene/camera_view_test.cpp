@@ -15,17 +15,19 @@ TEST(CameraOption, ReadsFitAndOrbit) {
     EXPECT_EQ(camera.elevation, 10);
     EXPECT_FALSE(camera.distance);
     EXPECT_EQ(parse_camera("orbit:0,90,2.5").distance, 2.5);
+    EXPECT_EQ(parse_camera("orbit:0,90,2.5,1,-2,3e2").target, Vec3(1, -2, 300));
 }
 
 TEST(CameraOption, RefusesWhatIsNotACamera) {
-    expect_in("two or three numbers", refusal([] { parse_camera("orbit:1"); }));
-    expect_in("two or three numbers", refusal([] { parse_camera("orbit:1,2,3,4"); }));
+    expect_in("two, three or six numbers", refusal([] { parse_camera("orbit:1"); }));
+    expect_in("two, three or six numbers", refusal([] { parse_camera("orbit:1,2,3,4"); }));
     expect_in("number 2 cannot be read", refusal([] { parse_camera("orbit:1,x"); }));
     expect_in("number 1 cannot be read", refusal([] { parse_camera("orbit:"); }));
     expect_in("number 1 cannot be read", refusal([] { parse_camera("orbit:nan,2"); }));
     expect_in("comma is expected after number 2", refusal([] { parse_camera("orbit:1,2deg"); }));
     expect_in("elevation must be", refusal([] { parse_camera("orbit:1,91"); }));
     expect_in("distance must be", refusal([] { parse_camera("orbit:1,2,-3"); }));
+    expect_in("target must be", refusal([] { parse_camera("orbit:1,2,3,4,5,1e300"); }));
     expect_in("distance must be above 0 and at most 1e+",
               refusal([] { parse_camera("orbit:1,2,1e300"); }));
     expect_in("this is not a camera", refusal([] { parse_camera("frnot"); }));

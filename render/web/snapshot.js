@@ -1,0 +1,83 @@
+// A picture of what is seen that explains itself: title, numbers, the scene with its scale, the traversal, and what colors mean.
+function snapshotOf(app) {
+  const { canvas, state, manifest, columns, theme } = app, ratio = window.devicePixelRatio || 1, margin = 12, line = 20;
+  const tests = document.getElementById('tests'), parts = [canvas, ...(tests.hidden ? [] : [tests])], width = canvas.clientWidth, middle = parts.reduce((sum, part) => sum + part.clientHeight, 0);
+  const made = element('canvas'), context = made.getContext('2d'), font = (size, weight = 400) => (context.font = `${weight} ${size}px Roboto, system-ui, sans-serif`);
+  const head = [[document.title, 16, 500], ...columns.map((_, k) => [numbersLine(app, k), 13, 400])];
+  // Rows of the legend, each entry with its square of color.
+  font(13);
+  const entries = legendOf(app), scale = app.isHeat || (state.mode === 'levels' && manifest.legend), rows = [[]];
+  let x = margin;
+  for (const [color, text] of scale ? [] : entries) {
+    const w = context.measureText(text).width + 36;
+    if (x + w > width && rows.at(-1).length > 0) {
+      rows.push([]);
+      x = margin;
+    }
+    rows.at(-1).push([x, color, text]);
+    x += w;
+  }
+  const top = margin + head.length * line + 4, bottom = scale ? 52 : rows.length * line + margin, height = top + middle + bottom;
+  Object.assign(made, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.fillStyle = css(theme.background);
+  context.fillRect(0, 0, width, height);
+  context.textBaseline = 'middle';
+  const write = (text, at, y, room = width - at - margin) => {
+    context.fillStyle = css(theme.text);
+    let shown = text;
+    while (shown.length > 1 && context.measureText(shown).width > room) shown = `${shown.slice(0, -2).trimEnd()}\u2026`;
+    context.fillText(shown, at, y);
+  };
+  head.forEach(([text, size, weight], i) => {
+    font(size, weight);
+    write(text, margin, margin + (i + 0.5) * line);
+  });
+  context.drawImage(canvas, 0, top, width, canvas.clientHeight);
+  if (!tests.hidden) for (const one of tests.querySelectorAll('canvas')) context.drawImage(one, one.offsetLeft, top + canvas.clientHeight + one.offsetTop, one.clientWidth, one.clientHeight);
+  font(13);
+  if (columns.length > 1) app.rectangles.forEach(([left, y, w], k) => write(columns[k].title, left / ratio + 8, top + y / ratio + 14, w / ratio - 16));
+  const bar = document.getElementById('bar'), size = parseFloat(bar.lastElementChild.style.width), y = top + canvas.clientHeight - 16;
+  context.strokeStyle = css(theme.text);
+  context.strokeRect(16, y, size, 0);
+  write(bar.firstElementChild.textContent, 16, y - 10);
+  const legendTop = top + middle + margin / 2;
+  if (scale) {
+    const [title, ticks] = entries, room = Math.min(width - 2 * margin, 360);
+    write(title, margin, legendTop + 8);
+    for (let i = 0; i < room; ++i) {
+      context.fillStyle = css(app.scaleColor(i / room));
+      context.fillRect(margin + i, legendTop + 17, 1, 9);
+    }
+    ticks.forEach(([at, text], i) => {
+      context.textAlign = i === 0 ? 'left' : at === 1 ? 'right' : 'center';
+      write(text, margin + at * room, legendTop + 36, Infinity);
+    });
+    return made;
+  }
+  rows.forEach((row, i) => row.forEach(([at, color, text]) => {
+    context.fillStyle = css(color);
+    context.fillRect(at, legendTop + i * line + 4, 11, 11);
+    write(text, at + 17, legendTop + i * line + 10, width - at - 17);
+  }));
+  return made;
+}
+
+// The numbers of a column, in a line.
+function numbersLine(app, k) {
+  const { state, manifest, columns } = app, { title, query } = columns[k], told = query?.frames.get(manifest.frames[state.at]);
+  const words = [modes.find(({ name }) => name === state.mode).text, ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
+  if (told && state.mode !== 'levels') words.push(`${counted(told.pairs)} pairs`, `${counted(told.n_v)} volume tests`, `${counted(told.n_p)} triangle tests`, ...(told.judged ? [`${counted(told.wasted)} wasted`] : []));
+  return (columns.length > 1 ? `${title}: ` : '') + words.join(', ');
+}
+
+// Colors and what they mean; of a scale its title and its ticks.
+function legendOf(app) {
+  const { state, manifest, theme } = app, k = state.column, { query, bodies } = app.columns[k], { frame, heat } = app.scenes[k] ?? {}, ofBodies = bodies.map(({ color, name }) => [color, name]);
+  if (state.mode === 'levels' && manifest.legend) return [manifest.legend.title, manifest.legend.ticks];
+  if (heat) return app.panel.queryPanel.heatScale(heat);
+  if (state.mode === 'levels' || state.mode === 'pairs' || !frame || app.isHeat) return ofBodies;
+  const verdicts = state.mode === 'verdicts' || (state.mode === 'traversal' && state.by === 'worth'), classes = verdicts ? frame.judged : frame.ended;
+  const groups = (verdicts ? query.told.worths : query.told.groups).flatMap((group, i) => (classes.counts[i] > 0 && !state.hidden.includes(group.label) ? [[group[state.theme], `${group.label}: ${counted(classes.counts[i])}`]] : []));
+  return state.mode === 'traversal' ? [...(verdicts ? [] : [[passedOn(theme), 'passed on']]), ...groups] : groups;
+}

@@ -1,0 +1,66 @@
+#include "core/analysis/level_overlaps.h"
+
+#include <gtest/gtest.h>
+
+#include "core/collide/query_placement.h"
+#include "core/overlap/test_functors.h"
+#include "tests/core/analysis/traces.h"
+
+namespace scb {
+namespace {
+
+TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
+    const BuiltMesh mesh(height_field(9));
+    const AnyHierarchy& any = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];
+    const auto& hierarchy = std::get<Hierarchy<Scb>>(any);
+    const TreeShape shape = tree_shape(*hierarchy.topology);
+    Pose apart = pose_to_divide();
+    apart.translation = Vec3(0.1, 0.1, 0.25);
+    std::size_t levels = 0;
+    for (const Pose& b_to_a : {pose_to_divide(), apart}) {
+        const Placement placed = query_placement(hierarchy, hierarchy, b_to_a);
+        const std::vector<std::size_t> counts = level_overlaps(any, any, b_to_a, {}, SIZE_MAX);
+        levels += counts.size();
+        ASSERT_EQ(counts[0], 1U);
+        // Node by node up to the roots, one level above the other.
+        const auto above = [&](std::uint32_t node, int level) {
+            while (static_cast<int>(shape.depths[node]) > level) node = shape.parents[node];
+            return node;
+        };
+        for (int level = 0; level < static_cast<int>(counts.size()); ++level) {
+            std::size_t expected = 0;
+            for (const std::uint32_t x : level_cover(shape, level))
+                for (const std::uint32_t y : level_cover(shape, level)) {
+                    bool all = true;
+                    for (int up = 0; up <= level && all; ++up)
+                        all = ScbTest<OverlapTest::corrected>{OverlapOptions{}.threshold}(
+                                  hierarchy.volumes[above(x, up)], hierarchy.volumes[above(y, up)],
+                                  placed) == Stage::overlapping;
+                    expected += all ? 1 : 0;
+                }
+            EXPECT_EQ(counts[static_cast<std::size_t>(level)], expected) << level;
+        }
+        // The gap is shown by a level of none, and what comes into contact has pairs on all levels.
+        const bool meet =
+            !collide(any, mesh.mesh, any, mesh.mesh, b_to_a, CollideOptions{}).pairs.empty();
+        EXPECT_EQ(counts.back() > 0, meet);
+        if (meet) EXPECT_EQ(counts.size(), static_cast<std::size_t>(depth(shape)) + 1);
+    }
+    EXPECT_GT(levels, 6U);
+}
+
+TEST(LevelOverlaps, EndBeforeTheFirstLevelOfMoreThanTheMost) {
+    const BuiltMesh mesh(height_field(9));
+    const AnyHierarchy& any = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::ball)];
+    const std::vector<std::size_t> all = level_overlaps(any, any, pose_to_divide(), {}, SIZE_MAX);
+    ASSERT_GT(all.size(), 5U);
+    for (const std::size_t most : {std::size_t{0}, all[2], all[3] - 1, all[4]}) {
+        std::vector<std::size_t> expected = all;
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            if (expected[i] > most) expected.resize(i);
+        EXPECT_EQ(level_overlaps(any, any, pose_to_divide(), {}, most), expected) << most;
+    }
+}
+
+}  // namespace
+}  // namespace scb
