@@ -35,7 +35,7 @@ class NodePanel {
       ['body', app.columns[column].bodies[body].name],
       ...(triangle === null ? [] : [['triangle', String(triangle)]]),
       [triangle === null ? 'node' : 'in the leaf', String(tree.order[slot])],
-      ['depth', element('span', { textContent: String(tree.levelOf(slot)) })],
+      ['depth', String(tree.levelOf(slot))],
     ];
     const parts = [table(rows), row(button('Go to it', 'A', () => app.approach()), button('Only what is below it', 'I', () => app.set({ isolated: !app.state.isolated }), app.state.isolated))];
     if (triangle !== null) parts.push(...this.triangleParts(body, triangle));

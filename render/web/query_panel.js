@@ -156,7 +156,7 @@ class QueryPanel {
         element('td', {}, step.formula, ...(step.error ? [element('div', { className: 'wrong', textContent: step.error })] : []), ...(step.not_tried && step.not_tried !== 'not reached' ? [faint(step.not_tried)] : [])),
         element('td', { textContent: step.not_tried ? 'not tried' : short(step.slack) })));
       parts.push(element('details', { open: true }, element('summary', { textContent: `Steps: ${told.answer}` }),
-        table([['exactly', told.exact], ...('room' in told ? [[told.exact === 'disjoint' ? 'gap' : 'depth', short(told.room)]] : [])]),
+        table([['exactly', told.exact], ...('room' in told ? [[told.exact === 'disjoint' ? 'gap' : 'depth of overlap', short(told.room)]] : [])]),
         element('table', {}, element('tr', {}, element('td', { className: 'faint', textContent: 'step, separates if' }), element('td', {}, word('slack'))), ...lines),
         ...symbolsOf(told.steps, app.columns[k].query.told.symbols).map(faint)));
     } else if (command) {

@@ -23,7 +23,7 @@ const terms = {
   'volume': 'volume of all volumes together',
   'slack': 'by how much the step separates the two: positive if it does. Other directions may separate them by more: the gap',
   'gap': 'how far apart the two volumes are, in whatever direction; of whatever test',
-  'depth': 'how far one of them has to move until they no longer overlap',
+  'depth of overlap': 'how far one of them has to move until they no longer overlap',
   'fit too loose': 'the volumes meet, but no triangles below them do',
   'test too weak': 'the volumes do not meet, but the test let them pass',
   'rejected wrongly': 'the test rejected volumes that overlap, or that hold triangles that meet',

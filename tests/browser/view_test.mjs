@@ -202,8 +202,12 @@ for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'
       assert.equal(told.frames[0].wasted, sum.wasted.n_v);
       assert.ok(counts[0] > 0);
       const [first] = told.worst[0];
-      await page.getByRole('button', { name: first.cost.toLocaleString('en-US'), exact: true }).first().click();
+      // What the list says of the test is what the panel and the icicle say of it.
+      await page.locator('.worst').first().getByRole('button', { name: first.nodes.join(), exact: true }).click();
       await settled(page);
+      const number = (n) => n.toLocaleString('en-US');
+      assert.match(await page.locator('.worst').first().innerText(), new RegExp(`${first.nodes.join()}\\s+${number(first.n_v)}\\s+${number(first.n_p)}`));
+      assert.match(await page.locator('#panel').innerText(), new RegExp(`tests that follow\\s+${number(first.n_v)}\\s`));
       const { test, mode } = await state(page);
       assert.deepEqual([test, mode], [first.test, 'traversal']);
       // The two nodes in the scene, and the steps of their test.
@@ -230,7 +234,7 @@ test('two queries stand beside each other, and what differs is outlined and coun
   const diff = JSON.parse(spawnSync(process.env.SCB, ['diff', ...traces, '--json'], { encoding: 'utf8' }).stdout);
   for (const file of [page_of(...traces), page_of('spheres-l1', '--compare', 'corrected,printed', '--frames', '50')])
     await onPage(file, { hash: '#show=pairs' }, async (page) => {
-      const only = await page.evaluate(() => document.getElementById('canvas').app.scenes.map(({ frame }) => frame.told.only_here));
+      const only = await page.evaluate(() => [0, 1].map((k) => document.getElementById('canvas').app.content.pairsOnlyHere(k).length));
       assert.deepEqual(only, [diff.pairs_only_in_a, diff.pairs_only_in_b]);
       assert.ok(only[0] > 0);
       await press(page, 'a', 'x');
@@ -247,7 +251,84 @@ test('two queries stand beside each other, and what differs is outlined and coun
       });
       const text = await page.locator('#panel').innerText();
       assert.match(text, new RegExp(`tests only here\\s+${parts[0].toLocaleString('en-US')}\\s+${parts[1].toLocaleString('en-US')}`));
+      // A pair that one of them missed leads to the test that lost it, with the error of its formula.
+      await press(page, '3');
+      const pair = await page.evaluate(() => document.getElementById('canvas').app.content.pairsOnlyHere(0)[0].join());
+      await page.getByRole('button', { name: pair, exact: true }).click();
+      await settled(page);
+      assert.match(await page.locator('#panel').innerText(), /corrected: found[\s\S]*printed: missed/);
+      await page.getByRole('button', { name: /^Lost at/ }).click();
+      await settled(page);
+      const lost = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), { frame } = app.scenes[1];
+        return { mode: app.state.mode, column: app.state.column, worth: frame.worths[app.state.test], rejects: app.columns[1].query.rejects(frame.outcomes[app.state.test]) };
+      });
+      assert.deepEqual(lost, { mode: 'traversal', column: 1, worth: 3, rejects: true });
+      assert.match(await page.locator('#panel').innerText(), /rejected wrongly[\s\S]*in corrected\s+they overlap[\s\S]*as printed/);
+      assert.equal(await page.locator('#whose').innerText(), 'printed');
+      // Back leads to the pair, and on to the pairs, in this page.
+      await page.goBack();
+      await settled(page);
+      assert.equal((await address(page)).pair, `${pair},0`);
+      await page.goBack();
+      await settled(page);
+      assert.deepEqual([(await address(page)).pair, (await address(page)).show], [undefined, 'pairs']);
     });
+});
+
+test('each level tells how many of its volumes overlap, and which shows a gap', async () => {
+  for (const [frame, meets] of [['100', true], ['0', false]])
+    await onPage(page_of('cone', '--frames', frame, '--volume', 'obb'), {}, async (page) => {
+      const overlaps = await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.told.frames[0].overlaps);
+      assert.equal(overlaps.at(-1) > 0, meets);
+      const text = async () => (await page.locator('#panel').innerText()).replaceAll(/\s+/g, ' ');
+      assert.ok((await text()).includes(`first level with a gap ${meets ? 'on none' : `level ${overlaps.length - 1}`}`));
+      for (const level of [0, 3]) {
+        await page.getByLabel('Level', { exact: true }).fill(String(level));
+        await settled(page);
+        assert.ok((await text()).includes(`overlapping pairs ${(overlaps[level] ?? 0).toLocaleString('en-US')} `));
+      }
+    });
+});
+
+test('what is isolated holds for queries, and wrong rejections are never left out', async () => {
+  await onPage(page_of('spheres-l1', '--test', 'printed', '--frames', '50', '--volume', 'scb'), { hash: '#show=verdicts' }, async (page) => {
+    const wrong = () => page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { nodes, classes } = app.scenes[0];
+      return [new Set(nodes.filter(({ group }) => group === 2).map(({ side, slot }) => `${side} ${slot}`)).size, classes.counts[2], nodes.length];
+    });
+    const [drawn, , all] = await wrong();
+    await page.evaluate(() => document.getElementById('canvas').app.set({ focus: 1 }));
+    const [every, , more] = await wrong();
+    assert.ok(drawn > 0 && more > all);
+    assert.equal(drawn, every);
+    await page.evaluate(() => document.getElementById('canvas').app.set({ mode: 'rejections', focus: 0.5 }));
+    const counts = () => page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { frame, classes } = app.scenes[0], tree = app.treeOf(0, 0), slot = tree.slotOf(1);
+      let tests = 0;
+      frame.outcomes.forEach((outcome, i) => (tests += outcome >= 2 && tree.isBelow(frame.a[i], slot) ? 1 : 0));
+      return [tests, classes.counts.reduce((sum, n) => sum + n, 0), app.scenes[0].nodes.length];
+    });
+    const [part, before] = await counts();
+    assert.ok(part < before);
+    const picture = await seen(page);
+    await page.evaluate(() => document.getElementById('canvas').app.find('A:1'));
+    await settled(page);
+    // A node that no path ended at is drawn all the same.
+    assert.ok(share_of_differences(await seen(page), picture) > 0.01);
+    await press(page, 'i');
+    const [again, shown] = await counts();
+    assert.deepEqual([again, shown], [part, part]);
+    await press(page, '3');
+    const [pairs, few] = await page.evaluate(async () => {
+      const { app } = document.getElementById('canvas'), tree = app.treeOf(0, 0);
+      let slot = await app.leafOf(0, 0, app.scenes[0].frame.pairs[0]);
+      while (tree.levelOf(slot) > 8) slot = tree.parent[slot];
+      await app.select(0, 0, slot);
+      return [app.scenes[0].frame.pairs.length, app.scenes[0].pairs.length];
+    });
+    assert.ok(few < pairs && few > 0);
+  });
 });
 
 test('two scenes stand beside each other', async () => {
@@ -387,7 +468,7 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await changes('a filter');
     assert.equal((await address(page)).hide, 'triangles apart');
     const [most, highest] = await page.evaluate(() => {
-      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { query } = app.columns[0], [[slot, n]] = query.mostOf(frame.ended, 0, (group) => query.told.groups[group].rejects, 5);
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { query } = app.columns[0], [[slot, n]] = query.mostOf(frame.ended, 0, (group) => query.told.groups[group].rejects);
       const counts = new Map();
       frame.outcomes.forEach((outcome, i) => outcome > 1 && query.told.groups[outcome - 2].rejects && counts.set(frame.a[i], (counts.get(frame.a[i]) ?? 0) + 1));
       return [[n, `${query.trees[0].order[slot]}: ${n.toLocaleString('en-US')}`], Math.max(...counts.values())];
@@ -417,21 +498,29 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await shot(page, 'pairs');
     // Each triangle that is drawn as meeting others names these.
     const told = await page.evaluate(async () => {
-      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), { frame, parts } = app.scenes[0];
+      const { app, clientWidth, clientHeight } = document.getElementById('canvas'), { meeting, parts } = app.scenes[0];
       for (let i = 0; i < 20000; ++i) {
         const found = app.pick((i * 7919) % clientWidth, (i * 104729) % clientHeight);
         if (found?.triangle === undefined || !parts.some((part) => part.side === found.body && part.triangles.includes(found.triangle))) continue;
         await app.selectTriangle(0, found.body, found.triangle);
         const tree = app.treeOf(0, found.body);
-        return { has: [...tree.itemsOf(app.state.selected.slot)].includes(found.triangle), text: app.panel.node.textContent, meets: frame.meeting[found.body].has(found.triangle) };
+        return { has: [...tree.itemsOf(app.state.selected.slot)].includes(found.triangle), text: app.panel.nodePanel.body.textContent, meets: meeting[found.body].has(found.triangle) };
       }
       return null;
     });
     assert.ok(told.has && told.meets);
     assert.match(told.text, /triangle\d+in the leaf\d+.*It meets \d+ of/);
+    // From one frame with a query to the next; the slider leads to others, and back to the nearest.
     await press(page, '.');
-    assert.match(await page.locator('#panel').innerText(), /no query of this frame, but of 90, 100, 110/);
-    await page.getByRole('button', { name: 'Frame 90' }).click();
+    assert.equal((await address(page)).frame, '110');
+    await page.getByLabel('Frame', { exact: true }).fill('98');
+    await settled(page);
+    assert.match(await page.locator('#panel').innerText(), /no query of frame 98, but of 90, 100, 110/);
+    await page.getByRole('button', { name: 'Frame 100' }).click();
+    await settled(page);
+    assert.equal((await address(page)).frame, '100');
+    const chart = await page.locator('.chart').boundingBox();
+    await page.mouse.click(chart.x + 2, chart.y + 10);
     await settled(page);
     assert.equal((await address(page)).frame, '90');
     await press(page, '1');
@@ -523,7 +612,8 @@ test('what is seen is saved as PNG', async () => {
     const file = join(folder, 'saved.png');
     await download.saveAs(file);
     const { width, height, ids } = read_png(file), size = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
-    assert.deepEqual([width, height], size);
+    // With title, numbers and legend.
+    assert.ok(width === size[0] && height > size[1] + 50 && height < size[1] + 150);
     assert.ok(new Set(ids).size > 50, 'it has colors');
   });
 });
