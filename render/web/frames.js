@@ -45,10 +45,10 @@ class FrameChart {
       for (const { frame, n_v, wasted } of query.told.frames) {
         const x = this.places.get(frame) * step;
         context.fillStyle = css(passedOn(app.theme, 0.6));
-        context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 1), unit * (n_v - wasted));
+        context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 2), unit * (n_v - wasted));
         context.fillStyle = css(query.told.worths[0][app.state.theme]);
-        context.fillRect(x, bottom - unit * n_v, Math.max(step, 1), unit * wasted);
-        context.fillRect(x, bottom - 1, Math.max(step, 1), 1);  // also of none
+        context.fillRect(x, bottom - unit * n_v, Math.max(step, 2), unit * wasted);
+        context.fillRect(x, bottom - 1, Math.max(step, 2), 1);  // also of none
       }
     });
     context.fillStyle = css(app.theme.text);

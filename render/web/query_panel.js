@@ -30,7 +30,7 @@ class QueryPanel {
     if (!frame) return [];
     const { told } = frame, passed = (frame.passed ??= frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0));
     return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
-      ...(told.judged ? [['wasted N_v', `${counted(told.wasted)}, ${percent(told.wasted, told.n_v)}`]] : [])];
+      ...(told.judged ? [['wasted N_v', counted(told.wasted)], ['wasted share', percent(told.wasted, told.n_v)]] : [])];
   }
 
   // The counts of all columns beside each other, and what differs.
