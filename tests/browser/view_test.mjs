@@ -539,6 +539,13 @@ test('another engine\'s recording is a page like any other', async () => {
       assert.ok(share_of_differences(await seen(page), recorded) < 0.02);
     });
   });
+  // Of boxes the test is exact, so that the levels have the same pairs.
+  const boxes = join(folder, 'boxes.scbrec'), overlaps = [];
+  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '-o', boxes);
+  for (const made of [page_of(boxes), page_of('cone', '--volume', 'obb', '--frames', '100')])
+    await onPage(made, {}, async (page) => overlaps.push(await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.told.frames[0].overlaps)));
+  assert.ok(overlaps[0].length > 5);
+  assert.deepEqual(overlaps[0], overlaps[1]);
 });
 
 test('keys do all of it', async () => {

@@ -15,12 +15,12 @@ TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
     const auto& hierarchy = std::get<Hierarchy<Scb>>(any);
     const TreeShape shape = tree_shape(*hierarchy.topology);
     Pose apart = pose_to_divide();
-    apart.translation = Vec3(0.1, 0.1, 0.25);
-    std::size_t levels = 0;
+    apart.rotation << 1, 0, 0, 0, 0.8, -0.6, 0, 0.6, 0.8;
+    // Apart, though not by their roots.
+    while (level_overlaps(any, any, apart, {}, SIZE_MAX).back() > 0) apart.translation[2] += 0.001;
     for (const Pose& b_to_a : {pose_to_divide(), apart}) {
         const Placement placed = query_placement(hierarchy, hierarchy, b_to_a);
         const std::vector<std::size_t> counts = level_overlaps(any, any, b_to_a, {}, SIZE_MAX);
-        levels += counts.size();
         ASSERT_EQ(counts[0], 1U);
         // Node by node up to the roots, one level above the other.
         const auto above = [&](std::uint32_t node, int level) {
@@ -33,20 +33,20 @@ TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
                 for (const std::uint32_t y : level_cover(shape, level)) {
                     bool all = true;
                     for (int up = 0; up <= level && all; ++up)
-                        all = ScbTest<OverlapTest::corrected>{OverlapOptions{}.threshold}(
+                        all = ScbTest<OverlapTest::symmetric>{OverlapOptions{}.threshold}(
                                   hierarchy.volumes[above(x, up)], hierarchy.volumes[above(y, up)],
                                   placed) == Stage::overlapping;
                     expected += all ? 1 : 0;
                 }
             EXPECT_EQ(counts[static_cast<std::size_t>(level)], expected) << level;
         }
-        // The gap is shown by a level of none, and what comes into contact has pairs on all levels.
+        // A level of none shows the gap; what meets has pairs on all levels.
         const bool meet =
             !collide(any, mesh.mesh, any, mesh.mesh, b_to_a, CollideOptions{}).pairs.empty();
         EXPECT_EQ(counts.back() > 0, meet);
-        if (meet) EXPECT_EQ(counts.size(), static_cast<std::size_t>(depth(shape)) + 1);
+        EXPECT_GT(counts.size(), 3U);
+        EXPECT_TRUE(!meet || counts.size() == static_cast<std::size_t>(depth(shape)) + 1);
     }
-    EXPECT_GT(levels, 6U);
 }
 
 TEST(LevelOverlaps, EndBeforeTheFirstLevelOfMoreThanTheMost) {
