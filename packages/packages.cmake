@@ -33,6 +33,7 @@ macro(scb_package component name section depends summary text)
     set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
     # What Debian wants of every package: the license, and what has changed.
     install(FILES packages/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
+    install(FILES packages/overrides/${component} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${name} COMPONENT ${component})
     install(FILES ${PROJECT_BINARY_DIR}/packages/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
 endmacro()
 scb_package(program scb science "" "headless visual debugger for bounding volume hierarchies"
@@ -43,8 +44,9 @@ scb_package(development libscb-dev libdevel "libscb${soname} ${same_version}, li
     "Fits slab cut balls and other bounding volumes to triangle meshes, builds\nhierarchies of them, and finds the triangles of two bodies that intersect.\nThis package has the headers, the static library, and files for CMake and\npkg-config.")
 scb_package(python python3-scb python "python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
-# The linker's cache of shared libraries.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+# For packages of programs that use the library.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/triggers)
 
 file(READ packages/changelog changelog)
