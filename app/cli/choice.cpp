@@ -13,11 +13,17 @@ std::string offered(const std::vector<std::string>& words) {
     return text;
 }
 
+std::vector<Choice<std::string>> words_as_choices(const std::vector<std::string>& words) {
+    std::vector<Choice<std::string>> choices;
+    for (const std::string& word : words) choices.push_back({word, word});
+    return choices;
+}
+
 Option add_word_option(const Command& command, const std::string& names,
                        const std::vector<std::string>& words,
                        const std::function<void(std::size_t)>& use, const std::string& help) {
     const std::string name = names.substr(0, names.find(','));
-    return command.add_option_function(
+    const Option option = command.add_option_function(
         names,
         [words, name, use](const std::string& text) {
             const auto found = std::find(words.begin(), words.end(), text);
@@ -27,6 +33,7 @@ Option add_word_option(const Command& command, const std::string& names,
             use(static_cast<std::size_t>(found - words.begin()));
         },
         help);
+    return option.offer(words);
 }
 
 }  // namespace scb::app

@@ -40,10 +40,14 @@ std::vector<Choice<Enum>> choices_of(std::span<const Enum> values,
 /// The words, to be offered: "first, last, dominant or share".
 std::string offered(const std::vector<std::string>& words);
 template <class T>
-std::string offered(const std::vector<Choice<T>>& choices) {
+std::vector<std::string> words_of(const std::vector<Choice<T>>& choices) {
     std::vector<std::string> words;
     for (const Choice<T>& choice : choices) words.push_back(choice.word);
-    return offered(words);
+    return words;
+}
+template <class T>
+std::string offered(const std::vector<Choice<T>>& choices) {
+    return offered(words_of(choices));
 }
 
 /// An option that takes one of the words; calls `use` with the word's place among them. Another
@@ -57,15 +61,15 @@ template <class T>
 Option add_choice(const Command& command, const std::string& names, T& value,
                   const std::vector<Choice<std::type_identity_t<T>>>& choices,
                   const std::string& help) {
-    std::vector<std::string> words;
     std::string present;
-    for (const Choice<T>& choice : choices) {
-        words.push_back(choice.word);
+    for (const Choice<T>& choice : choices)
         if (choice.value == value) present = choice.word;
-    }
     const auto use = [&value, choices](std::size_t place) { value = choices[place].value; };
-    return add_word_option(command, names, words, use, help).default_str(present);
+    return add_word_option(command, names, words_of(choices), use, help).default_str(present);
 }
+
+/// Words that are values themselves.
+std::vector<Choice<std::string>> words_as_choices(const std::vector<std::string>& words);
 
 /// The choices of an option that may be left open, with a word for that where it has one.
 template <class T>

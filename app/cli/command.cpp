@@ -12,10 +12,10 @@ namespace {
 
 /// An option that takes no empty value: that is a variable of a shell that was not set, and would
 /// be taken for an option that was not given.
-Option with_value(CLI::Option* option) {
+CLI::Option* with_value(CLI::Option* option) {
     option->check(CLI::Validator(
         [](std::string& text) { return text.empty() ? "the value is empty; give one" : ""; }, ""));
-    return Option(option);
+    return option;
 }
 
 }  // namespace
@@ -27,6 +27,22 @@ Option Option::check(Check accepted) const {
 Option Option::type_name(const std::string& name) const {
     option_->type_name(name);
     return *this;
+}
+Option Option::file(const std::vector<std::string>& endings) const {
+    (*table_)[option_] = {.endings = endings};
+    return type_name(endings.size() == 1 ? "FILE" + endings[0] : "FILE");
+}
+Option Option::folder() const {
+    (*table_)[option_] = {.is_folder = true};
+    return type_name("DIR");
+}
+Option Option::offer(const std::vector<std::string>& words) const {
+    (*table_)[option_].words = words;
+    return *this;
+}
+Option Option::offer_list(const std::vector<std::string>& words) const {
+    (*table_)[option_].is_list = true;
+    return offer(words);
 }
 Option Option::description(const std::string& text) const {
     option_->description(text);
@@ -67,7 +83,7 @@ Option Option::hide() const {
 
 template <class T>
 Option Command::add_option(const std::string& names, T& value, const std::string& help) const {
-    return with_value(app_->add_option(names, value, help));
+    return Option(with_value(app_->add_option(names, value, help)), *table_);
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&) const;
 template Option Command::add_option(const std::string&, int&, const std::string&) const;
@@ -88,29 +104,35 @@ template Option Command::add_option(const std::string&, std::vector<double>&,
 Option Command::add_option_function(const std::string& names,
                                     const std::function<void(const std::string&)>& use,
                                     const std::string& help) const {
-    return Option(app_->add_option_function<std::string>(names, use, help));
+    return Option(app_->add_option_function<std::string>(names, use, help), *table_);
 }
 
 Option Command::add_flag(const std::string& names, bool& value, const std::string& help) const {
-    return Option(app_->add_flag(names, value, help));
+    return Option(app_->add_flag(names, value, help), *table_);
 }
 
-Option Command::get_option(const std::string& name) const { return Option(app_->get_option(name)); }
+Option Command::get_option(const std::string& name) const {
+    return Option(app_->get_option(name), *table_);
+}
 
 void Command::remove_option(const std::string& name) const {
-    app_->remove_option(app_->get_option(name));
+    CLI::Option* option = app_->get_option(name);
+    table_->erase(option);
+    app_->remove_option(option);
 }
 
 std::size_t Command::count(const std::string& name) const { return app_->count(name); }
 
 Command Command::add_subcommand(const std::string& name, const std::string& help) const {
-    return Command(*app_->add_subcommand(name, help));
+    return Command(*app_->add_subcommand(name, help), *table_);
 }
 
 void Command::require_subcommand() const {
     app_->require_subcommand(1);
     app_->fallthrough();
 }
+
+void Command::hide() const { app_->group(""); }
 
 void Command::footer(const std::string& text) const { app_->footer(text); }
 

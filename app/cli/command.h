@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <string>
+#include <vector>
+
+#include "app/cli/option_values.h"
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace scb::app {
@@ -17,11 +19,19 @@ using Check = std::string (*)(const std::string& text);
 /// CLI11, which no header includes, since it takes five seconds to compile.
 class Option {
   public:
-    explicit Option(CLI::Option* option) : option_(option) {}
+    Option(CLI::Option* option, OptionTable& table) : option_(option), table_(&table) {}
 
     Option check(Check accepted) const;
-    /// What help shows for its value: "FILE".
+    /// What help shows for its value: "N".
     Option type_name(const std::string& name) const;
+    /// Its value is a file with one of these endings, such as ".json", or a folder: "FILE.json",
+    /// "DIR".
+    Option file(const std::vector<std::string>& endings) const;
+    Option folder() const;
+    /// Words that it takes, among others or not.
+    Option offer(const std::vector<std::string>& words) const;
+    /// It takes several of these words, with commas.
+    Option offer_list(const std::vector<std::string>& words) const;
     Option description(const std::string& text) const;
     /// Has help show the present value as the default.
     Option show_default() const;
@@ -38,12 +48,13 @@ class Option {
 
   private:
     CLI::Option* option_;
+    OptionTable* table_;
 };
 
 /// A command of the program, being described. A handle.
 class Command {
   public:
-    explicit Command(CLI::App& app) : app_(&app) {}
+    Command(CLI::App& app, OptionTable& table) : app_(&app), table_(&table) {}
 
     /// `names`: "SCENE", "--size", "-o,--output", "--frames,--frame". `value` gets what is given.
     /// T: std::string, int, std::int64_t, std::size_t, double, std::optional of one, or a
@@ -62,15 +73,19 @@ class Command {
     Command add_subcommand(const std::string& name, const std::string& help) const;
     /// Makes it one that does nothing without a subcommand.
     void require_subcommand() const;
+    /// Leaves it out of the help of the program.
+    void hide() const;
     /// Text below the options in its help.
     void footer(const std::string& text) const;
     /// What is called once it was chosen and the whole command line was read.
     void callback(std::function<void()> chosen) const;
 
     const CLI::App& app() const { return *app_; }
+    const OptionTable& table() const { return *table_; }
 
   private:
     CLI::App* app_;
+    OptionTable* table_;
 };
 
 }  // namespace scb::app

@@ -18,8 +18,6 @@ namespace scb::app {
 void GoldenOptions::check() const {
     if (jobs < 0 || jobs > 256)
         throw InputError("--jobs " + std::to_string(jobs) + ": give 1 to 256.");
-    if (!render::gl_backend_from_string(gl))
-        throw InputError("--gl " + gl + ": give osmesa or egl.");
 }
 
 std::filesystem::path GoldenOptions::baselines_folder() const {
@@ -77,12 +75,12 @@ void add_suite_options(const Command& command, GoldenOptions& options) {
     command.add_option("NAME", options.names, "Cases; all of them where none is named")
         .type_name("");
     command.add_option("--suite", options.suite, "The file that describes the cases")
-        .type_name("FILE.json")
+        .file({".json"})
         .show_default();
     command
         .add_option("--baselines", options.baselines,
                     "The folder of the baselines; else baselines/ beside the suite")
-        .type_name("DIR");
+        .folder();
 }
 
 void add_golden_options(const Command& command, GoldenOptions& options) {
@@ -93,7 +91,7 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
             "--models", options.models,
             "Folder to search for meshes that are missing beside the suite and their scene file")
         .envname("SCB_MODELS")
-        .type_name("DIR");
+        .folder();
     command.add_option("--jobs", options.jobs, "Cases at a time; 0 is one per core")
         .check(decimal_number)
         .type_name("J")
@@ -103,9 +101,7 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
                     "Run each case, in the folder of the suite, with this program in front: "
                     "\"qemu-x86_64 -cpu Nehalem\"")
         .type_name("WORDS");
-    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
-        .type_name("NAME")
-        .show_default();
+    add_gl_option(command, options.gl);
 }
 
 }  // namespace scb::app

@@ -72,6 +72,7 @@ void add_golden_report(const Command& golden, const Console& console, Action& ac
                     "The results.json of each shard; the pictures must be in the same folder")
         .required()
         .expected(1, 1000)
+        .file({".json"})
         .type_name("FILE.json...");
     add_result_files(command, options->files);
     command.footer(

@@ -129,11 +129,10 @@ void add_result_files(const Command& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
                     "Folder for report.html, results.json and the pictures of failing cases")
-        .type_name("DIR");
+        .folder();
     command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
-        .type_name("FILE.xml");
-    command.add_option("--json", files.json, "Also write the results as JSON")
-        .type_name("FILE.json");
+        .file({".xml"});
+    command.add_option("--json", files.json, "Also write the results as JSON").file({".json"});
 }
 
 void write_results(const golden::SuiteResult& result, const ResultFiles& files,

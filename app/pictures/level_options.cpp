@@ -32,6 +32,7 @@ void add_level_options(const Command& command, LevelOptions& options) {
                     "Levels: 5,7,9,11 or 0:12 or 0:12:3 or leaves or all; auto: down to the first "
                     "that has 95 % of the leaves, and the deepest")
         .type_name("LIST")
+        .offer({"leaves", "all", "auto"})
         .show_default();
     add_picture_options(command, options.picture, options.camera);
     add_panel_option(command, options.picture);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/cli/choice.h"
 #include "app/cli/validators.h"
 #include "app/query/scene_options.h"
 #include "render/files/output_file.h"
@@ -37,12 +38,8 @@ void PictureOptions::check() const {
                                   width() <= largest && height() <= largest
                               ? ", or twice that with --samples 1."
                               : "."));
-    if (samples != 1 && samples != 4)
-        throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
     if (job_count < 0 || job_count > 256)
         throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
-    theme();
-    backend();
     if (open && output.empty())
         throw InputError("--open: there is nothing to open; say where pictures go with -o DIR.");
 }
@@ -55,15 +52,11 @@ render::FigureLayout PictureOptions::layout() const {
 }
 
 const render::Theme* PictureOptions::theme() const {
-    if (background == "light") return &render::light_theme;
-    if (background == "dark") return &render::dark_theme;
-    throw InputError("--background " + background + ": give light or dark.");
+    return background == "dark" ? &render::dark_theme : &render::light_theme;
 }
 
 render::GlBackend PictureOptions::backend() const {
-    if (const std::optional<render::GlBackend> backend = render::gl_backend_from_string(gl))
-        return *backend;
-    throw InputError("--gl " + gl + ": give osmesa or egl.");
+    return render::gl_backend_from_string(gl).value();
 }
 
 std::size_t PictureOptions::jobs() const {
@@ -81,11 +74,17 @@ std::filesystem::path PictureOptions::output_folder() const {
     return output;
 }
 
+void add_gl_option(const Command& command, std::string& gl) {
+    add_choice(command, "--gl", gl, words_as_choices({"osmesa", "egl"}),
+               "Where OpenGL comes from: osmesa or egl")
+        .type_name("NAME");
+}
+
 namespace {
 
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
     options.command = command;
-    const Option output = command.add_option("-o,--output", options.output, files).type_name("DIR");
+    const Option output = command.add_option("-o,--output", options.output, files).folder();
     if (!options.output.empty()) output.show_default();
     command.add_flag("--open", options.open,
                      "Open what was made, with the desktop's own program: the page, the video, the "
@@ -100,10 +99,11 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
         .add_option("--camera", camera.camera,
                     "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else the "
                     "scene's own")
+        .file({".json"})
+        .offer({"fit", "orbit:"})
         .type_name("CAMERA");
-    command
-        .add_option("--up", camera.up,
-                    "The axis that points up: x, y or z. Default z; y of glTF files")
+    add_choice(command, "--up", camera.up, words_as_choices({"x", "y", "z"}),
+               "The axis that points up: x, y or z. Default z; y of glTF files")
         .type_name("AXIS");
     command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
     command
@@ -111,18 +111,16 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
                     "Only what is on this side of a plane is drawn: points p of the world with "
                     "(X,Y,Z).p <= D")
         .type_name("X,Y,Z,D");
-    command.add_option("--samples", options.samples, "Samples per pixel: 1 or 4")
-        .check(decimal_number)
-        .show_default();
+    add_choice(command, "--samples", options.samples, {{"1", 1}, {"4", 4}},
+               "Samples per pixel: 1 or 4")
+        .type_name("N");
 }
 
 void add_drawing(const Command& command, PictureOptions& options) {
-    command.add_option("--background", options.background, "light or dark")
-        .type_name("THEME")
-        .show_default();
-    command.add_option("--gl", options.gl, "Where OpenGL comes from: osmesa or egl")
-        .type_name("NAME")
-        .show_default();
+    add_choice(command, "--background", options.background, words_as_choices({"light", "dark"}),
+               "light or dark")
+        .type_name("THEME");
+    add_gl_option(command, options.gl);
     command
         .add_flag("--shift-color", options.shift_color,
                   "An error on purpose, for `scb golden selftest`")
@@ -170,7 +168,7 @@ void add_picture_options(const Command& command, PictureOptions& options) {
 void add_page_options(const Command& command, PictureOptions& options, CameraOptions& camera,
                       const char* page) {
     add_output_size(command, options, page);
-    command.get_option("--output").type_name("FILE.html");
+    command.get_option("--output").file({".html"});
     command.get_option("--size").description("Size of the still picture in pixels");
     add_view(command, options, camera);
     add_drawing(command, options);

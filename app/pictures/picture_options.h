@@ -50,6 +50,8 @@ struct PictureOptions {
 };
 
 void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera);
+/// --gl alone.
+void add_gl_option(const Command& command, std::string& gl);
 /// Whether there is anything beside the view.
 void add_panel_option(const Command& command, PictureOptions& options);
 /// Of pictures without a view of the scene: neither camera nor samples nor ids.

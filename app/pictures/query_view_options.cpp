@@ -78,8 +78,10 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         add_panel_option(command, options.picture);
         command.get_option("--camera")
             .description(
-                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows what meets), "
-                "or a JSON file; else the scene's own");
+                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows what "
+                "meets), "
+                "or a JSON file; else the scene's own")
+            .offer({"fit", "contact", "orbit:"});
         command
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
@@ -88,6 +90,7 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
             .add_option("--compare", options.compare,
                         "Two overlap tests, such as corrected,printed, or two volumes, such as "
                         "scb,ball: both side by side, and what differs outlined")
+            .offer_list(compared_words())
             .type_name("A,B");
         command.add_flag("--sheet", options.sheet,
                          "Also all pictures in one, small, with their counts");
@@ -96,7 +99,8 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
     }
     add_video_options(command, options.picture.video);
     command.get_option("--frames")
-        .description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own");
+        .description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own")
+        .offer({"all", "auto"});
 }
 
 }  // namespace scb::app

@@ -61,8 +61,7 @@ void CameraOptions::check() const {
 Vec3 CameraOptions::up_vector() const {
     if (up.empty() || up == "z") return Vec3::UnitZ();
     if (up == "x") return Vec3::UnitX();
-    if (up == "y") return Vec3::UnitY();
-    throw InputError("--up " + up + ": give x, y or z.");
+    return Vec3::UnitY();
 }
 
 std::optional<FacePlane> CameraOptions::clip_plane() const {

@@ -58,10 +58,11 @@ void add_convert(const Command& program, const Console& console, Action& action)
         .add_option("RECORDING", options->inputs,
                     "Recordings, as scb_record.h writes them, or their twins in JSON Lines")
         .required()
+        .file({".scbrec", ".jsonl"})
         .type_name("");
     command.add_option("-o,--output", options->output, "The file: .scbrec or .jsonl")
         .required()
-        .type_name("FILE");
+        .file({".scbrec", ".jsonl"});
     command.footer(
         "Nothing is lost. Several recordings are of the threads of one program: what they say "
         "alike is written once, and their\n"

@@ -89,8 +89,12 @@ void add_diff(const Command& program, Action& action) {
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->a, "A trace, see `scb trace`, or another engine's recording")
         .required()
+        .file({".scbtrace", ".scbrec", ".jsonl"})
         .type_name("");
-    command.add_option("B", options->b, "Another one").required().type_name("");
+    command.add_option("B", options->b, "Another one")
+        .required()
+        .file({".scbtrace", ".scbrec", ".jsonl"})
+        .type_name("");
     command.add_option("--bodies", options->bodies, "Of recordings, which two bodies: A,B");
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(

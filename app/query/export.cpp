@@ -98,13 +98,14 @@ void add_export(const Command& program, const Console& console, Action& action) 
     add_hierarchy_options(command, options->hierarchy, false);
     command.add_option("--levels,--level", options->levels, "The level: a number, or 'leaves'")
         .required()
+        .offer({"leaves"})
         .type_name("K");
     command.add_option("--segments", options->segments, "Corners per circle")
         .check(decimal_number)
         .show_default();
     command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
         .required()
-        .type_name("FILE");
+        .file({".ply", ".obj", ".glb", ".stl"});
     command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");
     command.callback([&action, &console, command, options] {
         options->recording = given_hierarchy_options(command);

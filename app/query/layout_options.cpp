@@ -17,6 +17,10 @@ std::string layout_names(const std::string& separator) {
     return names;
 }
 
+std::vector<std::string> layout_words() {
+    return scenes::split_list("reference," + layout_names(","));
+}
+
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles) {
     if (leaf_triangles < 1 || leaf_triangles > most_leaf_triangles)
         throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +

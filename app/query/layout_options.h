@@ -12,6 +12,9 @@ namespace scb::app {
 /// "float2, float4, ...": what --layout knows besides the reference.
 std::string layout_names(const std::string& separator = ", ");
 
+/// All that --layout knows.
+std::vector<std::string> layout_words();
+
 /// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
 /// reference. Throws InputError for a name that is unknown or
 /// repeated, or another number than 1 to 4.

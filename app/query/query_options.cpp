@@ -15,6 +15,10 @@ namespace {
 
 std::string test_names() { return name_list(all_overlap_tests(), overlap_test_name); }
 
+std::vector<std::string> test_words() {
+    return words_of(choices_of(all_overlap_tests(), overlap_test_name));
+}
+
 }  // namespace
 
 std::vector<OverlapTest> QueryOptions::tests() const {
@@ -79,14 +83,19 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
 }
 
 void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests) {
-    command
-        .add_option(
-            "--test", options.test,
-            std::string(several_tests ? "Overlap tests for slab cut balls with one slab: some of "
-                                      : "Overlap test for slab cut balls with one slab: ") +
-                test_names() + " (printed misses collisions)")
-        .type_name(several_tests ? "LIST" : "TEST")
-        .show_default();
+    const Option test =
+        command
+            .add_option("--test", options.test,
+                        std::string(several_tests
+                                        ? "Overlap tests for slab cut balls with one slab: some of "
+                                        : "Overlap test for slab cut balls with one slab: ") +
+                            test_names() + " (printed misses collisions)")
+            .type_name(several_tests ? "LIST" : "TEST")
+            .show_default();
+    if (several_tests)
+        test.offer_list(test_words());
+    else
+        test.offer(test_words());
     command
         .add_option("--threshold", options.threshold,
                     "Threshold a of the paper, for corrected, line8 and printed: a slab is tested "
@@ -94,6 +103,12 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
         .check(real_number)
         .type_name("A")
         .show_default();
+}
+
+std::vector<std::string> compared_words() {
+    std::vector<std::string> words = test_words();
+    for (const VolumeKind kind : all_volume_kinds()) words.emplace_back(volume_kind_name(kind));
+    return words;
 }
 
 void add_bodies_option(const Command& command, QueryOptions& options) {
@@ -114,6 +129,7 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
         .type_name("LIST")
+        .offer({"all"})
         .show_default();
     add_bodies_option(command, options);
 }
@@ -127,7 +143,8 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
         .add_option(
             "--levels,--level", limits.levels,
             "Stop at this level: one number, or 'leaves'; finds pairs of nodes, tests no triangles")
-        .type_name("K");
+        .type_name("K")
+        .offer({"leaves"});
 }
 
 std::vector<std::string> given_hierarchy_options(const Command& command) {

@@ -43,6 +43,8 @@ void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kin
 
 /// --test and --threshold; `several_tests`: whether --test takes a list.
 void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests);
+/// What can stand side by side: overlap tests and volumes.
+std::vector<std::string> compared_words();
 void add_bodies_option(const Command& command, QueryOptions& options);
 /// These and the rest.
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests);

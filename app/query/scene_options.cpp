@@ -10,6 +10,7 @@
 #include "scb/error.h"
 #include "scenes/recordings/recording.h"
 #include "scenes/recordings/recording_input.h"
+#include "scenes/scene/builtin.h"
 #include "scenes/scene/pose_rows.h"
 #include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"
@@ -70,6 +71,22 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     return result;
 }
 
+namespace {
+
+/// Of scene files, meshes in common formats, traces and recordings.
+std::vector<std::string> scene_endings() {
+    return {".json", ".ply", ".obj", ".stl", ".off",      ".gltf",   ".glb",  ".dae",
+            ".3ds",  ".fbx", ".ac",  ".x",   ".scbtrace", ".scbrec", ".jsonl"};
+}
+
+}  // namespace
+
+std::vector<std::string> builtin_names() {
+    std::vector<std::string> names;
+    for (const scenes::BuiltinScene& scene : scenes::builtin_scenes()) names.push_back(scene.name);
+    return names;
+}
+
 void add_scene_options(const Command& command, SceneOptions& options, bool with_frame) {
     command
         .add_option(
@@ -78,6 +95,8 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
             "another engine's recording")
         .required()
         .expected(1, 2)
+        .file(scene_endings())
+        .offer(builtin_names())
         .type_name("[SCENE]");
     command
         .add_option("--pose", options.pose,
@@ -89,7 +108,7 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .add_option("--models", options.models_dir,
                     "Folder to search for meshes that are missing at their given path")
         .envname("SCB_MODELS")
-        .type_name("DIR");
+        .folder();
     if (with_frame)
         command
             .add_option("--frames,--frame", options.frames,
@@ -173,14 +192,21 @@ void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>&
 
 void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several,
                            std::string* splits) {
-    command
-        .add_option("--volume", options.volumes,
-                    several ? "Bounding volumes: some of " + volume_names(",")
-                            : "Bounding volume: one of " + volume_names(", "))
-        .type_name(several ? "LIST" : "VOLUME")
-        .show_default();
+    const Option volume = command
+                              .add_option("--volume", options.volumes,
+                                          several ? "Bounding volumes: some of " + volume_names(",")
+                                                  : "Bounding volume: one of " + volume_names(", "))
+                              .type_name(several ? "LIST" : "VOLUME")
+                              .show_default();
+    const std::vector<std::string> kinds = scenes::split_list(volume_names(","));
+    if (several)
+        volume.offer_list(kinds);
+    else
+        volume.offer(kinds);
     constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};
     constexpr std::array methods = {SplitMethod::section_3, SplitMethod::cost};
+    const std::vector<Choice<SplitMethod>> splits_offered =
+        choices_of(std::span<const SplitMethod>(methods), split_method_name);
     add_choice(command, "--growth", options.growth,
                choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
                "How minimum balls are grown: ritter or radius")
@@ -189,11 +215,12 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         "How nodes are divided: paper (Section 3), or cost, which takes longer to build and less "
         "to query";
     if (splits != nullptr)
-        command.add_option("--split", *splits, divided).type_name("LIST").show_default();
+        command.add_option("--split", *splits, divided)
+            .type_name("LIST")
+            .offer_list(words_of(splits_offered))
+            .show_default();
     else
-        add_choice(command, "--split", options.split,
-                   choices_of(std::span<const SplitMethod>(methods), split_method_name), divided)
-            .type_name("METHOD");
+        add_choice(command, "--split", options.split, splits_offered, divided).type_name("METHOD");
     add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
                "An error on purpose, for `scb golden selftest`")
         .hide();

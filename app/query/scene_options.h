@@ -33,6 +33,9 @@ std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list);
 /// The names as UTF-8, for JSON and headers.
 std::vector<std::string> utf8_names(const std::vector<std::string>& names);
 
+/// Of built-in scenes, in the order of `scb scenes`.
+std::vector<std::string> builtin_names();
+
 void add_scene_options(const Command& command, SceneOptions& options, bool with_frame);
 
 /// How hierarchies are built.

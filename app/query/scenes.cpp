@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
@@ -46,7 +47,7 @@ void add_scenes(const Command& program, Action& action) {
     const Command command =
         program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
     const auto name = std::make_shared<std::string>();
-    command.add_option("NAME", *name, "Print this built-in scene's file");
+    command.add_option("NAME", *name, "Print this built-in scene's file").offer(builtin_names());
     command.footer("Example:\n  scb scenes spheres-l1 > my-scene.json");
     command.callback(
         [&action, name] { action = [name] { return name->empty() ? list() : show(*name); }; });

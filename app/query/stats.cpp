@@ -206,6 +206,7 @@ void add_stats(const Command& program, const Console& console, Action& action) {
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy);
     command.add_option("--layout", options->layouts, "Packed layouts of slab cut balls to report")
+        .offer_list(layout_words())
         .type_name("LIST")
         .show_default();
     add_leaf_option(command, options->leaf_triangles);

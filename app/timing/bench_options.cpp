@@ -150,6 +150,7 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
         .add_option("--layout", options.layouts,
                     "Layouts of slab cut balls: some of reference, " + layout_names() +
                         "; packed ones have the test 'symmetric'")
+        .offer_list(layout_words())
         .type_name("LIST")
         .show_default();
     add_leaf_option(command, options.leaf_triangles);
@@ -158,6 +159,7 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
             "--simd", options.simd,
             "Vector instructions of packed layouts: best, base (none on x86-64: slow), sse4, "
             "avx2 or avx512; answers are the same")
+        .offer({"best", "base", "sse4", "avx2", "avx512"})
         .type_name("LEVEL")
         .show_default();
     add_threads_option(command, options.threads,

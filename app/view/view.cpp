@@ -43,18 +43,21 @@ void add_view(const Command& program, const Console& console, Action& action) {
     command
         .add_option("--level", level.levels,
                     "The level that is shown first; auto: the deepest with 500 volumes a body")
+        .offer({"leaves", "auto"})
         .type_name("LEVEL")
         .show_default();
     command
         .add_option("--queries", options->queries,
                     "Frames whose query is in the page, test by test: a list, all, none; auto: "
                     "the frame that is shown first, of a trace all of its frames")
+        .offer({"all", "none", "auto"})
         .type_name("FRAMES")
         .show_default();
     command
         .add_option("--compare", options->compare,
                     "Two overlap tests, such as corrected,printed, or a recording and a volume, "
                     "recorded,scb2: their queries side by side, and what differs outlined")
+        .offer_list(compared_words())
         .type_name("A,B");
     command
         .add_option("--steps", options->steps,

@@ -157,8 +157,8 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats spheres-l1 --models ''", 2, "--models: the value is empty"},
         {"collide spheres-l1 --bodies ''", 2, "--bodies: the value is empty"},
         {"render levels spheres-l1 --camera ''" + small, 2, "--camera: the value is empty"},
-        {"render levels spheres-l1 --up ''" + small, 2, "--up: the value is empty"},
-        {"render levels spheres-l1 --background ''" + small, 2, "--background: the value is empty"},
+        {"render levels spheres-l1 --up ''" + small, 2, "--up '': give x, y or z"},
+        {"render levels spheres-l1 --background ''" + small, 2, "--background '': give light"},
     };
     for (const Refusal& refusal : refusals) {
         const ProgramRun run = run_scb(refusal.arguments);
