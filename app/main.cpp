@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 
+#include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/version.h"
 #include "core/base/exit_status.h"
@@ -55,8 +56,8 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
     std::string sentence = error.what();
     if (wants_command && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
         std::string names;
-        for (const CLI::App* sub :
-             named.command->get_subcommands([](const CLI::App*) { return true; }))
+        for (const CLI::App* sub : named.command->get_subcommands(
+                 [](const CLI::App* app) { return !app->get_group().empty(); }))
             names += (names.empty() ? "" : ", ") + sub->get_name();
         // The word after the command's own name, if any.
         std::string word;
@@ -133,15 +134,17 @@ int run(int argc, char** argv) {
         "Ctrl-C, SIGTERM and SIGHUP.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
+    OptionTable table;
+    const Command root(program, table);
     Console console;
     Action action;
     std::string color = "auto";
     ToldInputs inputs;
     program.add_flag("--tell-inputs", inputs.wanted)->group("");
     program.add_flag("--quiet", console.quiet, "No notes and no progress");
-    program.add_option("--color", color, "Color in messages")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
-        ->capture_default_str();
+    add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
+               "Color in messages")
+        .type_name("WHEN");
     program.add_flag_callback(
         "--version",
         [] {
@@ -151,26 +154,27 @@ int run(int argc, char** argv) {
         "Versions of scb and of what it draws with");
     program.fallthrough();
 
-    CLI::App* render = program.add_subcommand("render", "Draw pictures");
-    render->require_subcommand(1);
-    render->fallthrough();
-    add_render_levels(Command(*render), console, action);
-    add_render_pairs(Command(*render), console, action);
-    add_render_rejections(Command(*render), console, action);
-    add_render_traversal(Command(*render), console, action);
-    add_view(Command(program), console, action);
-    add_inspect(Command(program), console, action);
-    add_collide(Command(program), console, action);
-    add_bench(Command(program), console, action);
-    add_tune(Command(program), console, action);
-    add_trace(Command(program), console, action);
-    add_diff(Command(program), action);
-    add_explain(Command(program), console, action);
-    add_golden(Command(program), console, action);
-    add_stats(Command(program), console, action);
-    add_convert(Command(program), console, action);
-    add_export(Command(program), console, action);
-    add_scenes(Command(program), action);
+    const Command render = root.add_subcommand("render", "Draw pictures");
+    render.require_subcommand();
+    add_render_levels(render, console, action);
+    add_render_pairs(render, console, action);
+    add_render_rejections(render, console, action);
+    add_render_traversal(render, console, action);
+    add_view(root, console, action);
+    add_inspect(root, console, action);
+    add_collide(root, console, action);
+    add_bench(root, console, action);
+    add_tune(root, console, action);
+    add_trace(root, console, action);
+    add_diff(root, action);
+    add_explain(root, console, action);
+    add_golden(root, console, action);
+    add_stats(root, console, action);
+    add_convert(root, console, action);
+    add_export(root, console, action);
+    add_scenes(root, action);
+    add_completion(root, action);
+    add_man(root, action);
 
     try {
         try {

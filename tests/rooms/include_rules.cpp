@@ -27,7 +27,13 @@ const std::map<std::string, Floors> rooms = {
     {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}, {"web"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",
-     {{"cli"}, {"query"}, {"pictures"}, {"timing", "explain"}, {"view"}, {"golden"}, {"inspect"}}},
+     {{"cli"},
+      {"query", "reference"},
+      {"pictures"},
+      {"timing", "explain"},
+      {"view"},
+      {"golden"},
+      {"inspect"}}},
 };
 
 // To which room of core a public header belongs.
