@@ -20,7 +20,7 @@ _scb_offer() {
     done
     [[ ${#COMPREPLY[@]} == 1 && ${COMPREPLY[0]} == *: ]] && compopt -o nospace
     [[ -n $folders$endings ]] || return
-    compopt -o filenames
+    local offered=${#COMPREPLY[@]}
     current=${current//\\/}
     while IFS= read -r name; do
         if [[ -d ${name/#\~/$HOME} ]]; then
@@ -31,6 +31,7 @@ _scb_offer() {
             [[ ${name,,} == *"$ending" ]] && COMPREPLY+=("$name")
         done
     done < <(compgen -f -- "${current#[\"\']}")
+    [[ ${#COMPREPLY[@]} -gt $offered ]] && compopt -o filenames
 }
 
 _scb() {

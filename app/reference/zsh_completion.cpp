@@ -43,14 +43,15 @@ std::string option_spec(const ReferenceOption& option) {
     const std::string excluded = option.takes_several ? "*" : "(" + joined(option.names, " ") + ")";
     std::string rest = "[" + escaped(option.help, "[]:\\") + "]";
     if (option.takes_value)
-        rest += ":" + shown_value(option) + ":" + action(option.values, shown_value(option));
+        rest += ":" + shown_value(option) + ":" +
+                escaped(action(option.values, shown_value(option)), ":");
     return single_quoted(excluded) + (one_name ? names : "{" + names + "}") + single_quoted(rest);
 }
 
 std::string argument_spec(const ReferenceCommand& command) {
     const ReferenceOption& argument = *command.argument();
-    const std::string tail =
-        ":" + shown_value(argument) + ":" + action(argument.values, shown_value(argument));
+    const std::string tail = ":" + shown_value(argument) + ":" +
+                             escaped(action(argument.values, shown_value(argument)), ":");
     const int most = most_arguments(command);
     if (most > 2) return " \\\n        " + single_quoted("*" + tail);
     std::string specs;
@@ -93,7 +94,10 @@ std::string zsh_completion(const ReferenceCommand& program) {
         "_scb_words_or_files() {\n"
         "    local files=$1\n"
         "    shift\n"
-        "    _alternative \"words:word:($*)\" \"files:file:$files\"\n"
+        "    local -a words=(\"${@:#*:}\") starts=(\"${(M)@:#*:}\")\n"
+        "    _alternative 'words:word:compadd -a words' 'starts:word:compadd -S \"\" -a starts' "
+        "\\\n"
+        "        \"files:file:$files\"\n"
         "}\n";
     for (const ReferenceCommand* command : all_commands(program))
         text += function_text(*command, program);

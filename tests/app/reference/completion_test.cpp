@@ -53,6 +53,7 @@ TEST_P(Completion, OffersTheOptionsOfTheCommand) {
 TEST_P(Completion, OffersValues) {
     check({{"scb --color ", {"auto", "always", "never"}},
            {"scb collide cone --descent ", {"radius", "area", "volume", "alternating"}},
+           {"scb render levels cone --camera orb", {"orbit:"}},
            {"scb render levels cone --samples ", {"1", "4"}},
            {"scb completion ", {"bash", "zsh", "fish"}}});
 }
