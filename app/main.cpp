@@ -145,13 +145,15 @@ int run(int argc, char** argv) {
     add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
                "Color in messages")
         .type_name("WHEN");
+    bool json = false;
+    program.add_flag("--json", json)->group("");
     program.add_flag_callback(
         "--version",
-        [] {
-            print_result(version_text());
+        [&json] {
+            print_result(json ? version_json() : version_text());
             throw CLI::Success();
         },
-        "Versions of scb and of what it draws with");
+        "Versions of scb and of what it draws with; as JSON with --json");
     program.fallthrough();
 
     const Command render = root.add_subcommand("render", "Draw pictures");
@@ -173,6 +175,7 @@ int run(int argc, char** argv) {
     add_convert(root, console, action);
     add_export(root, console, action);
     add_scenes(root, action);
+    add_doctor(root, action);
     add_completion(root, action);
     add_man(root, action);
 
@@ -192,6 +195,12 @@ int run(int argc, char** argv) {
         } catch (const CLI::ParseError& error) {
             console.error(usage_sentence(program, argc, argv, error));
             return exit_bad_input;
+        }
+        if (json) {
+            const Named named = named_command(program);
+            const std::string command = named.parents + " " + named.command->get_name();
+            throw InputError("unknown option '--json' of `" + command + "`; see `" + command +
+                             " --help`.");
         }
         console.color = color == "always"  ? ColorMode::always
                         : color == "never" ? ColorMode::never

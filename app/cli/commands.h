@@ -34,6 +34,7 @@ void add_stats(const Command& program, const Console& console, Action& action);
 void add_convert(const Command& program, const Console& console, Action& action);
 void add_export(const Command& program, const Console& console, Action& action);
 void add_scenes(const Command& program, Action& action);
+void add_doctor(const Command& program, Action& action);
 void add_completion(const Command& program, Action& action);
 /// Hidden: for who installs scb.
 void add_man(const Command& program, Action& action);

@@ -1,9 +1,11 @@
 #include "app/cli/version.h"
 
-#include <Eigen/Core>
-#include <optional>
-
 #include <imgui.h>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text_format.h"
 
 namespace scb::app {
 
@@ -23,24 +25,35 @@ std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* 
 
 std::string compiler_text() { return SCB_COMPILER; }
 
-std::string version_text() {
-    std::string text;
-    const auto add = [&text](const render::GlInfo* gl) {
-        for (const auto& [name, version] : versions(gl))
-            text += name + std::string(name.size() < 6 ? 6 - name.size() : 0, ' ') + " " + version +
-                    "\n";
-    };
+namespace {
+
+/// With the first back end that works.
+std::vector<std::pair<std::string, std::string>> present_versions() {
     for (const render::GlBackend backend : {render::GlBackend::osmesa, render::GlBackend::egl}) {
         try {
-            const render::Context context(backend);
-            add(&context.info());
-            return text;
+            return versions(&render::Context(backend).info());
         } catch (const render::GlError&) {
             // The other back end may still have it.
         }
     }
-    add(nullptr);
-    return text + "gl     none\n";
+    auto list = versions(nullptr);
+    list.emplace_back("gl", "none");
+    return list;
+}
+
+}  // namespace
+
+std::string version_text() {
+    std::string text;
+    for (const auto& [name, version] : present_versions())
+        text += left_aligned(name, 6) + " " + version + "\n";
+    return text;
+}
+
+std::string version_json() {
+    nlohmann::ordered_json json;
+    for (const auto& [name, version] : present_versions()) json[name] = version;
+    return json.dump(2) + "\n";
 }
 
 }  // namespace scb::app

@@ -15,7 +15,8 @@ std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* 
 /// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
 std::string compiler_text();
 
-/// The versions as text, one a line; makes a context to ask it.
+/// The versions as text, one a line, or as a JSON object; makes a context to ask it.
 std::string version_text();
+std::string version_json();
 
 }  // namespace scb::app
