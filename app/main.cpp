@@ -15,6 +15,7 @@
 #include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/version.h"
+#include "app/config/config.h"
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "render/gl/context.h"
@@ -145,6 +146,8 @@ int run(int argc, char** argv) {
     add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
                "Color in messages")
         .type_name("WHEN");
+    bool without_files = false;
+    program.add_flag("--no-config", without_files, "Leave configuration files alone (see config)");
     bool json = false;
     program.add_flag("--json", json)->group("");
     program.add_flag_callback(
@@ -176,12 +179,18 @@ int run(int argc, char** argv) {
     add_export(root, console, action);
     add_scenes(root, action);
     add_doctor(root, action);
+    add_config(root, without_files, action);
     add_completion(root, action);
     add_man(root, action);
 
+    ConfiguredLine line;
     try {
         try {
-            program.parse(argc, argv);
+            const ReferenceCommand reference = reference_of_program(root);
+            line =
+                configured(read_command_line({argv + 1, argv + argc}, reference), reference, table);
+            // The parser takes them from the end.
+            program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
         } catch (const CLI::CallForHelp&) {
             // Help of the command that was named last.
             const Named named = named_command(program);
@@ -193,7 +202,7 @@ int run(int argc, char** argv) {
         } catch (const CLI::Success&) {
             return exit_done;
         } catch (const CLI::ParseError& error) {
-            console.error(usage_sentence(program, argc, argv, error));
+            console.error(line.placed(usage_sentence(program, argc, argv, error)));
             return exit_bad_input;
         }
         if (json) {
@@ -205,9 +214,10 @@ int run(int argc, char** argv) {
         console.color = color == "always"  ? ColorMode::always
                         : color == "never" ? ColorMode::never
                                            : ColorMode::automatic;
+        if (const std::string note = line.note(); !note.empty()) console.note(note);
         return action();
     } catch (const InputError& error) {
-        console.error(error.what());
+        console.error(line.placed(error.what()));
         return exit_bad_input;
     } catch (const render::OutputError& error) {
         console.error(error.what());

@@ -29,19 +29,19 @@ Option Option::type_name(const std::string& name) const {
     return *this;
 }
 Option Option::file(const std::vector<std::string>& endings) const {
-    (*table_)[option_] = {.endings = endings};
+    table_->values[option_] = {.endings = endings};
     return type_name(endings.size() == 1 ? "FILE" + endings[0] : "FILE");
 }
 Option Option::folder() const {
-    (*table_)[option_] = {.is_folder = true};
+    table_->values[option_] = {.is_folder = true};
     return type_name("DIR");
 }
 Option Option::offer(const std::vector<std::string>& words) const {
-    (*table_)[option_].words = words;
+    table_->values[option_].words = words;
     return *this;
 }
 Option Option::offer_list(const std::vector<std::string>& words) const {
-    (*table_)[option_].is_list = true;
+    table_->values[option_].is_list = true;
     return offer(words);
 }
 Option Option::description(const std::string& text) const {
@@ -74,6 +74,10 @@ Option Option::delimiter(char separator) const {
 }
 Option Option::envname(const std::string& name) const {
     option_->envname(name);
+    return *this;
+}
+Option Option::only_typed() const {
+    table_->only_typed.insert(option_);
     return *this;
 }
 Option Option::hide() const {
@@ -117,11 +121,15 @@ Option Command::get_option(const std::string& name) const {
 
 void Command::remove_option(const std::string& name) const {
     CLI::Option* option = app_->get_option(name);
-    table_->erase(option);
+    table_->values.erase(option);
+    table_->only_typed.erase(option);
     app_->remove_option(option);
 }
 
-std::size_t Command::count(const std::string& name) const { return app_->count(name); }
+std::size_t Command::count(const std::string& name) const {
+    const CLI::Option* option = app_->get_option(name);
+    return table_->from_file.contains(option) ? 0 : option->count();
+}
 
 Command Command::add_subcommand(const std::string& name, const std::string& help) const {
     return Command(*app_->add_subcommand(name, help), *table_);

@@ -43,6 +43,9 @@ class Option {
     Option delimiter(char separator) const;
     /// An environment variable that gives the value where the command line does not.
     Option envname(const std::string& name) const;
+    /// No configuration file may give it: it says what is written, or what is run, and the file may
+    /// be a stranger's.
+    Option only_typed() const;
     /// Leaves it out of the help.
     Option hide() const;
 
@@ -67,7 +70,7 @@ class Command {
     Option add_flag(const std::string& names, bool& value, const std::string& help) const;
     Option get_option(const std::string& name) const;
     void remove_option(const std::string& name) const;
-    /// How often the option was given.
+    /// How often the option was given, but for a configuration file.
     std::size_t count(const std::string& name) const;
 
     Command add_subcommand(const std::string& name, const std::string& help) const;

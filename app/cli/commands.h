@@ -35,6 +35,7 @@ void add_convert(const Command& program, const Console& console, Action& action)
 void add_export(const Command& program, const Console& console, Action& action);
 void add_scenes(const Command& program, Action& action);
 void add_doctor(const Command& program, Action& action);
+void add_config(const Command& program, const bool& without_files, Action& action);
 void add_completion(const Command& program, Action& action);
 /// Hidden: for who installs scb.
 void add_man(const Command& program, Action& action);

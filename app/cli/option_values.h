@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct OptionValues {
     bool is_folder = false;
 };
 
-/// By option, of those that say it.
-using OptionTable = std::map<const CLI::Option*, OptionValues>;
+/// What is known of options beside what the parser knows.
+struct OptionTable {
+    std::map<const CLI::Option*, OptionValues> values{};
+    std::set<const CLI::Option*> only_typed{};  ///< see Option::only_typed
+    std::set<const CLI::Option*> from_file{};   ///< those that a configuration file has given
+};
 
 }  // namespace scb::app

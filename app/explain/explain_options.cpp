@@ -58,7 +58,8 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     command
         .add_option("--pairs", options.pairs_file,
                     "In place of a scene: pairs of volumes of your own engine, see below")
-        .file({".json"});
+        .file({".json"})
+        .only_typed();
     add_hierarchy_options(command, options.hierarchy, false);
     add_overlap_options(command, options.query, false);
     add_bodies_option(command, options.query);

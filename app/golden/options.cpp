@@ -75,11 +75,13 @@ void add_suite_options(const Command& command, GoldenOptions& options) {
     command.add_option("NAME", options.names, "Cases; all of them where none is named")
         .type_name("");
     command.add_option("--suite", options.suite, "The file that describes the cases")
+        .only_typed()
         .file({".json"})
         .show_default();
     command
         .add_option("--baselines", options.baselines,
                     "The folder of the baselines; else baselines/ beside the suite")
+        .only_typed()
         .folder();
 }
 
@@ -100,6 +102,7 @@ void add_golden_options(const Command& command, GoldenOptions& options) {
         .add_option("--runner", options.runner,
                     "Run each case, in the folder of the suite, with this program in front: "
                     "\"qemu-x86_64 -cpu Nehalem\"")
+        .only_typed()
         .type_name("WORDS");
     add_gl_option(command, options.gl);
 }

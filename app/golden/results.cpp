@@ -129,10 +129,14 @@ void add_result_files(const Command& command, ResultFiles& files) {
     command
         .add_option("--report", files.report,
                     "Folder for report.html, results.json and the pictures of failing cases")
-        .folder();
+        .folder()
+        .only_typed();
     command.add_option("--junit", files.junit, "Also write the results as JUnit XML")
-        .file({".xml"});
-    command.add_option("--json", files.json, "Also write the results as JSON").file({".json"});
+        .file({".xml"})
+        .only_typed();
+    command.add_option("--json", files.json, "Also write the results as JSON")
+        .file({".json"})
+        .only_typed();
 }
 
 void write_results(const golden::SuiteResult& result, const ResultFiles& files,

@@ -137,9 +137,10 @@ void add_golden_update(const Command& golden, const Console& console, Action& ac
     const auto options = std::make_shared<UpdateOptions>();
     add_golden_options(command, *options);
     command.get_option("NAME").description("Cases");
-    command.add_flag("--failing", options->failing, "All cases that differ or have no baseline");
-    command.add_flag("--missing", options->missing, "All cases that have no baseline");
-    command.add_flag("--all", options->all, "All cases");
+    command.add_flag("--failing", options->failing, "All cases that differ or have no baseline")
+        .only_typed();
+    command.add_flag("--missing", options->missing, "All cases that have no baseline").only_typed();
+    command.add_flag("--all", options->all, "All cases").only_typed();
     command.footer(
         "Lists the files that changed. A baseline is replaced whole or not at all. If the picture "
         "of a case changes, the\n"

@@ -84,11 +84,14 @@ namespace {
 
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
     options.command = command;
-    const Option output = command.add_option("-o,--output", options.output, files).folder();
+    const Option output =
+        command.add_option("-o,--output", options.output, files).folder().only_typed();
     if (!options.output.empty()) output.show_default();
-    command.add_flag("--open", options.open,
-                     "Open what was made, with the desktop's own program: the page, the video, the "
-                     "sheet, the picture, or the folder of several");
+    command
+        .add_flag("--open", options.open,
+                  "Open what was made, with the desktop's own program: the page, the video, the "
+                  "sheet, the picture, or the folder of several")
+        .only_typed();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")
         .show_default();

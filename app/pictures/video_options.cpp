@@ -29,7 +29,8 @@ void add_video_options(const Command& command, VideoOptions& options) {
     command
         .add_option("--video", options.file,
                     "Also write the pictures as an H.264 video (needs the program ffmpeg)")
-        .file({".mp4"});
+        .file({".mp4"})
+        .only_typed();
     command
         .add_option("--fps", options.frames_per_second,
                     "Pictures a second of the video, 1 to 120; 25 unless told")

@@ -292,7 +292,8 @@ void add_collide(const Command& program, const Console& console, Action& action)
             "--pairs-out", options->pairs_out,
             "Write the pairs to this CSV file: numbers of triangles from 0, in the order of the "
             "mesh files")
-        .file({".csv"});
+        .file({".csv"})
+        .only_typed();
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(

@@ -62,7 +62,8 @@ void add_convert(const Command& program, const Console& console, Action& action)
         .type_name("");
     command.add_option("-o,--output", options->output, "The file: .scbrec or .jsonl")
         .required()
-        .file({".scbrec", ".jsonl"});
+        .file({".scbrec", ".jsonl"})
+        .only_typed();
     command.footer(
         "Nothing is lost. Several recordings are of the threads of one program: what they say "
         "alike is written once, and their\n"

@@ -105,7 +105,8 @@ void add_export(const Command& program, const Console& console, Action& action) 
         .show_default();
     command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
         .required()
-        .file({".ply", ".obj", ".glb", ".stl"});
+        .file({".ply", ".obj", ".glb", ".stl"})
+        .only_typed();
     command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");
     command.callback([&action, &console, command, options] {
         options->recording = given_hierarchy_options(command);

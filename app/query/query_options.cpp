@@ -154,11 +154,17 @@ std::vector<std::string> given_hierarchy_options(const Command& command) {
     return given;
 }
 
+const std::vector<std::string>& recording_options() {
+    static const std::vector<std::string> options = {
+        "--pose",      "--volume",  "--growth", "--margin",    "--split", "--test",
+        "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"};
+    return options;
+}
+
 std::vector<std::string> given_recording_options(const Command& command) {
-    std::vector<std::string> given = given_hierarchy_options(command);
-    for (const char* option :
-         {"--test", "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"})
-        if (command.count(option) > 0) given.emplace_back(option);
+    std::vector<std::string> given;
+    for (const std::string& option : recording_options())
+        if (command.count(option) > 0) given.push_back(option);
     return given;
 }
 

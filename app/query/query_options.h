@@ -50,7 +50,9 @@ void add_bodies_option(const Command& command, QueryOptions& options);
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests);
 void add_query_limits(const Command& command, QueryLimits& limits);
 
-/// The options that were given and say what a query is to be: a trace already knows.
+/// The options that say what a query is to be: a trace already knows.
+const std::vector<std::string>& recording_options();
+/// Those of them that were given.
 std::vector<std::string> given_recording_options(const Command& command);
 /// Those of them that say how hierarchies are built and where the second mesh is.
 std::vector<std::string> given_hierarchy_options(const Command& command);

@@ -151,7 +151,8 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     command.add_option("-o,--output", options->output, "Write the trace to this file")
-        .file({".scbtrace"});
+        .file({".scbtrace"})
+        .only_typed();
     command.add_flag("--events", options->events, "Print every test of the trace");
     command.add_flag("--json", options->json, "Print the trace as JSON");
     command.footer(

@@ -15,10 +15,13 @@ ReferenceOption reference_of(const CLI::Option& option, const OptionTable& table
     result.environment = option.get_envname();
     result.takes_value = option.get_items_expected_max() != 0;
     result.takes_several = option.get_expected_max() > 1 && option.get_delimiter() == '\0';
+    result.is_only_typed = table.only_typed.contains(&option) || result.takes_several;
+    result.parsed = &option;
     result.is_required = option.get_required();
     if (result.takes_value) result.value = option.get_type_name();
     if (option.get_positional()) result.value = option.get_name();
-    if (const auto found = table.find(&option); found != table.end()) result.values = found->second;
+    if (const auto found = table.values.find(&option); found != table.values.end())
+        result.values = found->second;
     return result;
 }
 
@@ -41,6 +44,10 @@ ReferenceCommand reference_of(const CLI::App& app, const OptionTable& table,
 }
 
 }  // namespace
+
+bool ReferenceOption::has_name(const std::string& name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::string ReferenceCommand::word() const { return name.substr(name.rfind(' ') + 1); }
 

@@ -15,7 +15,11 @@ struct ReferenceOption {
     bool takes_value = false;
     bool takes_several = false;  ///< values, one after the other
     bool is_required = false;
+    bool is_only_typed = false;           ///< no configuration file may give it
+    const CLI::Option* parsed = nullptr;  ///< which of the parser's it is
     OptionValues values;
+
+    bool has_name(const std::string& name) const;
 };
 
 /// A command as its users know it: what its description for the parser says, without the parser.

@@ -68,7 +68,7 @@ ChildEnd run_program(const GoldenRunSettings& settings, const std::vector<std::s
 
 ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = settings.runner;
-    words.insert(words.end(), {settings.program, "--quiet", "--tell-inputs"});
+    words.insert(words.end(), {settings.program, "--quiet", "--no-config", "--tell-inputs"});
     words.insert(words.end(), command.begin(), command.end());
     return run_program(settings, words);
 }

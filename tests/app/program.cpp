@@ -48,8 +48,9 @@ struct RunFiles {
 
     std::string command(const std::string& arguments, const std::string& prefix) const {
         // What else than its arguments changes what a command does.
-        return "unset SCB_MODELS CI; " + prefix + " " SCB_PROGRAM " " + arguments + " >" +
-               (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
+        return "unset SCB_MODELS CI; export XDG_CONFIG_HOME=/nowhere; " + prefix +
+               " " SCB_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" +
+               (folder / "err") + " </dev/null";
     }
     ProgramRun result(int status) const {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),

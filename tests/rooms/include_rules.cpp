@@ -29,7 +29,7 @@ const std::map<std::string, Floors> rooms = {
     {"app",
      {{"cli"},
       {"query", "reference"},
-      {"pictures"},
+      {"pictures", "config"},
       {"timing", "explain"},
       {"view"},
       {"golden"},
