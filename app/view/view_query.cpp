@@ -104,6 +104,7 @@ struct Worst {
     }
 };
 
+/// Those whose steps a reader looks for first: the worst of each kind, and all that erred.
 std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const TraversalTree& tree,
                                        const Attribution& attribution) {
     Worst worst;
@@ -111,8 +112,8 @@ std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const TraversalT
     std::vector<std::uint32_t> tests;
     for (const WorstPairs* pairs : {&worst.fits, &worst.tests})
         for (const FalsePair& pair : pairs->pairs()) tests.push_back(pair.pair.test);
-    for (const WronglyRejectedPair& pair : worst.wrong.pairs())
-        tests.push_back(pair.rejection.test);
+    for (const WrongRejection& rejection : attribution.wrongly_rejected)
+        tests.push_back(rejection.test);
     return tests;
 }
 

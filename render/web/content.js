@@ -24,8 +24,11 @@ class Content {
       return Promise.all(columns.map(async ({ query }) => ({ frame: (state.selected || state.pair) && query ? await query.get(number) : null })));
     }
     await this.loadMeshes();
-    const frames = await Promise.all(columns.map(({ query }) => query?.get(number) ?? null));
-    return Promise.all(columns.map((column, k) => this.sceneOf(k, frames)));
+    const frames = await Promise.all(columns.map(({ query }) => query?.get(number) ?? null)), scenes = await Promise.all(columns.map((column, k) => this.sceneOf(k, frames)));
+    // What stands side by side has one scale.
+    const end = Math.max(...scenes.map(({ heat }) => heat?.end ?? 0));
+    for (const { heat } of scenes) if (heat) heat.end = end;
+    return scenes;
   }
 
   async sceneOf(k, frames) {

@@ -365,12 +365,13 @@ class App {
   }
 
   // A node by its number, "A:412"; two of them, "412,97", whose test is shown. A promise of whether there is one.
-  async find(text) {
+  async find(words) {
+    const text = words.trim();
     const first = this.state.selected?.column ?? this.state.column, refuse = (what) => this.panel.nodePanel.say(what);
     // Of a body by its name, or by A and B.
     const nodeOf = (bodies, words, otherwise) => {
       const at = words.lastIndexOf(':'), name = words.slice(0, Math.max(at, 0)).trim(), number = words.slice(at + 1).trim();
-      const named = bodies.findIndex((one) => one.name === name), body = at < 0 ? otherwise : named >= 0 ? named : ['A', 'B'].indexOf(name);
+      const named = bodies.findIndex((one) => one.name === name), body = at < 0 ? otherwise : named >= 0 ? named : ['a', 'b'].indexOf(name.toLowerCase());
       return { body, slot: /^\d+$/.test(number) ? bodies[body]?.tree.slotOf(Number(number)) ?? -1 : -1 };
     };
     for (const column of [first, ...this.columns.keys()]) {
@@ -381,9 +382,11 @@ class App {
       const frame = await query.get(this.manifest.frames[this.state.at]);
       if (!frame) return refuse('The page has no query of this frame.');
       const test = query.testOf(frame, nodes[0].slot, nodes[1].slot);
-      return test >= 0 ? this.showTest(column, test) : refuse(`These two were not tested: ${text}.`);
+      if (test >= 0) return this.showTest(column, test);
+      const lost = query.lostAt(frame, nodes[0].slot, nodes[1].slot);
+      return refuse(`These two were not tested: ${text}.${lost < 0 ? '' : ` The test of ${query.pairText(frame, lost)}, above them, ended with ${query.endingOf(frame, lost)}.`}`);
     }
-    return refuse(`There is no node ${text}.`);
+    return refuse(`There is no node ${text}: give a number, a body and a number such as B:412, or two numbers such as 412,97.`);
   }
 
   // `room`: what of the view around them is left free, as a factor.

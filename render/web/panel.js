@@ -90,8 +90,9 @@ class Panel {
   }
 
   showCommands() {
-    const commands = this.app.commands();
-    this.commands.replaceChildren(...(commands.length ? commands.map((command) => element('code', { textContent: command })) : [faint('scb draws two kinds of volumes at a time.')]));
+    const { app } = this, { state } = app, commands = app.commands(), drawsAll = state.isolated || (state.without.length > 0 && !commands.some((command) => command.includes('--body ')));
+    const notes = commands.length === 0 ? ['scb draws two kinds of volumes at a time.'] : [...(drawsAll ? ['They draw all bodies, and all that is hidden here.'] : []), 'Files are named as in the folder where the page was made.'];
+    this.commands.replaceChildren(...commands.map((command) => element('code', { textContent: command })), ...notes.map(faint));
   }
 
   // The level that is shown in numbers, body by body; a column of the table for each column of the scene.
@@ -113,10 +114,11 @@ class Panel {
     if (of.every((counts) => counts.length === 0)) return app.hasQueries ? [faint('The page has no query of this frame, and no pairs of its levels.')] : [];
     // Of many pairs no more levels are counted.
     const last = (k) => Math.max(...columns[k].bodies.slice(0, 2).map(({ tree }) => tree.depth)), isWhole = (counts, k) => counts.at(-1) === 0 || counts.length > last(k);
-    const at = (level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts.at(-1)) : 'many'));
-    const gaps = of.map((counts, k) => (counts.length === 0 ? '' : counts.at(-1) === 0 ? `level ${counts.length - 1}` : isWhole(counts, k) ? 'on none' : 'not counted'));
+    const at = (level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts.at(-1)) : 'over 20,000'));
+    const gaps = of.map((counts, k) => (counts.length === 0 ? '' : counts.at(-1) === 0 ? `level ${counts.length - 1}` : isWhole(counts, k) ? 'none has one' : 'not counted so far'));
     const rows = Array.from({ length: Math.max(...of.map((counts) => counts.length)) }, (_, level) => [button(String(level), 'Show this level', () => app.set({ level }), level === state.level), ...at(level)]);
-    return [table([...titles, ['overlapping pairs', ...at(state.level)], ['first level with a gap', ...gaps]]),
+    const pairs = columns.map(({ query }) => query?.frames.get(number)).map((told) => (told ? counted(told.pairs) : ''));
+    return [table([...titles, ['pairs', ...pairs], ['overlapping pairs', ...at(state.level)], ['first level with a gap', ...gaps]]),
       (this.eachLevel = element('details', { open: this.eachLevel?.open ?? false }, element('summary', { textContent: 'Overlapping pairs of each level' }), table(rows)))];
   }
 

@@ -82,7 +82,7 @@ class Query {
 
   // How a test ended, in words; and its nodes.
   endingOf(frame, test) {
-    return frame.outcomes[test] < 2 ? 'they overlap' : this.told.groups[frame.outcomes[test] - 2].label;
+    return frame.outcomes[test] < 2 ? 'passed' : this.told.groups[frame.outcomes[test] - 2].label;
   }
   pairText(frame, test) {
     return `${this.trees[0].order[frame.a[test]]},${this.trees[1].order[frame.b[test]]}`;

@@ -18,7 +18,7 @@ class QueryPanel {
       if (app.scenes[k].heat) return parts.push(...this.heatParts(k));
       if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k) : [button('Its traversal', '', () => app.set({ column: k }))]));
       if (state.mode === 'pairs') return parts.push(...this.pairParts(k));
-      parts.push(...this.classParts(k), ...this.mostParts(k));
+      parts.push(...this.classParts(k), ...this.mostParts(k), ...this.differingParts(k));
     });
     if (state.mode === 'rejections' || state.mode === 'verdicts')
       parts.push(row(button('Large volumes too', 'Also those that are large for the few tests that ended at them', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
@@ -45,7 +45,7 @@ class QueryPanel {
     const more = [['tests only here', ...columns.map((_, k) => counted(only(k)))]];
     if (state.mode === 'pairs') more.push(['pairs only here', ...scenes.map((_, k) => counted(app.content.pairsOnlyHere(k).length))]);
     if (scenes.every(({ nodes }) => nodes) && state.mode !== 'traversal') more.push(['nodes that differ', ...scenes.map((_, k) => counted(app.content.differing(k).size))]);
-    return [wide(more), ...(scenes.some((_, k) => app.content.differing(k).size > app.content.outlines(k).size) ? [faint('Too many differ for outlines.')] : [])];
+    return [wide(more), ...(scenes.some((_, k) => app.content.differing(k).size > app.content.outlines(k).size) ? [faint(`Too many differ for outlines in ${scenes.map((_, k) => k).filter((k) => app.content.differing(k).size > app.content.outlines(k).size).map((k) => columns[k].title).join(' and ')}.`)] : [])];
   }
 
   otherFrames(query) {
@@ -103,6 +103,17 @@ class QueryPanel {
     });
   }
 
+  // The nodes that differ from what the other column shows, those with the most tests first.
+  differingParts(k) {
+    const { app } = this, { query, bodies } = app.columns[k], differing = [...app.content.differing(k)].sort((x, y) => y.paths - x.paths), most = 5;
+    return bodies.slice(0, 2).flatMap((body, side) => {
+      const own = differing.filter((node) => node.side === side);
+      if (own.length === 0) return [];
+      return [faint(`${counted(own.length)} nodes of ${body.name} that the other does not show, or shows otherwise; those with the most tests`),
+        row(...own.slice(0, most).map(({ slot, paths }) => button(`${query.trees[side].order[slot]}: ${counted(paths)}`, 'Choose this node', () => app.select(k, side, slot))))];
+    });
+  }
+
   // The tests of all frames in the page that cost the most.
   worstParts(k, query) {
     const { app } = this, many = query.told.frames.length > 1;
@@ -110,7 +121,7 @@ class QueryPanel {
       if (list.length === 0) return [];
       const { label } = query.told.worths[i], missing = i + 1 === worth.wrong;
       const rows = list.map(({ frame, test, nodes, n_v, n_p, missed }) => [button(nodes.join(), 'Show this test', () => app.showTest(k, test, frame)), ...(many ? [String(frame)] : []), ...(missing ? [counted(missed)] : [counted(n_v), counted(n_p)])]);
-      return [element('div', { className: 'faint' }, 'worst, ', word(label), missing ? ': pairs of triangles missed' : ': tests that followed in vain'),
+      return [element('div', { className: 'faint' }, many ? 'worst of all frames, ' : 'worst, ', word(label), missing ? ': pairs of triangles missed' : ': tests that followed in vain'),
         element('div', { className: 'wide worst' }, table([['nodes', ...(many ? ['frame'] : []), ...(missing ? ['missed'] : [word('N_v'), word('N_p')])], ...rows]))];
     });
   }
@@ -125,7 +136,7 @@ class QueryPanel {
     const rows = [
       ['test', counted(i)],
       ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
-      ['how it ended', group ? group.label : `they overlap: ${bodies[frame.outcomes[i]].name} was divided`],
+      ['how it ended', group ? group.label : `passed: ${bodies[frame.outcomes[i]].name} was divided`],
       ...(verdict ? [['worth', word(verdict.label)]] : []),
       ['tests that follow', counted(frame.sizes[i] - 1)],
     ];
@@ -168,10 +179,10 @@ class QueryPanel {
 
 // What the symbols of the formulas mean.
 function symbolsOf(steps, told) {
-  const has = (text) => steps.some(({ formula }) => formula.includes(text)), first = ['0: of A; 1: of B', 'c1\u2032: B\u2019s center, from A\u2019s'];
+  const has = (text) => steps.some(({ formula }) => formula.includes(text)), both = told.join(' ').startsWith('0:'), first = [...(both ? [] : ['0: of A; 1: of B']), 'c1\u2032: B\u2019s center, from A\u2019s'];
   if (has('r0')) first.push('r: radius');
-  if (has('d0') || has('d1')) first.push('d: the other center, along the normal n');
+  if (!both && (has('d0') || has('d1'))) first.push('d: the other center, along the normal n');
   if (has('e0') || has('f0')) first.push('e, f: upper and lower plane');
   if (has('c\u03b1')) first.push('c\u03b1, s\u03b1: cosine and sine of the angle of the normals');
-  return [`${first.join('; ')}.`, ...told];
+  return [`${first.join('; ')}. ${told.join(' ')}`];
 }

@@ -13,10 +13,10 @@ const modes = [
 const terms = {
   'N_v': 'tests of two volumes',
   'N_p': 'tests of two triangles',
-  'passed on': 'pairs that overlap, whose children were tested next',
+  'passed on': 'pairs that overlap, whose children were tested next; pairs of leaves, whose triangles were tested, are not among them',
   'pairs': 'pairs of triangles that meet',
   'wasted N_v': 'volume tests that followed from a pair below which no triangles meet',
-  'overlapping pairs': 'pairs of a volume of A\u2019s level and one of B\u2019s that overlap, below pairs that overlap on the level above; a level of none shows that there is a gap',
+  'overlapping pairs': 'pairs of a volume of A\u2019s level and one of B\u2019s that overlap, below pairs that overlap on the level above. A level of none shows a gap; where even the leaves overlap, their triangles may still not meet',
   'mean d': 'mean diameter of the volumes, 2r',
   'mean \u03c4': 'mean thickness of the volumes, e \u2212 f',
   'area': 'surface area of all volumes together',

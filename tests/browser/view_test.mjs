@@ -264,8 +264,14 @@ test('two queries stand beside each other, and what differs is outlined and coun
         return { mode: app.state.mode, column: app.state.column, worth: frame.worths[app.state.test], rejects: app.columns[1].query.rejects(frame.outcomes[app.state.test]) };
       });
       assert.deepEqual(lost, { mode: 'traversal', column: 1, worth: 3, rejects: true });
-      assert.match(await page.locator('#panel').innerText(), /rejected wrongly[\s\S]*in corrected\s+they overlap[\s\S]*as printed/);
+      assert.match(await page.locator('#panel').innerText(), /rejected wrongly[\s\S]*in corrected\s+passed[\s\S]*as printed/);
       assert.equal(await page.locator('#whose').innerText(), 'printed');
+      // All that erred have their steps.
+      const steps = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), { frame, steps } = app.scenes[1];
+        return [...frame.worths.keys()].filter((test) => frame.worths[test] === 3).every((test) => test in steps);
+      });
+      assert.ok(steps);
       // Back leads to the pair, and on to the pairs, in this page.
       await page.goBack();
       await settled(page);
@@ -282,7 +288,7 @@ test('each level tells how many of its volumes overlap, and which shows a gap', 
       const overlaps = await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.told.frames[0].overlaps);
       assert.equal(overlaps.at(-1) > 0, meets);
       const text = async () => (await page.locator('#panel').innerText()).replaceAll(/\s+/g, ' ');
-      assert.ok((await text()).includes(`first level with a gap ${meets ? 'on none' : `level ${overlaps.length - 1}`}`));
+      assert.ok((await text()).includes(`first level with a gap ${meets ? 'none has one' : `level ${overlaps.length - 1}`}`));
       for (const level of [0, 3]) {
         await page.getByLabel('Level', { exact: true }).fill(String(level));
         await settled(page);
