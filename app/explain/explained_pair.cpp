@@ -11,18 +11,6 @@
 namespace scb::app {
 namespace {
 
-ExplainedNode node_of(const SceneQuery& query, std::size_t body, std::int64_t node,
-                      const std::string& option) {
-    const Topology& topology = topology_of(query.hierarchy(body));
-    const std::string& name = query.scene.bodies[body].name;
-    if (node < 0 || node >= static_cast<std::int64_t>(topology.nodes.size()))
-        throw InputError(option + ": there is no node " + std::to_string(node) + " of " + name +
-                         "; its hierarchy has the nodes 0 to " +
-                         std::to_string(topology.nodes.size() - 1) + ".");
-    const auto index = static_cast<std::uint32_t>(node);
-    return {name, index, node_depth(topology, index), topology.nodes[index].count};
-}
-
 template <class V>
 constexpr VolumeKind raw_kind = VolumeKind::scb;
 template <>
@@ -34,24 +22,44 @@ constexpr VolumeKind raw_kind<Obb> = VolumeKind::obb;
 
 }  // namespace
 
-ExplainedPair explained_nodes(const SceneQuery& query, int frame,
-                              const std::array<std::int64_t, 2>& nodes, const std::string& option) {
-    const std::array<ExplainedNode, 2> both = {node_of(query, query.a, nodes[0], option),
-                                               node_of(query, query.b, nodes[1], option)};
+ExplainedNode explained_node(const AnyHierarchy& hierarchy, const std::string& body,
+                             std::int64_t node, const std::string& option) {
+    const Topology& topology = topology_of(hierarchy);
+    if (node < 0 || node >= static_cast<std::int64_t>(topology.nodes.size()))
+        throw InputError(option + ": there is no node " + std::to_string(node) + " of " + body +
+                         "; its hierarchy has the nodes 0 to " +
+                         std::to_string(topology.nodes.size() - 1) + ".");
+    const auto index = static_cast<std::uint32_t>(node);
+    return {body, index, node_depth(topology, index), topology.nodes[index].count};
+}
+
+ExplainedPair explained_nodes(VolumeKind kind, const AnyHierarchy& a, const AnyHierarchy& b,
+                              const Pose& b_to_a, const OverlapOptions& options,
+                              const BuildOptions& build,
+                              const std::array<ExplainedNode, 2>& nodes) {
     return std::visit(
         [&]<class V>(const Hierarchy<V>& of_a) -> ExplainedPair {
-            const auto& of_b = std::get<Hierarchy<V>>(query.hierarchy(query.b));
-            const V &a = of_a.volumes[both[0].index], &b = of_b.volumes[both[1].index];
-            const Placement placed = query_placement(of_a, of_b, query.b_to_a(frame));
-            const OverlapOptions& options = query.options.overlap;
+            const auto& of_b = std::get<Hierarchy<V>>(b);
+            const V &v = of_a.volumes[nodes[0].index], &w = of_b.volumes[nodes[1].index];
+            const Placement placed = query_placement(of_a, of_b, b_to_a);
             std::vector<std::string> notes;
-            if (const std::string built = build_sentence(query.build); !built.empty())
+            if (const std::string built = build_sentence(build); !built.empty())
                 notes.push_back(built);
-            return {query.kind, shape_of(a), shape_of(b),
-                    placed,     options,     explain(a, b, placed, options),
-                    notes,      both};
+            return {kind,   shape_of(v), shape_of(w),
+                    placed, options,     explain(v, w, placed, options),
+                    notes,  nodes};
         },
-        query.hierarchy(query.a));
+        a);
+}
+
+ExplainedPair explained_nodes(const SceneQuery& query, int frame,
+                              const std::array<std::int64_t, 2>& nodes, const std::string& option) {
+    const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
+    const std::vector<scenes::Body>& bodies = query.scene.bodies;
+    return explained_nodes(query.kind, a, b, query.b_to_a(frame), query.options.overlap,
+                           query.build,
+                           {explained_node(a, bodies[query.a].name, nodes[0], option),
+                            explained_node(b, bodies[query.b].name, nodes[1], option)});
 }
 
 ExplainedPair explained_volumes(const scenes::AnyRawPair& pair, const OverlapOptions& options) {

@@ -32,6 +32,16 @@ struct ExplainedPair {
     std::optional<std::array<ExplainedNode, 2>> nodes{};  ///< whose volumes they are
 };
 
+/// Two nodes of hierarchies of this kind, placed as in a query. `nodes` must be there; `build` is
+/// how both were built.
+ExplainedPair explained_nodes(VolumeKind kind, const AnyHierarchy& a, const AnyHierarchy& b,
+                              const Pose& b_to_a, const OverlapOptions& options,
+                              const BuildOptions& build, const std::array<ExplainedNode, 2>& nodes);
+
+/// A node of a hierarchy. Throws InputError where there is none; `option` is what named it.
+ExplainedNode explained_node(const AnyHierarchy& hierarchy, const std::string& body,
+                             std::int64_t node, const std::string& option);
+
 /// Two nodes of the query's bodies, placed as in the query itself. Throws InputError where there is
 /// no such node; `option` is what named them.
 ExplainedPair explained_nodes(const SceneQuery& query, int frame,

@@ -79,7 +79,7 @@ std::string plain_reason(const InputError& error, const SceneOptions& scene) {
 
 QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                          const QueryOptions& query, const QueryLimits& limits, bool recorded) {
-    if (scene.names.size() == 1 && scenes::names_trace(scene.names[0])) {
+    if (scene.is_trace()) {
         open_trace(scene, query.frames);
         return;
     }

@@ -19,6 +19,7 @@
 namespace scb::app {
 
 scenes::Scene SceneOptions::load() const {
+    if (given) return *given;
     for (const std::string& name : names)
         if (scenes::names_trace(name) && std::filesystem::exists(name))
             throw InputError(
@@ -48,7 +49,11 @@ scenes::Scene SceneOptions::load() const {
 }
 
 bool SceneOptions::is_recording() const {
-    return names.size() == 1 && scenes::names_recording(names[0]);
+    return !given && names.size() == 1 && scenes::names_recording(names[0]);
+}
+
+bool SceneOptions::is_trace() const {
+    return !given && names.size() == 1 && scenes::names_trace(names[0]);
 }
 
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,14 @@ struct SceneOptions {
     std::vector<double> pose;
     std::string models_dir;
     std::string frames;  ///< of commands that take one; empty: the scene's own
+    /// A scene that is there already: then the one name is nothing but what it is called.
+    std::shared_ptr<const scenes::Scene> given{};
 
     /// Whether the one name is that of another engine's recording. As a scene it has the meshes and
     /// poses that were recorded.
     bool is_recording() const;
+    /// Whether the one name is that of a trace.
+    bool is_trace() const;
     scenes::Scene load() const;
     /// The one frame asked for, or the scene's own. Throws InputError where the scene has no such
     /// frame, or where several were asked for.
