@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <map>
 #include <memory>
 
-#include "app/cli/build_text.h"
 #include "app/cli/commands.h"
-#include "app/pictures/level_bodies.h"
+#include "app/pictures/level_figures.h"
 #include "app/pictures/level_index.h"
 #include "app/pictures/level_options.h"
 #include "app/pictures/picture_name.h"
@@ -19,10 +17,6 @@
 
 namespace scb::app {
 namespace {
-
-std::string level_title(int level) {
-    return level == leaf_level ? "leaves" : "level " + std::to_string(level);
-}
 
 NamedOptions named_options(const LevelOptions& options) {
     NamedOptions named;
@@ -55,20 +49,6 @@ std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
     return picture_name(scene.name, "levels_sheet", of_sheet + named, frame_part(frame));
 }
 
-// The frame, and every option that changes what is drawn but cannot be seen.
-std::string subtitle_of(const LevelOptions& options, const scenes::Scene& scene, int frame,
-                        int deepest_level, bool recorded, const render::Camera& camera) {
-    std::string text = "of levels 0 to " + std::to_string(deepest_level);
-    if (scene.frames > 1)
-        text += ", frame " + std::to_string(frame) + " of 0 to " + std::to_string(scene.frames - 1);
-    if (!recorded) text += build_text(options.hierarchy.build());
-    if (camera.orthographic) text += ", orthographic";
-    if (camera.clip) text += ", clipped";
-    const std::string up = up_words(options.camera, scene);
-    if (!up.empty()) text += ", " + up;
-    return text;
-}
-
 // Its volumes are too large for a view to be shared with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
 
@@ -80,50 +60,23 @@ int run(const LevelOptions& options, const Console& console) {
     const int frame = subject.frame;
     const std::vector<int>& levels = subject.levels;
     const std::vector<LevelTrees>& trees = subject.trees;
-    const scenes::CameraView wish = camera_view_for(options.camera, scene);
     PictureRun pictures(options.picture, scene.name);
-    const render::LevelStyle style = level_style(options, trees[0].bodies, subject.deepest);
-    std::vector<render::MeshHandle> handles;
-    std::map<const Mesh*, render::MeshHandle> uploaded;  // lookups only
-    if (style.mesh)
-        for (const scenes::BodyAtFrame& body : trees[0].bodies) {
-            const auto [handle, is_new] = uploaded.try_emplace(body.mesh.get());
-            if (is_new) handle->second = pictures.renderer().upload(*body.mesh);
-            handles.push_back(handle->second);
-        }
-    std::vector<std::vector<render::LevelBody>> bodies;  // per kind
-    for (const LevelTrees& each : trees) bodies.push_back(level_bodies(each.bodies, handles));
-    const auto support_of = [&bodies](const std::vector<int>& shown) {
-        std::vector<render::Support> of_kinds;
-        for (const auto& b : bodies) of_kinds.push_back(render::support_of_levels(b, shown));
-        return render::support_of_all(std::move(of_kinds));
-    };
-    const render::Support support = support_of(levels);
-
-    render::LevelFigure figure;
-    figure.style = style;
-    figure.center = render::center_of(support);
-    figure.with_panel = !options.picture.no_panel;
-    if (wish.inset)
-        figure.detail = render::Detail{detail_camera(wish, *wish.inset, support, 1),
-                                       wish.inset->center, wish.inset->radius};
+    const LevelFigures figures(options, subject, pictures.renderer());
+    const scenes::CameraView& wish = figures.wish();
+    const render::LevelFigure& common = figures.common();
     const int width = options.picture.width(), height = options.picture.height();
-    figure.camera = camera_for(wish, support, render::aspect_of(options.picture.layout().view));
-    figure.subtitle =
-        subtitle_of(options, scene, frame, subject.deepest, subject.recorded, figure.camera);
 
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();
     std::size_t done = 0;
     for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
-            figure.title = scene.name + " · " + trees[k].title + " · " + level_title(level);
-            figure.bodies = bodies[k];
-            figure.level = level;
             const render::Picture picture =
-                render::compose(figure, width, height, options.picture.samples, pictures.overlay());
+                render::compose(figures.figure(k, level), width, height, options.picture.samples,
+                                pictures.overlay());
             const std::string name = level_name(named, scene, trees[k].name, level, frame);
-            pictures.draw(name, picture, level_entry(trees[k].name, level, frame, bodies[k]));
+            pictures.draw(name, picture,
+                          level_entry(trees[k].name, level, frame, figures.bodies(k)));
             console.progress(name, ++done, total);
         }
 
@@ -131,36 +84,36 @@ int run(const LevelOptions& options, const Console& console) {
         render::LevelSheet sheet;
         std::vector<int> shared = levels;
         std::erase_if(shared, has_own_view);
-        const render::Support held = support_of(shared.empty() ? levels : shared);
+        const render::Support held = figures.support_of(shared.empty() ? levels : shared);
         // Of one level the volumes stand side by side.
         const bool one_row = levels.size() == 1;
         const render::LevelSheetLayout layout = render::level_sheet_layout(
             one_row ? 1 : trees.size(), one_row ? trees.size() : levels.size(),
-            figure.detail.has_value(), render::aspect_of(held, figure.camera.axes));
+            common.detail.has_value(), render::aspect_of(held, common.camera.axes));
         sheet.layout = layout;
         sheet.title = scene.name + " · levels";
-        sheet.subtitle = figure.subtitle;
-        sheet.style = style;
-        sheet.center = figure.center;
-        sheet.detail = figure.detail;
+        sheet.subtitle = common.subtitle;
+        sheet.style = common.style;
+        sheet.center = common.center;
+        sheet.detail = common.detail;
         const auto sheet_camera = [&](const render::Support& shown) {
             render::Camera camera = camera_for(
                 wish, shown, static_cast<double>(layout.view_width) / layout.view_height);
-            render::set_depth_range(camera, support);
+            render::set_depth_range(camera, figures.support());
             return camera;
         };
         const render::Camera shared_camera = sheet_camera(held);
         std::vector<render::Camera> cameras;  // per level
         for (const int level : levels)
-            cameras.push_back(has_own_view(level) ? sheet_camera(support_of({level}))
+            cameras.push_back(has_own_view(level) ? sheet_camera(figures.support_of({level}))
                                                   : shared_camera);
         for (std::size_t k = 0; k < trees.size(); ++k) {
             if (trees.size() > 1) sheet.note += (k == 0 ? "" : "; ") + trees[k].title + ": ";
-            sheet.note += render::lengths_words(bodies[k].front().tree->family());
+            sheet.note += render::lengths_words(figures.bodies(k).front().tree->family());
             if (k == 0 || !one_row) sheet.rows.emplace_back();
             std::vector<render::LevelSheetCell>& row = sheet.rows.back();
             for (std::size_t i = 0; i < levels.size(); ++i)
-                row.push_back({trees[k].title + " · " + level_title(levels[i]), bodies[k],
+                row.push_back({trees[k].title + " · " + level_title(levels[i]), figures.bodies(k),
                                levels[i], cameras[i]});
         }
         const render::Picture picture =
@@ -170,7 +123,7 @@ int run(const LevelOptions& options, const Console& console) {
     std::vector<std::string> names;
     for (const LevelTrees& each : trees) names.push_back(each.name);
     pictures.finish(level_head(options, scene, names, frame, levels,
-                               exact_camera_view(wish, figure.camera, figure.center)),
+                               exact_camera_view(wish, common.camera, common.center)),
                     console);
     return exit_done;
 }

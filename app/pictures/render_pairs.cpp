@@ -5,10 +5,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
+#include "app/pictures/pairs_figure.h"
 #include "app/pictures/query_comparison.h"
 #include "app/pictures/query_index.h"
 #include "render/figures/heat_figure.h"
-#include "render/figures/pairs_figure.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -20,26 +20,10 @@ struct PairsOptions : QueryViewOptions {
     std::optional<int> heat_end;
 };
 
-std::string title_of(const render::PairsStyle& style) {
-    return style.leaves ? "pairs with leaves" : "pairs";
-}
-
 std::string title_of(HeatOf heat) {
     return "heat of " + std::string(heat == HeatOf::wasted    ? "wasted tests"
                                     : heat == HeatOf::volumes ? "volume tests"
                                                               : "triangle tests");
-}
-
-void describe_pairs(render::SceneFigure& figure, const QueryView& view, const QuerySource& source,
-                    const TraceFrame& frame, const render::QueryBodies& bodies,
-                    const render::PairsStyle& style) {
-    figure.title = view.title(title_of(style));
-    figure.pane = render::pairs_pane(bodies, source.header(), frame, style, view.ids().first_free);
-    figure.panel = render::pairs_panel(bodies, source.header(), frame, style);
-    if (frame.found.pairs.empty())
-        figure.remark = "no contact";
-    else if (!frame.found.complete)
-        figure.remark = stopped_remark(frame);
 }
 
 std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
@@ -47,15 +31,18 @@ std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
     return static_cast<std::uint32_t>(*options.heat_end);
 }
 
-void describe_heat(render::SceneFigure& figure, const QueryView& view, const PairsOptions& options,
-                   const TraceHeader& header, const TraceFrame& frame,
-                   const render::QueryBodies& bodies) {
+render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& options,
+                                const TraceHeader& header, const TraceFrame& frame,
+                                const render::QueryBodies& bodies) {
     const render::Heat heat =
         render::heat_of(bodies, header, frame, *options.heat, heat_end_of(options));
+    render::SceneFigure figure;
     figure.title = view.title(title_of(heat.of));
     figure.pane = render::heat_pane(bodies, heat);
     figure.panel = render::heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
+    look_at_contact(figure, view, header, frame, bodies);
+    return figure;
 }
 
 render::ComparisonLayout layout_of(const PairsOptions& options) {
@@ -80,7 +67,7 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
         else if (!frames[i]->found.complete)
             views[i].remark = stopped_remark(*frames[i]);
     draw_comparison(view, queries, only_here, std::move(views),
-                    heat ? title_of(*options.heat) : title_of(style), what, options, pictures);
+                    heat ? title_of(*options.heat) : pairs_title(style), what, options, pictures);
 }
 
 int run(PairsOptions& options, const Console& console) {
@@ -120,19 +107,9 @@ int run(PairsOptions& options, const Console& console) {
             const TraceFrame& frame = *frames[0];
             const QuerySource& source = sources[0];
             const render::QueryBodies bodies = view.bodies(frame.frame);
-            render::SceneFigure figure;
-            if (!options.heat)
-                describe_pairs(figure, view, source, frame, bodies, style);
-            else
-                describe_heat(figure, view, options, source.header(), frame, bodies);
-            figure.subtitle = view.subtitle(frame.frame);
-            const std::vector<render::AnyVolume> region =
-                render::contact_region(bodies, source.header(), frame);
-            figure.pane.camera = view.camera(region);
-            if (!options.heat) view.show_small_contact(figure, region);
-            figure.center = view.center(region);
-            figure.theme = style.theme;
-            figure.with_panel = !options.picture.no_panel;
+            render::SceneFigure figure =
+                options.heat ? heat_figure(view, options, source.header(), frame, bodies)
+                             : pairs_figure(view, source, frame, bodies, style);
             nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
             if (!options.heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
             pictures.explain(figure);

@@ -1,0 +1,80 @@
+#include "app/pictures/level_figures.h"
+
+#include <map>
+
+#include "app/cli/build_text.h"
+#include "app/pictures/level_bodies.h"
+#include "app/pictures/scene_camera.h"
+
+namespace scb::app {
+namespace {
+
+// The frame, and every option that changes what is drawn but cannot be seen.
+std::string subtitle_of(const LevelOptions& options, const LevelSubject& subject,
+                        const render::Camera& camera) {
+    const scenes::Scene& scene = subject.scene;
+    std::string text = "of levels 0 to " + std::to_string(subject.deepest);
+    if (scene.frames > 1)
+        text += ", frame " + std::to_string(subject.frame) + " of 0 to " +
+                std::to_string(scene.frames - 1);
+    if (!subject.recorded) text += build_text(options.hierarchy.build());
+    if (camera.orthographic) text += ", orthographic";
+    if (camera.clip) text += ", clipped";
+    const std::string up = up_words(options.camera, scene);
+    if (!up.empty()) text += ", " + up;
+    return text;
+}
+
+std::vector<render::MeshHandle> uploaded(const std::vector<scenes::BodyAtFrame>& bodies,
+                                         render::Renderer& renderer) {
+    std::vector<render::MeshHandle> handles;
+    std::map<const Mesh*, render::MeshHandle> known;  // lookups only
+    for (const scenes::BodyAtFrame& body : bodies) {
+        const auto [handle, is_new] = known.try_emplace(body.mesh.get());
+        if (is_new) handle->second = renderer.upload(*body.mesh);
+        handles.push_back(handle->second);
+    }
+    return handles;
+}
+
+}  // namespace
+
+std::string level_title(int level) {
+    return level == leaf_level ? "leaves" : "level " + std::to_string(level);
+}
+
+LevelFigures::LevelFigures(const LevelOptions& options, const LevelSubject& subject,
+                           render::Renderer& renderer)
+    : subject_(subject), wish_(camera_view_for(options.camera, subject.scene)) {
+    const std::vector<LevelTrees>& trees = subject.trees;
+    common_.style = level_style(options, trees[0].bodies, subject.deepest);
+    std::vector<render::MeshHandle> handles;
+    if (common_.style.mesh) handles = uploaded(trees[0].bodies, renderer);
+    for (const LevelTrees& each : trees) bodies_.push_back(level_bodies(each.bodies, handles));
+    support_ = support_of(subject.levels);
+    common_.center = render::center_of(support_);
+    common_.with_panel = !options.picture.no_panel;
+    if (wish_.inset)
+        common_.detail = render::Detail{detail_camera(wish_, *wish_.inset, support_, 1),
+                                        wish_.inset->center, wish_.inset->radius};
+    common_.camera = camera_for(wish_, support_, render::aspect_of(options.picture.layout().view));
+    common_.subtitle = subtitle_of(options, subject, common_.camera);
+}
+
+render::Support LevelFigures::support_of(const std::vector<int>& levels) const {
+    std::vector<render::Support> of_kinds;
+    for (const auto& bodies : bodies_)
+        of_kinds.push_back(render::support_of_levels(bodies, levels));
+    return render::support_of_all(std::move(of_kinds));
+}
+
+render::LevelFigure LevelFigures::figure(std::size_t kind, int level) const {
+    render::LevelFigure figure = common_;
+    figure.title =
+        subject_.scene.name + " · " + subject_.trees[kind].title + " · " + level_title(level);
+    figure.bodies = bodies_[kind];
+    figure.level = level;
+    return figure;
+}
+
+}  // namespace scb::app
