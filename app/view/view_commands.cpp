@@ -103,9 +103,10 @@ std::vector<ColumnList> compared(const ViewOptions& options, const ColumnList& a
 
 std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions& options,
                                                               const ViewSubject& subject) {
+    std::map<std::string, std::vector<std::string>> commands;
+    if (options.level.scene.given) return commands;
     ColumnList all;
     for (const ViewColumn& column : subject.columns) all.push_back(&column);
-    std::map<std::string, std::vector<std::string>> commands;
     commands["levels"] = level_commands(options, all);
     for (const ColumnList& columns : compared(options, all)) {
         const std::string words = queries_words(options, columns);
@@ -127,7 +128,7 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
 }
 
 std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
-    if (!column.query || column.is_recorded()) return "";
+    if (!column.query || column.is_recorded() || options.level.scene.given) return "";
     return "scb explain" + query_words(options, column);
 }
 

@@ -10,7 +10,7 @@
 namespace scb::app {
 
 /// The commands that draw the modes of a page without a browser, but for what is chosen there; of a
-/// mode that needs several there are several.
+/// mode that needs several there are several. None of a scene that was given in memory.
 std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions& options,
                                                               const ViewSubject& subject);
 

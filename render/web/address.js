@@ -55,7 +55,8 @@ class Address {
     // Where one can go back to: another mode, or something else that was chosen.
     const chosen = this.chosen(), is_new = this.was !== undefined && this.was !== chosen;
     this.was = chosen;
-    history[is_new ? 'pushState' : 'replaceState'](null, '', this.written);
+    // In a frame of a notebook the page has no address of its own.
+    if (location.protocol !== 'about:') history[is_new ? 'pushState' : 'replaceState'](null, '', this.written);
   }
   chosen() {
     const { mode, selected, pair, column, test } = this.app.state;
