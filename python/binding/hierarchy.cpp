@@ -38,7 +38,10 @@ py::array nodes_of(const Shared& h, Member TopologyNode::*member) {
 int level_of(const py::object& level, int depth) {
     if (py::isinstance<py::str>(level))
         return app::parse_level(level.cast<std::string>(), depth, "level");
-    return app::parse_level(std::to_string(level.cast<std::int64_t>()), depth, "level");
+    if (PyIndex_Check(level.ptr()) == 0) refuse("level", "give a whole number, or \"leaves\".");
+    const long long number = PyLong_AsLongLong(level.ptr());
+    if (number == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+    return app::parse_level(std::to_string(number), depth, "level");
 }
 
 }  // namespace

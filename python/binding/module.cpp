@@ -4,6 +4,7 @@
 #include "python/binding/explain.h"
 #include "python/binding/hierarchy.h"
 #include "python/binding/image.h"
+#include "python/binding/instances.h"
 #include "python/binding/mesh.h"
 #include "python/binding/pictures.h"
 #include "python/binding/queries.h"
@@ -30,6 +31,7 @@ PYBIND11_MODULE(_scb, module) {
     add_image(module);
     add_pictures(module);
     add_view(module);
+    refuse_bare_instances(module);
     module.def(
         "_set_mesh_reader",
         [](const py::object& program) { scenes::set_mesh_reader(file_of(program)); },

@@ -2,8 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include <set>
-
 namespace scb::python {
 namespace {
 
@@ -18,7 +16,11 @@ const Element& first_of(const std::vector<Element>& elements, const Element& non
 }  // namespace
 
 FrameTests::FrameTests(const TraceHeader& header, const TraceFrame& frame)
-    : all_(std::make_shared<All>(All{header, frame, traversal_tree(header, frame)})) {}
+    : all_([&] {
+          auto all = std::make_shared<All>(All{header, frame, traversal_tree(header, frame), {}});
+          all->outcomes.insert(all->tree.outcomes.begin(), all->tree.outcomes.end());
+          return all;
+      }()) {}
 
 /// `first` is a number of the first element: the same of all of them.
 template <class Element, class Number>
@@ -72,9 +74,8 @@ py::array FrameTests::pairs() const {
 }
 
 py::dict FrameTests::outcome_names() const {
-    const std::set<Outcome> there(all_->tree.outcomes.begin(), all_->tree.outcomes.end());
     py::dict names;
-    for (const Outcome outcome : there)
+    for (const Outcome outcome : all_->outcomes)
         names[py::int_(static_cast<int>(outcome))] = is_ending(outcome)
                                                          ? ending_words(all_->header, outcome)
                                                          : std::string(outcome_name(outcome));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "core/analysis/ending.h"
 #include "core/analysis/pass_counts.h"
@@ -36,6 +37,7 @@ class FrameTests {
         TraceHeader header;
         TraceFrame frame;
         TraversalTree tree;
+        std::set<Outcome> outcomes;  ///< those that there are
     };
     std::shared_ptr<const All> all_;
 

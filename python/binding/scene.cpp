@@ -32,7 +32,8 @@ SharedScene load_scene(const py::args& names, const py::object& pose,
 
 /// A body's poses: one, or one per frame.
 std::vector<scenes::PoseKey> told_poses(const py::handle& matrices, const std::string& name) {
-    const bool is_one = matrices.is_none() || py::array::ensure(matrices).ndim() == 2;
+    const py::array array = py::array::ensure(matrices);
+    const bool is_one = matrices.is_none() || !array || array.ndim() != 3;
     std::vector<Pose> poses;
     if (is_one)
         poses.push_back(pose_of(matrices, name));
@@ -46,20 +47,24 @@ std::vector<scenes::PoseKey> told_poses(const py::handle& matrices, const std::s
     return told;
 }
 
-SharedScene scene_of(const std::map<std::string, SharedMesh>& bodies,
-                     const std::map<std::string, py::object>& poses, const std::string& name,
-                     const std::vector<std::string>& order) {
+SharedScene scene_of(const py::dict& bodies, const py::dict& poses, const std::string& name) {
+    if (bodies.empty()) refuse("bodies", "give one body or more.");
+    for (const auto& [body, pose] : poses)
+        if (!bodies.contains(body))
+            refuse("poses[" + std::string(py::repr(body)) + "]", "there is no such body.");
     auto scene = std::make_shared<scenes::Scene>();
     scene->name = scenes::file_name_of(name);
     std::map<const Mesh*, std::size_t> places;  // of meshes that bodies share; lookups only
-    for (const std::string& body : order) {
-        const SharedMesh& mesh = bodies.at(body);
+    for (const auto& [key, value] : bodies) {
+        if (!py::isinstance<py::str>(key) || !py::isinstance<SharedMesh>(value))
+            throw py::type_error("bodies: give meshes (scb.Mesh) by names (str).");
+        const auto body = key.cast<std::string>();
+        const auto& mesh = value.cast<const SharedMesh&>();
         const auto [place, is_new] = places.try_emplace(mesh.mesh.get(), scene->meshes.size());
         if (is_new) scene->meshes.push_back({mesh.name, *mesh.mesh});
         scenes::Motion motion;
-        const auto found = poses.find(body);
-        motion.told =
-            told_poses(found == poses.end() ? py::none() : found->second, "poses['" + body + "']");
+        motion.told = told_poses(poses.contains(key) ? py::object(poses[key]) : py::none(),
+                                 "poses['" + body + "']");
         const auto frames = static_cast<int>(motion.told.size());
         if (frames > 1 && scene->frames > 1 && frames != scene->frames)
             refuse("poses['" + body + "']",
@@ -138,18 +143,8 @@ std::vector<std::string> body_names(const SharedScene& s) {
 void add_scene(py::module_& module) {
     py::class_<SharedScene>(module, "Scene", py::is_final(),
                             R"(Bodies and how they move, frame by frame. A scene does not change.)")
-        .def(py::init([](const py::dict& bodies, const py::dict& poses, const std::string& name) {
-                 if (bodies.empty()) refuse("bodies", "give one body or more.");
-                 const auto known = bodies.cast<std::map<std::string, SharedMesh>>();
-                 const auto placed = poses.cast<std::map<std::string, py::object>>();
-                 for (const auto& [body, pose] : placed)
-                     if (!known.contains(body))
-                         refuse("poses['" + body + "']", "there is no such body.");
-                 std::vector<std::string> order;
-                 for (const auto& [body, mesh] : bodies) order.push_back(body.cast<std::string>());
-                 return scene_of(known, placed, name, order);
-             }),
-             py::arg("bodies"), py::arg("poses") = py::dict(), py::arg("name") = "scene",
+        .def(py::init(&scene_of), py::arg("bodies"), py::arg("poses") = py::dict(),
+             py::arg("name") = "scene",
              R"(Make a scene of meshes, which are copied.
 
 bodies: meshes by the names of bodies. poses: by the names of bodies, body frame to world, one
