@@ -11,7 +11,7 @@ namespace {
 using Floors = std::vector<std::vector<std::string>>;
 
 // From the ground up.
-const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}};
+const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}, {"python"}};
 
 const std::map<std::string, Floors> rooms = {
     {"core",
@@ -34,6 +34,7 @@ const std::map<std::string, Floors> rooms = {
       {"view"},
       {"golden"},
       {"inspect"}}},
+    {"python", {{"binding"}}},
 };
 
 // To which room of core a public header belongs.
