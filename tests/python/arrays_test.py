@@ -71,10 +71,9 @@ class Arrays(unittest.TestCase):
                 np.testing.assert_array_equal(found.pairs, want.pairs)
 
     def test_have_the_volumes_that_they_say(self):
-        vertices = plate().vertices
-        h = scb.build(plate())
-        v = h.volumes
-        for node in (0, 1, 5, len(h) - 1):
+        h = scb.build(scb.load_scene("spheres-l1").mesh("A"))
+        v, vertices = h.volumes, h.mesh.vertices
+        for node in (0, 1, 5, 77, len(h) - 1):
             rows = h.order[h.first[node]:h.first[node] + h.count[node]]
             below = vertices[h.mesh.triangles[rows]].reshape(-1, 3) - v.centers[node]
             self.assertLessEqual(np.linalg.norm(below, axis=1).max(), v.radii[node] + 1e-12)
@@ -84,7 +83,7 @@ class Arrays(unittest.TestCase):
         np.testing.assert_array_equal(level.centers, v.centers[level.nodes])
         np.testing.assert_array_equal(level.e, v.e[level.nodes])
         self.assertTrue((h.depths[level.nodes] == 3).all())
-        self.assertEqual(sorted(h.count[h.level("leaves").nodes]), [1] * 512)
+        self.assertEqual(sorted(h.count[h.level("leaves").nodes]), [1] * 20_480)
 
     def test_have_fields_for_every_volume(self):
         for kind in scb.volume_kinds():
@@ -93,8 +92,13 @@ class Arrays(unittest.TestCase):
                 self.assertEqual(len(array), len(h), (kind, name))
                 self.assertTrue(np.isfinite(array).all(), (kind, name))
             self.assertEqual(h.validate(), "")
-        axes = scb.build(plate(), "obb").volumes.fields["axes"]
-        np.testing.assert_allclose(axes @ axes.transpose(0, 2, 1), np.tile(np.eye(3), (len(axes), 1, 1)), atol=1e-12)
+        h = scb.build(scb.load_scene("spheres-l1").mesh("A"), "obb")
+        box = h.volumes.fields
+        for node in range(40):
+            rows = h.order[h.first[node]:h.first[node] + h.count[node]]
+            below = h.mesh.vertices[h.mesh.triangles[rows]].reshape(-1, 3) - box["centers"][node]
+            along = np.abs(below @ box["axes"][node])  # columns are the axes
+            self.assertTrue((along <= box["half_lengths"][node] + 1e-12).all())
         with self.assertRaisesRegex(AttributeError, "the kind ball have no normals; they have centers, radii"):
             scb.build(plate(), "ball").volumes.normals
 

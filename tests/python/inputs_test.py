@@ -119,6 +119,9 @@ class Inputs(unittest.TestCase):
         for node in (-1, len(h), 2**40):
             self.refuses(f"node_a: there is no node {node} of plate", scb.explain, h, node, h, 0)
             self.refuses("node_b: there is no node", scb.explain, h, 0, h, node)
+        small = scb.build(tetrahedron())
+        self.refuses("node_b: there is no node 7 of tetrahedron", scb.explain, h, 7, small, 7)
+        self.refuses("node_a: there is no node 7 of tetrahedron", scb.explain, small, 7, h, 7)
         self.refuses("pose: it is 3 x 3", scb.explain, h, 0, h, 0, np.eye(3))
         found = scb.collide_poses(h, h, [np.eye(4)])
         for index in (1, -2, 2**40):

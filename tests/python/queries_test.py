@@ -108,7 +108,7 @@ class Queries(unittest.TestCase):
                 found = scb.explain(a, nodes[0], b, nodes[1], pose, test=test)
                 (told,) = run_json("explain", BRACKET, "--frame", 85, "--pair", "%d,%d" % nodes, "--test", test)
                 mine = found.to_dict()
-                for key in ("stage", "exact", "answer", "answers", "a", "b", "pose", "steps", "certificate"):
+                for key in ("nodes", "stage", "exact", "answer", "answers", "a", "b", "pose", "steps", "certificate"):
                     self.assertEqual(mine[key], told[key], key)
                 self.assertEqual((found.tests, found.exact, found.answer), (told["stage"], told["exact"], told["answer"]))
                 self.assertEqual([(s.stage, s.formula, s.left, s.right, s.slack, s.separates) for s in found.steps],
