@@ -38,6 +38,13 @@ void PictureOptions::check() const {
                                   width() <= largest && height() <= largest
                               ? ", or twice that with --samples 1."
                               : "."));
+    // What a program asks for has not been through the parser.
+    if (samples != 1 && samples != 4)
+        throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
+    if (background != "light" && background != "dark")
+        throw InputError("--background " + background + ": give light or dark.");
+    if (!render::gl_backend_from_string(gl))
+        throw InputError("--gl " + gl + ": give osmesa or egl.");
     if (job_count < 0 || job_count > 256)
         throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
     if (open && output.empty())
@@ -99,9 +106,10 @@ void add_output_size(const Command& command, PictureOptions& options, const char
 
 void add_view(const Command& command, PictureOptions& options, CameraOptions& camera) {
     command
-        .add_option("--camera", camera.camera,
-                    "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else the "
-                    "scene's own")
+        .add_option(
+            "--camera", camera.camera,
+            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else the "
+            "scene's own")
         .file({".json"})
         .offer({"fit", "orbit:"})
         .type_name("CAMERA");
