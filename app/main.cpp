@@ -15,6 +15,7 @@
 #include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/version.h"
+#include "app/cli/watch.h"
 #include "app/config/config.h"
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
@@ -121,7 +122,7 @@ struct ToldInputs {
     }
 };
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, Watch& watch) {
     CLI::App program{
         "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
     program.name("scb");
@@ -146,6 +147,8 @@ int run(int argc, char** argv) {
     add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
                "Color in messages")
         .type_name("WHEN");
+    program.add_flag("--watch", watch.wanted,
+                     "Run again whenever a file that was read changes, until Ctrl-C");
     bool without_files = false;
     program.add_flag("--no-config", without_files, "Leave configuration files alone (see config)");
     bool json = false;
@@ -215,6 +218,7 @@ int run(int argc, char** argv) {
                         : color == "never" ? ColorMode::never
                                            : ColorMode::automatic;
         if (const std::string note = line.note(); !note.empty()) console.note(note);
+        watch.quiet = console.quiet;
         return action();
     } catch (const InputError& error) {
         console.error(line.placed(error.what()));
@@ -283,5 +287,8 @@ int main(int argc, char** argv) {
         // Nothing is left to be done, and for the leak sanitizer it may do too little.
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
-    return scb::app::run(argc, argv);
+    scb::app::Watch watch;
+    const int status = scb::app::run(argc, argv, watch);
+    if (watch.wanted) scb::app::run_again_after_change(watch, argv);
+    return status;
 }

@@ -146,6 +146,20 @@ void add_jobs(const Command& command, PictureOptions& options) {
         .show_default();
 }
 
+void add_svg(const Command& command, PictureOptions& options) {
+    command.add_flag("--svg", options.svg,
+                     "Also write each picture as SVG: text and plots as such, views of the scene "
+                     "as images");
+}
+
+/// Where pictures go besides their files.
+void add_copies(const Command& command, PictureOptions& options) {
+    add_svg(command, options);
+    command.add_flag("--terminal", options.show,
+                     "Also show the pictures in the terminal, where it can: kitty, iTerm2 and "
+                     "others like them, and sixel");
+}
+
 void add_json(const Command& command, PictureOptions& options) {
     command.add_flag("--json", options.json, "Print index.json instead of the file names");
 }
@@ -159,6 +173,7 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
     add_jobs(command, options);
     command.add_flag("--ids", options.ids,
                      "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
+    add_copies(command, options);
     add_json(command, options);
 }
 
@@ -173,6 +188,7 @@ void add_picture_options(const Command& command, PictureOptions& options) {
     add_output_size(command, options, "Folder for the pictures");
     add_drawing(command, options);
     add_jobs(command, options);
+    add_copies(command, options);
     add_json(command, options);
 }
 
@@ -188,6 +204,7 @@ void add_page_options(const Command& command, PictureOptions& options, CameraOpt
 void add_figure_options(const Command& command, PictureOptions& options, const char* files) {
     add_output_size(command, options, files);
     add_drawing(command, options);
+    add_svg(command, options);
 }
 
 }  // namespace scb::app

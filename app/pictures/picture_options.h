@@ -28,8 +28,10 @@ struct PictureOptions {
     int job_count = 0;
     bool ids = false;
     bool json = false;
+    bool show = false;                    ///< pictures are shown in the terminal
     bool open = false;                    ///< what was made is opened, see open_file
     bool no_panel = false;                ///< the view alone
+    bool svg = false;                     ///< each picture as SVG too
     bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};

@@ -7,6 +7,8 @@
 #include "app/pictures/picture_texts.h"
 #include "app/pictures/shifted_colors.h"
 #include "render/files/output_file.h"
+#include "render/files/terminal_image.h"
+#include "render/overlay/svg.h"
 #include "scenes/text/input_files.h"
 
 namespace scb::app {
@@ -25,6 +27,7 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
       index_(place("index.json")),
       queue_(8, options.jobs()) {
     queue_.set_texts(picture_texts(options, scene));
+    if (options.svg) overlay_.note_in(&shapes_);
     for (const std::string& name : tables) place(name);
     for (const std::string& name : tables) {
         std::error_code ignored;
@@ -59,6 +62,10 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
     if (of_sequence) sheet_view_.reset();
     queue_.push(place_picture(name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
+    if (options_.svg) {
+        write_svg(name + ".svg", picture);
+        files["svg"] = name + ".svg";
+    }
     if (rendering.ids && options_.pick) last_ids_ = *rendering.ids;
     if (rendering.ids && options_.ids) {
         files["ids"] = name + "_ids.png";
@@ -67,6 +74,12 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
     }
     files.update(entry);
     files_.push_back(std::move(files));
+}
+
+void PictureRun::write_svg(const std::string& name, const render::Picture& picture) {
+    const std::optional<render::Image> views =
+        picture.panes.empty() ? std::nullopt : std::optional(renderer_.draw(picture).image);
+    write(name, render::svg_text(shapes_, picture, views ? &*views : nullptr));
 }
 
 std::uint32_t PictureRun::id_at(int x, int y) const { return render::pixel(last_ids_, x, y); }
@@ -113,6 +126,22 @@ std::filesystem::path PictureRun::to_open(bool with_video) const {
     return folder_;
 }
 
+void PictureRun::show(const Console& console) const {
+    const render::TerminalImages how = render::terminal_images();
+    if (how == render::TerminalImages::none) {
+        console.note(
+            "scb: --terminal: this terminal is not known to show pictures; if it does, set SCB_IMAGES "
+            "to kitty, iterm2 or sixel.");
+        return;
+    }
+    // The sheet in place of what is in it.
+    const bool has_sheet = std::any_of(files_.begin(), files_.end(),
+                                       [](const Json& file) { return file.contains("sheet"); });
+    for (const Json& file : files_)
+        if (!has_sheet || file.contains("sheet"))
+            print_result(render::terminal_image(how, folder_ / file["file"].get<std::string>()));
+}
+
 void PictureRun::finish(Json head, const Console& console) {
     if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
@@ -132,6 +161,7 @@ void PictureRun::finish(Json head, const Console& console) {
     for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
     if (with_video) list += options_.video.file + "\n";
     print_result(instead_ ? *instead_ : options_.json ? index_text(head) : said_ + list);
+    if (options_.show) show(console);
     if (options_.open) open_file(to_open(with_video), console);
 }
 

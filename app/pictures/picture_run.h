@@ -13,7 +13,7 @@
 #include "render/figures/scene_figure.h"
 #include "render/files/encode_queue.h"
 #include "render/files/video_file.h"
-#include "render/overlay/overlay.h"
+#include "render/overlay/overlay_shape.h"
 
 namespace scb::app {
 
@@ -70,6 +70,10 @@ class PictureRun {
 
   private:
     void draw_sheet();
+    /// Of the picture that the overlay belongs to.
+    void write_svg(const std::string& name, const render::Picture& picture);
+    /// In the terminal.
+    void show(const Console& console) const;
     /// What a user wants to see first: the page, the video, the sheet, the only picture, or the
     /// folder.
     std::filesystem::path to_open(bool with_video) const;
@@ -86,6 +90,7 @@ class PictureRun {
     render::EncodeQueue queue_;
     std::optional<render::VideoFile> video_;
     std::optional<SheetRun> sheet_;
+    render::OverlayShapes shapes_;  ///< of the overlay, where pictures are wanted as SVG too
     render::Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;

@@ -10,7 +10,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_name.h"
-#include "app/pictures/picture_texts.h"
+#include "app/pictures/plot_file.h"
 #include "app/query/layout_options.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
@@ -18,7 +18,6 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/draw/renderer.h"
-#include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
@@ -191,13 +190,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
     if (options.measures) report.correlation.emplace();
     const auto draw = [&](auto figure, const std::string& file, const std::string& scene) {
         figure.footnote = conditions(options, bench_options);
-        figure.theme = options.picture.theme();
-        render::Overlay overlay;
-        const render::Picture picture =
-            render::compose(figure, options.picture.width(), options.picture.height(), overlay);
-        render::write_file_whole(folder / file,
-                                 render::encode_png(renderer->draw(picture, &overlay).image,
-                                                    picture_texts(options.picture, scene)));
+        write_plot(std::move(figure), options.picture, *renderer, folder / file, scene);
     };
     const auto json = [&] {
         return report.json(options, simd_text(bench_options.packed.level),

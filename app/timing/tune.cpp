@@ -11,14 +11,13 @@
 #include "app/cli/version.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
-#include "app/pictures/picture_texts.h"
+#include "app/pictures/plot_file.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/draw/renderer.h"
-#include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/input_files.h"
@@ -149,13 +148,8 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
                  const std::filesystem::path& folder) {
     render::TuneFigure figure = tune_figure(tuning);
     figure.footnote = conditions(options, tuning);
-    figure.theme = options.picture.theme();
-    render::Overlay overlay;
-    const render::Picture picture =
-        render::compose(figure, options.picture.width(), options.picture.height(), overlay);
-    const std::vector<std::uint8_t> png = render::encode_png(
-        renderer.draw(picture, &overlay).image, picture_texts(options.picture, scene.name));
-    render::write_file_whole(folder / picture_file(options, scene), png);
+    write_plot(std::move(figure), options.picture, renderer, folder / picture_file(options, scene),
+               scene.name);
     render::write_file_whole(folder / table_file(options, scene, ".csv"), tune_csv(tuning));
     render::write_file_whole(folder / table_file(options, scene, ".json"),
                              json_text(options, tuning));

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "render/overlay/font_face.h"
+#include "render/overlay/overlay_shape.h"
 
 namespace scb::render {
 
@@ -43,6 +45,11 @@ struct Overlay::Parts {
     ImDrawListSharedData shared = plain_drawing();
     ImDrawList list{&shared};
     std::vector<FontFace> faces;
+    OverlayShapes* noted = nullptr;
+
+    void note(OverlayShape shape) {
+        if (noted != nullptr) noted->list.push_back(std::move(shape));
+    }
 };
 
 int text_unit(int width, int height) {
@@ -58,6 +65,11 @@ void Overlay::begin() {
     parts_->list._ResetForNewFrame();
     parts_->list.PushTextureID(white);
     parts_->list.PushClipRectFullScreen();
+    if (parts_->noted != nullptr) parts_->noted->list.clear();
+}
+
+OverlayShapes* Overlay::note_in(OverlayShapes* shapes) {
+    return std::exchange(parts_->noted, shapes);
 }
 
 const FontFace& Overlay::face(const TextStyle& style) {
@@ -73,6 +85,8 @@ void Overlay::text(int x, int y, std::string_view text, const TextStyle& style) 
         const int width = measure(text, style).width;
         x -= style.align == Align::center ? width / 2 : width;
     }
+    if (parts_->noted != nullptr)
+        parts_->note(TextShape{x, y, measure(text, style).width, std::string(text), style});
     ImDrawList& list = parts_->list;
     list.PushTextureID(face.atlas->TexID);
     list.AddText(face.font, face.font->FontSize, corner(x, y), packed(style.color), text.data(),
@@ -91,6 +105,7 @@ TextSize Overlay::measure(std::string_view text, const TextStyle& style) {
 
 void Overlay::rectangle(const PixelRect& r, Rgba8 color) {
     if (r.width <= 0 || r.height <= 0) return;
+    parts_->note(RectangleShape{r, color});
     parts_->list.AddRectFilled(corner(r.x, r.y), corner(r.x + r.width, r.y + r.height),
                                packed(color));
 }
@@ -104,12 +119,14 @@ void Overlay::frame(const PixelRect& r, Rgba8 color, int thickness) {
 }
 
 void Overlay::polyline(std::span<const ScreenPosition> points, Rgba8 color, double thickness) {
+    parts_->note(LineShape{{points.begin(), points.end()}, color, thickness});
     const std::vector<ImVec2> line = converted(points);
     parts_->list.AddPolyline(line.data(), static_cast<int>(line.size()), packed(color),
                              ImDrawFlags_None, static_cast<float>(thickness));
 }
 
 void Overlay::polygon(std::span<const ScreenPosition> corners, Rgba8 color) {
+    parts_->note(PolygonShape{{corners.begin(), corners.end()}, color});
     const std::vector<ImVec2> outline = converted(corners);
     parts_->list.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
                                      packed(color));

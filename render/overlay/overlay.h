@@ -13,6 +13,7 @@ struct ImDrawList;
 namespace scb::render {
 
 enum class FontWeight;
+struct OverlayShapes;
 struct FontFace;
 
 enum class Align { left, center, right };
@@ -72,6 +73,10 @@ class Overlay {
 
     /// A filled convex polygon.
     void polygon(std::span<const ScreenPosition> corners, Rgba8 color);
+
+    /// Has it note there what it is asked to draw, until begin() empties the list; nullptr:
+    /// nowhere. Returns where it noted it before.
+    OverlayShapes* note_in(OverlayShapes* shapes);
 
     /// What was drawn, for the painter.
     const ImDrawList& draw_list() const;

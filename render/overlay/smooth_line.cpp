@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "render/overlay/overlay_shape.h"
+
 namespace scb::render {
 namespace {
 
@@ -127,6 +129,10 @@ struct Strip {
 void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, Rgba8 color,
                       double thickness) {
     if (points.empty()) return;
+    // Noted as a line, not as its pixels.
+    OverlayShapes* const noted = overlay.note_in(nullptr);
+    if (noted != nullptr)
+        noted->list.emplace_back(LineShape{{points.begin(), points.end()}, color, thickness, true});
     const std::int64_t radius =
         std::max<std::int64_t>(1, std::llround(std::min(thickness, 1000.0) * pixel_units / 2));
     std::vector<Stroke> segments;
@@ -150,6 +156,7 @@ void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, 
         for (const Stroke& segment : segments) strip.add(segment, radius);
         strip.draw(overlay, color);
     }
+    overlay.note_in(noted);
 }
 
 std::vector<std::vector<ScreenPosition>> dashes(std::span<const ScreenPosition> points,

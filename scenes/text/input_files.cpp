@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -16,15 +17,32 @@ namespace {
 /// A file whatever it is called.
 using Identity = std::pair<dev_t, ino_t>;
 
-std::optional<Identity> identity_of(const std::filesystem::path& file) {
+std::optional<struct stat> status_of(const std::filesystem::path& file) {
     struct stat status {};
     if (file.empty() || ::stat(file.c_str(), &status) != 0) return std::nullopt;
-    return Identity(status.st_dev, status.st_ino);
+    return status;
+}
+
+std::optional<Identity> identity_of(const std::filesystem::path& file) {
+    const auto status = status_of(file);
+    if (!status) return std::nullopt;
+    return Identity(status->st_dev, status->st_ino);
+}
+
+/// What differs once somebody has written to a file, or put another one in its place.
+std::string version_of(const std::filesystem::path& file) {
+    const auto status = status_of(file);
+    if (!status) return "";
+    std::ostringstream text;
+    text << status->st_dev << ' ' << status->st_ino << ' ' << status->st_size << ' '
+         << status->st_mtim.tv_sec << ' ' << status->st_mtim.tv_nsec;
+    return text.str();
 }
 
 struct InputFiles {
     std::mutex mutex;
     std::set<Identity> noted;
+    std::map<std::filesystem::path, std::string> versions;  ///< of regular files, when noted first
 };
 
 InputFiles& input_files() {
@@ -40,6 +58,22 @@ void note_input(const std::filesystem::path& file) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     files.noted.insert(*identity);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored))
+        files.versions.try_emplace(std::filesystem::absolute(file, ignored), version_of(file));
+}
+
+std::map<std::filesystem::path, std::string> input_versions() {
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    return files.versions;
+}
+
+std::map<std::filesystem::path, std::string> present_versions(
+    const std::map<std::filesystem::path, std::string>& files) {
+    std::map<std::filesystem::path, std::string> now;
+    for (const auto& [path, version] : files) now.emplace(path, version_of(path));
+    return now;
 }
 
 std::string noted_inputs() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,13 @@ namespace scb::scenes {
 /// program keeps for itself, such as baselines, are not noted. Any thread may call this. No effect
 /// where there is no such file.
 void note_input(const std::filesystem::path& file);
+
+/// The regular files that this process noted, each with words for its contents when it was noted
+/// first: they are others once somebody has written to it or put another file in its place.
+std::map<std::filesystem::path, std::string> input_versions();
+/// The same files as they are now.
+std::map<std::filesystem::path, std::string> present_versions(
+    const std::map<std::filesystem::path, std::string>& files);
 
 /// The files that were noted, as text that another process's note_inputs understands.
 std::string noted_inputs();

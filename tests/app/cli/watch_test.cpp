@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/app/program.h"
+
+namespace scb::app {
+namespace {
+
+constexpr const char* one = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+constexpr const char* two = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n";
+
+TEST(Watch, RunsAgainWhenAFileHasChangedUntilItIsInterrupted) {
+    TemporaryFolder folder;
+    const std::string mesh = folder / "m.obj", printed = folder / "printed";
+    write_text(mesh, one);
+    const auto has = [&](const std::string& words) {
+        return std::filesystem::exists(printed) &&
+               file_text(printed).find(words) != std::string::npos;
+    };
+    int step = 0;
+    const ProgramRun run =
+        run_scb_interrupted("--watch stats " + mesh + " >>" + printed, [&](pid_t) {
+            if (step == 0 && has("1 triangle")) {
+                // As an editor does: another file in its place.
+                write_text(folder / "new.obj", two);
+                std::filesystem::rename(folder / "new.obj", mesh);
+                step = 1;
+            } else if (step == 1 && has("2 triangles")) {
+                // A fault is told, and does not end it.
+                write_text(mesh, "nonsense");
+                std::this_thread::sleep_for(std::chrono::seconds(2));
+                write_text(mesh, std::string(two) + "f 1 2 4\n");
+                step = 2;
+            }
+            return step == 2 && has("3 triangles");
+        });
+    EXPECT_EQ(step, 2);
+    EXPECT_TRUE(has("3 triangles")) << file_text(printed);
+    EXPECT_NE(run.err.find("waiting for a change of 1 file"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("m.obj"), std::string::npos) << "the fault: " << run.err;
+}
+
+TEST(Watch, EndsWhereNoFileIsRead) {
+    const ProgramRun run = run_scb("--watch scenes");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.err.find("nothing is waited for"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace scb::app
