@@ -1,0 +1,156 @@
+"""pages.py OUT: writes what Sphinx reads: the manuals where their links expect them, the gallery that follows from them,
+and a page per public header. Run in the project's root."""
+
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+out = pathlib.Path(sys.argv[1])
+
+# The manuals in the order in which they are listed.
+MANUALS = [
+    "README.md",
+    "app/README.md",
+    "app/view/README.md",
+    "python/README.md",
+    "render/README.md",
+    "scenes/README.md",
+    "scenes/recordings/README.md",
+    "scenes/recordings/engines.md",
+    "scenes/recordings/broken.md",
+    "golden/README.md",
+    "core/README.md",
+    "tests/peers/README.md",
+    "site/README.md",
+    "CHANGELOG.md",
+]
+HEADERS = sorted(
+    path.relative_to("core/include").as_posix()
+    for path in pathlib.Path("core/include").rglob("*.h")
+    if "detail" not in path.parts
+)
+# A block or span of code, which stays as it is, or a link.
+CODE_OR_LINK = re.compile(
+    r"^ *```.*?^ *```$|`[^`\n]+`|!?\[(?P<text>(?:[^][]|\[[^][]*\])*)\]\((?P<target>[^)\s]+)\)", flags=re.M | re.S
+)
+
+
+def page_of(manual):
+    """A folder's manual is the folder's page."""
+    return manual.replace("README.md", "index.md")
+
+
+def linked(folder, match):
+    """A link as the site has it: to a page, to a header's page, to a copy of a file, or just its text."""
+    text, target = match["text"], match["target"]
+    if not target:
+        return match.group()
+    path, hash_sign, anchor = target.partition("#")
+    if re.match(r"[a-z]+:", target) or not path:
+        return match.group()
+    there = os.path.normpath(os.path.join(folder, path))
+    if there.startswith("core/include/"):
+        page = "reference/" + there.removeprefix("core/include/").replace(".h", ".md")
+        return f"[{text}]({os.path.relpath(page, folder or '.')})"
+    if there in MANUALS:
+        return f"[{text}]({page_of(path)}{hash_sign}{anchor})"
+    if not os.path.isfile(there):
+        return text
+    copy = out / there
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(there, copy)
+    return match.group()
+
+
+def write(page, text):
+    path = out / page
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+
+
+def toctree(caption, pages):
+    return f"\n```{{toctree}}\n:hidden:\n:caption: {caption}\n\n" + "\n".join(pages) + "\n```\n"
+
+
+def title_of(text):
+    return re.search(r"^# (.*)", text).group(1)
+
+
+def slug(heading):
+    """The anchor of a heading, as tests/manuals/read.awk has it."""
+    return re.sub(r"[^A-Za-z0-9 _-]", "", heading).replace(" ", "-").lower()
+
+
+def pictures_of(manual, text):
+    """Each picture with its title, its heading, and the commands before it under that heading."""
+    folder, heading, commands = os.path.dirname(manual), None, ""
+    pattern = r"^#+ (?P<heading>[^\n]*)|^```(?P<language>\w*)\n(?P<code>.*?)^```$|^!\[(?P<title>[^\n]*)\]\((?P<path>[^\n]*)\)$"
+    for match in re.finditer(pattern, text, flags=re.M | re.S):
+        if match["heading"]:
+            heading, commands = match["heading"], ""
+        elif match["language"] == "sh":
+            commands = match["code"]
+        elif match["path"]:
+            path = os.path.normpath(os.path.join(folder, match["path"]))
+            yield path, match["title"], heading, commands
+
+
+def gallery(texts):
+    shown, parts = set(), []
+    # A picture that several manuals have is explained by that of the pictures, or else of its room.
+    for manual in sorted(MANUALS, key=lambda name: (name != "render/README.md", name == "README.md")):
+        cards = []
+        for path, title, heading, commands in pictures_of(manual, texts[manual]):
+            if path in shown:
+                continue
+            shown.add(path)
+            link = page_of(manual) + ("#" + slug(heading) if heading != title_of(texts[manual]) else "")
+            card = f"````{{card}}\n![{title}]({path})\n\n{title}. [How to read it]({link})\n"
+            cards.append(card + (f"\n```sh\n{commands}```\n" if commands else "") + "````\n")
+        if cards:
+            parts.append(f"## {title_of(texts[manual])}\n\n" + "\n".join(cards))
+    for path in sorted(pathlib.Path("render/pictures").glob("*.png")):
+        if path.as_posix() not in shown:
+            sys.exit(f"{path} is in no manual, and so not in the gallery.")
+    head = "# Gallery\n\nEvery picture of the manuals, and the commands that make it.\n\n"
+    return head + "\n".join(parts)
+
+
+def reference(core_manual):
+    said = dict(re.findall(r"^\| `(scb/[^`]*\.h)` \| (.*) \|$", core_manual, flags=re.M))
+    rows = "".join(
+        f"| [{header}]({header.replace('.h', '.md')}) | {said[header]} |\n" for header in said if header in HEADERS
+    )
+    others = [header for header in HEADERS if header not in said]
+    listed = ", ".join(f"[{header}]({header.replace('.h', '.md')})" for header in others)
+    return (
+        "# C++ headers\n\nThe public headers of [the library](../core/index.md), and what each of them declares. Those that most users want:\n\n"
+        f"| header | what it has |\n|---|---|\n{rows}\nThe others: {listed}.\n"
+        + "\n```{toctree}\n:hidden:\n\n" + "\n".join(header[:-2] for header in HEADERS) + "\n```\n"
+    )
+
+
+def main():
+    texts = {manual: pathlib.Path(manual).read_text() for manual in MANUALS}
+    for manual, text in texts.items():
+        folder = os.path.dirname(manual)
+        text = CODE_OR_LINK.sub(lambda match: linked(folder, match), text)
+        if manual == "README.md":
+            pages = [page_of(name).removesuffix(".md") for name in MANUALS if name != manual]
+            text += toctree("Manuals", pages) + toctree("Reference", ["gallery", "reference/index"])
+        write(page_of(manual), text)
+    write("gallery.md", gallery(texts))
+    write("reference/index.md", reference(texts["core/README.md"]))
+    for header in HEADERS:
+        write(
+            "reference/" + header.replace(".h", ".md"),
+            f"# {header}\n\n```cpp\n#include <{header}>\n```\n\n```{{doxygenfile}} {header}\n:project: scb\n```\n",
+        )
+    # Doxygen leaves out files and namespaces that say nothing of themselves.
+    files = "".join(f"/** @file {header} */\n" for header in HEADERS)
+    write("files.dox", files + "/** @namespace scb\n    Everything of the library. */\n")
+
+
+main()
