@@ -1,4 +1,5 @@
-/* scb_record.h: writes what a collision engine has (meshes, bounding volume hierarchies, poses) and
+/** @file
+ * scb_record.h: writes what a collision engine has (meshes, bounding volume hierarchies, poses) and
  * what its queries do (each test of two volumes, of two triangles, the pairs that it reports) to a
  * file, a recording (.scbrec).
  *
@@ -28,6 +29,7 @@
 #ifndef SCB_RECORD_ON
 #define SCB_RECORD(...)
 #else
+/** What stands in it is left out where SCB_RECORD_ON is not defined. */
 #define SCB_RECORD(...) __VA_ARGS__
 
 #include <errno.h>
@@ -40,49 +42,51 @@
 extern "C" {
 #endif
 
-#define SCB_RECORD_NONE UINT32_MAX /* no mesh, no parent, no tree */
+#define SCB_RECORD_NONE UINT32_MAX /**< no mesh, no parent, no tree */
 
-/* A recorder. Zero it ({0}) or open it; zeroed, it records nothing. */
+/** A recorder. Zero it ({0}) or open it; zeroed, it records nothing. */
 typedef struct scb_recorder {
-    FILE* file;
-    unsigned char* data; /* of the block that is being filled */
-    size_t size, capacity;
-    uint32_t (*crc_tables)[256]; /* sixteen */
-    uint32_t crc;                /* of what was written of the block */
-    int past_block;              /* a record larger than `data` is being written */
-    int error;                   /* an errno; 0: none */
+    FILE* file;                  /**< NULL: nothing is recorded */
+    unsigned char* data;         /**< of the block that is being filled */
+    size_t size,                 /**< bytes in it */
+        capacity;                /**< bytes that it can hold */
+    uint32_t (*crc_tables)[256]; /**< sixteen */
+    uint32_t crc;                /**< of what was written of the block */
+    int past_block;              /**< a record larger than `data` is being written */
+    int error;                   /**< an errno; 0: none */
 } scb_recorder;
 
-/* The volumes of nodes, and their numbers in `values`. */
+/** The volumes of nodes, and their numbers in `values`. */
 typedef enum scb_record_kind {
-    SCB_RECORD_NO_VOLUME = 0,
-    SCB_RECORD_AABB = 1,    /* lower corner, upper corner: 6, along the axes of the body */
-    SCB_RECORD_OBB = 2,     /* center, three axes (unit, at right angles), half sides: 15 */
-    SCB_RECORD_BALL = 3,    /* center, radius: 4 */
-    SCB_RECORD_CAPSULE = 4, /* two ends, radius: 7 */
-    SCB_RECORD_RSS = 5,     /* a corner of the rectangle, its two sides as vectors, radius: 10 */
-    SCB_RECORD_KDOP = 6,    /* per direction of the tree the least and the greatest x.d: 2 n */
-    SCB_RECORD_SCB = 7,     /* center, radius, unit normal n, e, f with f <= (x - c).n <= e: 9 */
-    SCB_RECORD_SCB2 = 8,    /* the same and a second slab: 14 */
-    SCB_RECORD_HULL = 9     /* points, of which it is the convex hull: 3 n */
+    SCB_RECORD_NO_VOLUME = 0, /**< none: 0 */
+    SCB_RECORD_AABB = 1,      /**< lower corner, upper corner: 6, along the axes of the body */
+    SCB_RECORD_OBB = 2,       /**< center, three axes (unit, at right angles), half sides: 15 */
+    SCB_RECORD_BALL = 3,      /**< center, radius: 4 */
+    SCB_RECORD_CAPSULE = 4,   /**< two ends, radius: 7 */
+    SCB_RECORD_RSS = 5,  /**< a corner of the rectangle, its two sides as vectors, radius: 10 */
+    SCB_RECORD_KDOP = 6, /**< per direction of the tree the least and the greatest x.d: 2 n */
+    SCB_RECORD_SCB = 7,  /**< center, radius, unit normal n, e, f with f <= (x - c).n <= e: 9 */
+    SCB_RECORD_SCB2 = 8, /**< the same and a second slab: 14 */
+    SCB_RECORD_HULL = 9  /**< points, of which it is the convex hull: 3 n */
 } scb_record_kind;
 
+/** A volume, in the frame of the body. */
 typedef struct scb_record_volume {
-    scb_record_kind kind;
-    uint32_t count; /* of values */
-    const double* values;
+    scb_record_kind kind; /**< says what the values are */
+    uint32_t count;       /**< of values */
+    const double* values; /**< lengths in your units */
 } scb_record_volume;
 
-/* A node. What an engine does not have is left 0, but for `parent`. */
+/** A node. What an engine does not have is left 0, but for `parent`. */
 typedef struct scb_record_node_data {
-    uint32_t parent;          /* SCB_RECORD_NONE: a root */
-    uint64_t id;              /* what the engine calls it: an index, an address */
-    const char* name;         /* or NULL */
-    const uint32_t* children; /* numbers of nodes */
-    uint32_t child_count;
-    const uint32_t* items; /* of a leaf: triangles of the mesh, or the engine's objects */
-    uint32_t item_count;
-    scb_record_volume volume;
+    uint32_t parent;          /**< SCB_RECORD_NONE: a root */
+    uint64_t id;              /**< what the engine calls it: an index, an address */
+    const char* name;         /**< or NULL */
+    const uint32_t* children; /**< numbers of nodes */
+    uint32_t child_count;     /**< how many children it has */
+    const uint32_t* items;    /**< of a leaf: triangles of the mesh, or the engine's objects */
+    uint32_t item_count;      /**< how many items it has */
+    scb_record_volume volume; /**< may be none */
 } scb_record_node_data;
 
 /* ---- Inside: bytes, blocks, checksums ------------------------------------------------------- */
@@ -145,7 +149,7 @@ static inline void scb_rec_end_block(scb_recorder* r) {
     scb_rec_write(r, tail, 4);
 }
 
-/* Writes the block that is being filled: what is recorded is in the file, whatever comes. */
+/** Writes the block that is being filled: what is recorded is in the file, whatever comes. */
 static inline void scb_record_flush(scb_recorder* r) {
     if (r->size == 0) return;
     scb_rec_start_block(r, (uint32_t)r->size);
@@ -255,7 +259,7 @@ static inline void scb_rec_put_volume(scb_recorder* r, const scb_record_volume* 
 
 /* ---- The file ------------------------------------------------------------------------------- */
 
-/* Writes what is left, and that the recording is whole. Returns 0, or the errno of the first error
+/** Writes what is left, and that the recording is whole. Returns 0, or the errno of the first error
  * since it was opened. */
 static inline int scb_record_close(scb_recorder* r) {
     int error;
@@ -271,8 +275,8 @@ static inline int scb_record_close(scb_recorder* r) {
     return error;
 }
 
-/* Creates the file, or empties it. `engine`: whose recording it is, "Bullet 3.24". Returns 0, or an
- * errno; the recorder can be used in either case. */
+/** Creates the file, or empties it. `engine`: whose recording it is, "Bullet 3.24". Returns 0, or
+ * an errno; the recorder can be used in either case. */
 static inline int scb_record_open(scb_recorder* r, const char* path, const char* engine) {
     static const unsigned char magic[12] = {0x89, 's', 'c', 'b', 'r', 'c', 13, 10, 1, 0, 0, 0};
     const size_t tables = 16 * 256 * sizeof(uint32_t), block = 1 << 16;
@@ -300,7 +304,7 @@ static inline int scb_record_open(scb_recorder* r, const char* path, const char*
 
 /* ---- What there is -------------------------------------------------------------------------- */
 
-/* A setting of the engine, or of the queries that follow: "margin", "0.04". */
+/** A setting of the engine, or of the queries that follow: "margin", "0.04". */
 static inline void scb_record_setting(scb_recorder* r, const char* key, const char* value) {
     scb_rec_begin(r, 192, scb_rec_text_size(key) + scb_rec_text_size(value));
     scb_rec_text(r, key);
@@ -308,7 +312,7 @@ static inline void scb_record_setting(scb_recorder* r, const char* key, const ch
     scb_rec_end(r);
 }
 
-/* What a test of two volumes that ends with this number, 1 to 127, found: "axis of A". Number 0 is
+/** What a test of two volumes that ends with this number, 1 to 127, found: "axis of A". Number 0 is
  * that the volumes overlap. */
 static inline void scb_record_stage(scb_recorder* r, uint8_t stage, const char* name) {
     scb_rec_begin(r, 193, 1 + scb_rec_text_size(name));
@@ -317,8 +321,8 @@ static inline void scb_record_stage(scb_recorder* r, uint8_t stage, const char* 
     scb_rec_end(r);
 }
 
-/* A mesh. Coordinates are of `coordinate_bytes` 4 (float) or 8 (double), three per vertex, from one
- * vertex to the next `vertex_stride` bytes (0: no gaps); indices of 1, 2, 4 or 8, three per
+/** A mesh. Coordinates are of `coordinate_bytes` 4 (float) or 8 (double), three per vertex, from
+ * one vertex to the next `vertex_stride` bytes (0: no gaps); indices of 1, 2, 4 or 8, three per
  * triangle, without gaps. */
 static inline void scb_record_mesh(scb_recorder* r, uint32_t mesh, const char* name,
                                    const void* vertices, int coordinate_bytes, size_t vertex_stride,
@@ -377,7 +381,7 @@ static inline void scb_record_mesh(scb_recorder* r, uint32_t mesh, const char* n
     scb_rec_end(r);
 }
 
-/* A tree of nodes, which follow, over the triangles of a mesh, or over objects
+/** A tree of nodes, which follow, over the triangles of a mesh, or over objects
  * (SCB_RECORD_NONE). Of a tree that was recorded before: it was built anew, and its nodes before
  * are gone. `directions`: of the k-DOPs of its nodes, three numbers each. */
 static inline void scb_record_tree(scb_recorder* r, uint32_t tree, const char* name, uint32_t mesh,
@@ -391,7 +395,7 @@ static inline void scb_record_tree(scb_recorder* r, uint32_t tree, const char* n
     scb_rec_end(r);
 }
 
-/* A node of a tree, whole. */
+/** A node of a tree, whole. */
 static inline void scb_record_node(scb_recorder* r, uint32_t tree, uint32_t node,
                                    const scb_record_node_data* n) {
     scb_rec_begin(r, 196,
@@ -408,7 +412,7 @@ static inline void scb_record_node(scb_recorder* r, uint32_t tree, uint32_t node
     scb_rec_end(r);
 }
 
-/* The volume of a node from now on: it was refitted. */
+/** The volume of a node from now on: it was refitted. */
 static inline void scb_record_refit(scb_recorder* r, uint32_t tree, uint32_t node,
                                     const scb_record_volume* volume) {
     scb_rec_begin(r, 197, 8 + scb_rec_volume_size(volume));
@@ -418,7 +422,7 @@ static inline void scb_record_refit(scb_recorder* r, uint32_t tree, uint32_t nod
     scb_rec_end(r);
 }
 
-/* A body: a tree that is somewhere. Several may have the same tree. */
+/** A body: a tree that is somewhere. Several may have the same tree. */
 static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* name,
                                    uint32_t tree) {
     scb_rec_begin(r, 198, 8 + scb_rec_text_size(name));
@@ -430,7 +434,7 @@ static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* n
 
 /* ---- What happens --------------------------------------------------------------------------- */
 
-/* A frame begins: a step of the simulation. Numbers ascend. */
+/** A frame begins: a step of the simulation. Numbers ascend. */
 static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
     scb_record_flush(r);
     scb_rec_begin(r, 199, 4);
@@ -438,7 +442,7 @@ static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
     scb_rec_end(r);
 }
 
-/* Where a body is from now on; before, it is where its tree's coordinates say. */
+/** Where a body is from now on; before, it is where its tree's coordinates say. */
 static inline void scb_record_pose(scb_recorder* r, uint32_t body, const double pose[12]) {
     scb_rec_begin(r, 200, 4 + 96);
     scb_rec_put32(r, body);
@@ -446,7 +450,7 @@ static inline void scb_record_pose(scb_recorder* r, uint32_t body, const double 
     scb_rec_end(r);
 }
 
-/* A query of two bodies begins, or of one against itself (the same twice). */
+/** A query of two bodies begins, or of one against itself (the same twice). */
 static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t body_b) {
     scb_rec_begin(r, 201, 8);
     scb_rec_put32(r, body_a);
@@ -454,24 +458,24 @@ static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t b
     scb_rec_end(r);
 }
 
-/* A test of two volumes, of a node of A and one of B. `stage`: 0 where they overlap, else which
+/** A test of two volumes, of a node of A and one of B. `stage`: 0 where they overlap, else which
  * part of the test rejected them, 1 to 127, see scb_record_stage; what is above counts as 127. */
 static inline void scb_record_test(scb_recorder* r, uint32_t node_a, uint32_t node_b,
                                    uint8_t stage) {
     scb_rec_event(r, (unsigned char)(stage < 128 ? stage : 127), node_a, node_b);
 }
 
-/* A test of two triangles, or of two objects: items of leaves. */
+/** A test of two triangles, or of two objects: items of leaves. */
 static inline void scb_record_items(scb_recorder* r, uint32_t item_a, uint32_t item_b, int meet) {
     scb_rec_event(r, (unsigned char)(meet ? 129 : 128), item_a, item_b);
 }
 
-/* A pair that the query reports. */
+/** A pair that the query reports. */
 static inline void scb_record_pair(scb_recorder* r, uint32_t item_a, uint32_t item_b) {
     scb_rec_event(r, 130, item_a, item_b);
 }
 
-/* The query ends. `complete`: it found all that it looks for, and did not end early on purpose.
+/** The query ends. `complete`: it found all that it looks for, and did not end early on purpose.
  * `nanoseconds`: how long it took, 0 where that was not measured. */
 static inline void scb_record_query_end(scb_recorder* r, int complete, uint64_t nanoseconds) {
     scb_rec_begin(r, 202, 9);

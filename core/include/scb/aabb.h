@@ -12,18 +12,23 @@ namespace scb {
 /// against the box, along A's axes, about the turned B.
 template <bool exact>
 struct BasicAabb {
+    /// The middle.
     Vec3 center = Vec3::Zero();
     Vec3 half = Vec3::Zero();  ///< half lengths
 };
+/// Tested against the box about the turned B, as engines do it.
 using Aabb = BasicAabb<false>;
+/// Tested as the oriented box that it is.
 using ExactAabb = BasicAabb<true>;
 
+/// Surface area.
 template <bool exact>
 double surface_area(const BasicAabb<exact>& box) {
     const Vec3& h = box.half;
     return 8 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]);
 }
 
+/// Volume.
 template <bool exact>
 double volume(const BasicAabb<exact>& box) {
     return 8 * box.half[0] * box.half[1] * box.half[2];
@@ -47,15 +52,17 @@ double support(const BasicAabb<exact>& box, const Vec3& direction) {
     return dot(box.half, Vec3(direction.cwiseAbs()));
 }
 
-/// As of oriented boxes: the longest half length; diagonal and shortest side.
+/// The size that decides which of two volumes a traversal descends into: the longest half length.
 template <bool exact>
 double descent_size(const BasicAabb<exact>& box) {
     return box.half.maxCoeff();
 }
+/// Diameter: the diagonal.
 template <bool exact>
 double diameter(const BasicAabb<exact>& box) {
     return 2 * std::sqrt(squared_norm(box.half));
 }
+/// Thickness: the shortest side.
 template <bool exact>
 double thickness(const BasicAabb<exact>& box) {
     return 2 * box.half.minCoeff();

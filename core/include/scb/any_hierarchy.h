@@ -9,18 +9,21 @@
 
 namespace scb {
 
-/// The volumes that can be asked for by name.
 #define SCB_KIND(kind, V, name) kind,
+/// The volumes that can be asked for by name.
 enum class VolumeKind { SCB_FOR_EACH_VOLUME_KIND(SCB_KIND) };
 #undef SCB_KIND
 
 /// How a kind is named on the command line and in file names, see SCB_FOR_EACH_VOLUME_KIND.
 std::string_view volume_kind_name(VolumeKind kind);
+/// The kind of this name, or nothing where there is none.
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
+/// All kinds, in the order of SCB_FOR_EACH_VOLUME_KIND.
 std::span<const VolumeKind> all_volume_kinds();
 
-/// Whether FitOptions::growth and FitOptions::margin mean anything to the kind.
+/// Whether FitOptions::growth means anything to the kind.
 bool has_growth(VolumeKind kind);
+/// Whether FitOptions::margin means anything to the kind.
 bool has_margin(VolumeKind kind);
 
 /// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
@@ -28,6 +31,7 @@ bool has_margin(VolumeKind kind);
 template <class First, class... Volumes>
 using VariantOfHierarchies = std::variant<Hierarchy<Volumes>...>;
 #define SCB_THEN(V) , V
+/// A hierarchy of one of the types of volume.h.
 using AnyHierarchy = VariantOfHierarchies<void SCB_FOR_EACH_VOLUME(SCB_THEN)>;
 #undef SCB_THEN
 
@@ -50,7 +54,9 @@ std::vector<AnyHierarchy> build_hierarchies(const Mesh& mesh, std::span<const Vo
                                             const BuildOptions& options = {},
                                             std::string_view name = "mesh");
 
+/// Its topology, whatever its volumes are.
 const Topology& topology_of(const AnyHierarchy& hierarchy);
+/// `validate` for the volumes that it has.
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);
 
 /// sizeof the volume of one node.

@@ -17,6 +17,7 @@ bool can_pack(VolumeKind kind);
 template <class V>
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
+/// The same of a hierarchy whose volume type was chosen at run time.
 AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 

@@ -6,7 +6,9 @@ namespace scb {
 
 /// A closed ball: the points within `radius` of `center`, in the frame of the mesh that it bounds.
 struct Ball {
+    /// The middle.
     Vec3 center = Vec3::Zero();
+    /// From the center to the surface.
     double radius = 0;
 };
 
@@ -31,8 +33,9 @@ double radius_reaching(double squared_distance);
 /// The size that decides which of two volumes a traversal descends into: the radius.
 inline double descent_size(const Ball& ball) { return ball.radius; }
 
-/// Diameter d = 2r and thickness of the volume, the two lengths of Section 3.1 of the paper.
+/// Diameter d = 2r, see Section 3.1 of the paper.
 inline double diameter(const Ball& ball) { return 2 * ball.radius; }
+/// Thickness, which is the diameter.
 inline double thickness(const Ball& ball) { return 2 * ball.radius; }
 
 }  // namespace scb

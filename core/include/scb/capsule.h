@@ -12,16 +12,22 @@ namespace scb {
 /// A capsule, or line swept sphere: the points within `radius` of a segment. Closed. (Larsen,
 /// Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept Sphere Volumes", 1999.)
 struct Capsule {
+    /// What pictures call it.
     static constexpr const char* title = "capsule";
+    /// What `support_point` costs, see ConvexVolume.
     static constexpr unsigned support_operations = 9;
 
     Vec3 center = Vec3::Zero();     ///< the middle of the segment
     Vec3 half_axis = Vec3::Zero();  ///< from there to one of its ends
+    /// How far it reaches from the segment.
     double radius = 0;
 };
 
+/// The middle of the segment.
 inline Vec3 center(const Capsule& c) { return c.center; }
+/// The radius.
 inline double rounding(const Capsule& c) { return c.radius; }
+/// The end of the segment, from the center, on the side of `d`.
 inline Vec3 support_point(const Capsule& c, const Vec3& d) {
     return dot(c.half_axis, d) < 0 ? Vec3(-c.half_axis) : c.half_axis;
 }
@@ -33,6 +39,7 @@ inline double squared_distance(const Capsule& c, const Vec3& point) {
     const double at = squared_length > 0 ? dot(c.half_axis, p) / squared_length : 0;
     return squared_norm(Vec3(p - std::clamp(at, -1.0, 1.0) * c.half_axis));
 }
+/// Whether the point is inside or on the surface.
 inline bool contains(const Capsule& c, const Vec3& point) {
     return squared_distance(c, point) <= c.radius * c.radius;
 }
@@ -73,11 +80,15 @@ inline void fit(Capsule& result, const FitPoints& points) {
     result.radius = radius_of_square(squared);
 }
 
+/// The size that decides which of two volumes a traversal descends into: half the length.
 inline double descent_size(const Capsule& c) {
     return std::sqrt(squared_norm(c.half_axis)) + c.radius;
 }
+/// Diameter: the length, round ends included.
 inline double diameter(const Capsule& c) { return 2 * descent_size(c); }
+/// Thickness: twice the radius.
 inline double thickness(const Capsule& c) { return 2 * c.radius; }
+/// Area and volume, in closed form.
 inline SurfaceMeasures measures(const Capsule& c) {
     using std::numbers::pi;
     const double half = std::sqrt(squared_norm(c.half_axis)), r = c.radius;

@@ -18,12 +18,17 @@ namespace scb {
 /// does not own.
 template <Volume V>
 struct Collider {
+    /// The hierarchy.
     const Hierarchy<V>& hierarchy;
+    /// The mesh; its indices are those of the pairs that are found.
     const Mesh& mesh;
 };
 
+/// How a query goes, and when it ends.
 struct CollideOptions {
+    /// How two volumes are tested; of all but slab cut balls this says nothing.
     OverlapOptions overlap;
+    /// Which of two nodes that overlap is divided.
     DescentRule descent = DescentRule::radius;
     /// The query ends once it has found so many pairs, at least 1: for the first contact. Which
     /// pairs those are follows from the order of the traversal.

@@ -10,14 +10,18 @@
 
 namespace scb {
 
+/// What a surface measures, and what it encloses.
 struct SurfaceMeasures {
-    double area = 0, volume = 0;
+    double area = 0,  ///< in the square of the mesh's unit of length
+        volume = 0;   ///< in its cube
 };
 
 /// A face of a polytope: the points p of it have normal.p <= offset. The normal need not be a unit
 /// vector.
 struct FacePlane {
+    /// Points out of the polytope.
     Vec3 normal = Vec3::UnitZ();
+    /// Of the plane from the origin, in lengths of the normal.
     double offset = 0;
 };
 
@@ -74,15 +78,18 @@ Vec3 half_extents(const V& v) {
     return result;
 }
 
-/// Of its box: the longest half length, the diagonal, and the shortest side, as of oriented boxes.
+/// The size that decides which of two volumes a traversal descends into: the longest half length of
+/// its box.
 template <ConvexVolume V>
 double descent_size(const V& v) {
     return half_extents(v).maxCoeff();
 }
+/// Diameter: the diagonal of its box.
 template <ConvexVolume V>
 double diameter(const V& v) {
     return 2 * std::sqrt(squared_norm(half_extents(v)));
 }
+/// Thickness: the shortest side of its box.
 template <ConvexVolume V>
 double thickness(const V& v) {
     return 2 * half_extents(v).minCoeff();
@@ -127,10 +134,12 @@ SurfaceMeasures surface_measures(const V& v) {
         return polytope_measures(planes, diameter(v));
     }
 }
+/// The area of `surface_measures`.
 template <ConvexVolume V>
 double surface_area(const V& v) {
     return surface_measures(v).area;
 }
+/// The volume of `surface_measures`.
 template <ConvexVolume V>
 double volume(const V& v) {
     return surface_measures(v).volume;

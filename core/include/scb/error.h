@@ -10,6 +10,7 @@ namespace scb {
 /// construction only, never inside a traversal.
 class InputError : public std::runtime_error {
   public:
+    /// `sentence` becomes what().
     explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}
 };
 

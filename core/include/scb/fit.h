@@ -31,6 +31,7 @@ struct FitCounts {
         0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
 
+    /// Adds the counts of other fits.
     void add(const FitCounts& other) {
         point_visits += other.point_visits;
         candidate_slabs += other.candidate_slabs;
@@ -40,10 +41,12 @@ struct FitCounts {
 /// "ritter", "radius": the names of the command line.
 std::string_view ball_growth_name(BallGrowth growth);
 
+/// How volumes are fitted. What a kind of volume has no use for is ignored.
 struct FitOptions {
     /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes
     /// smaller and hardly any larger (summed area -0.05 %), at the same cost.
     BallGrowth growth = BallGrowth::ritter;
+    /// How a Ball is fitted.
     BallMethod ball_method = BallMethod::minimum;
     /// The error margin of Section 2, as a share of the radius: both planes of a slab move outward
     /// by margin * r, but not out of the ball.
@@ -73,8 +76,11 @@ struct FitOptions {
 ///
 /// At least one point, all finite: throws InputError otherwise.
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});
+/// The same for a ball cut by two slabs, see `fit_scb`.
 Scb2 fit_scb2(std::span<const Vec3> points, const FitOptions& options = {});
+/// The same for a ball, see `fit_scb`.
 Ball fit_ball(std::span<const Vec3> points, const FitOptions& options = {});
+/// The same for an oriented box, see `fit_scb`.
 Obb fit_obb(std::span<const Vec3> points, const FitOptions& options = {});
 
 }  // namespace scb

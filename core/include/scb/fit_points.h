@@ -13,17 +13,21 @@ struct FitInput;
 /// convex.h. There is at least one; their order is that of the mesh, on any number of threads.
 class FitPoints {
   public:
+    /// For the library itself, which owns what it refers to.
     explicit FitPoints(const FitInput& input);
 
+    /// How many points there are, at least 1.
     std::size_t size() const { return sizes_[0] + sizes_[1]; }
+    /// The i-th point, in the body's frame.
     Vec3 operator[](std::size_t i) const {
         const std::size_t part = i < sizes_[0] ? 0 : 1, k = i - (part == 0 ? 0 : sizes_[0]);
         return {parts_[part][0][k], parts_[part][1][k], parts_[part][2][k]};
     }
 
-    /// The least and greatest of direction.p over the points p, for the 13 directions of kdop.h,
-    /// which are not unit vectors: known already, however many points there are.
+    /// The least of direction.p over the points p, for one of `dop_directions` by its index. They
+    /// are not unit vectors. It is known already, however many points there are.
     double lower(std::size_t direction) const;
+    /// The greatest of direction.p, likewise.
     double upper(std::size_t direction) const;
 
     /// The principal axes of the surface, as columns, right-handed and the longest direction first,

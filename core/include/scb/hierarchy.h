@@ -19,6 +19,7 @@ struct BuildOptions {
     /// How many threads build it; it is the same for any number.
     int threads = 1;
 
+    /// What of this the topology depends on.
     TopologyOptions topology() const { return {split, threads, fit.simd}; }
 };
 
@@ -26,7 +27,9 @@ struct BuildOptions {
 /// each of its nodes, in the body frame of the mesh.
 template <Volume V>
 struct Hierarchy {
+    /// Its nodes; never null in a hierarchy that was built.
     std::shared_ptr<const Topology> topology;
+    /// The volumes, one for each of Topology::nodes, in their order.
     std::vector<V> volumes;
 };
 

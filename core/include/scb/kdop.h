@@ -29,9 +29,13 @@ inline constexpr std::array<std::array<double, 3>, 13> dop_directions = {{{1, 0,
 /// The slabs of a discrete orientation polytope: lower[i] <= dop_directions[which[i]].p <=
 /// upper[i].
 struct DopSlabs {
+    /// `count` indices of `dop_directions`.
     const int* which;
+    /// The least direction.p of each slab.
     const double* lower;
+    /// The greatest direction.p of each slab.
     const double* upper;
+    /// How many slabs there are.
     int count;
 };
 
@@ -51,7 +55,9 @@ std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center);
 template <int k>
 struct KDop {
     static_assert(k == 14 || k == 18 || k == 26);
+    /// How many slabs it is cut by.
     static constexpr int slabs = k / 2;
+    /// What pictures call it.
     static constexpr const char* title = k == 14 ? "14-DOP" : k == 18 ? "18-DOP" : "26-DOP";
     /// Of 2.3, 2.5 and 2.7 corners, the mean over queries of horse, tr12j and boeing: 50 and 7 a
     /// slab for each, 27 for the step to the next.
@@ -67,35 +73,44 @@ struct KDop {
         return result;
     }();
 
-    std::array<double, slabs> lower{}, upper{};
+    std::array<double, slabs> lower{},  ///< the least direction.p of each slab
+        upper{};                        ///< the greatest direction.p of each slab
 };
+/// Along the axes and the corners of a cube.
 using KDop14 = KDop<14>;
+/// Along the axes and the edges of a cube.
 using KDop18 = KDop<18>;
+/// Along all three.
 using KDop26 = KDop<26>;
 
+/// Its slabs, which must not outlive it.
 template <int k>
 DopSlabs slabs_of(const KDop<k>& v) {
     return {v.which.data(), v.lower.data(), v.upper.data(), v.slabs};
 }
 
-/// Of its box along the axes: the corners that the faces cut off may leave it outside.
+/// The center of its box along the axes. The corners that the faces cut off may leave it outside.
 template <int k>
 Vec3 center(const KDop<k>& v) {
     return 0.5 *
            (Vec3(v.lower[0], v.lower[1], v.lower[2]) + Vec3(v.upper[0], v.upper[1], v.upper[2]));
 }
+/// 0: its edges are sharp.
 template <int k>
 double rounding(const KDop<k>&) {
     return 0;
 }
+/// The corner, from the center, that is farthest along `d`.
 template <int k>
 Vec3 support_point(const KDop<k>& v, const Vec3& d) {
     return farthest_corner(slabs_of(v), d) - center(v);
 }
+/// Its faces' planes, from the center.
 template <int k>
 std::vector<FacePlane> faces(const KDop<k>& v) {
     return faces(slabs_of(v), center(v));
 }
+/// Whether all is finite and no slab is empty.
 template <int k>
 bool is_well_formed(const KDop<k>& v) {
     for (std::size_t i = 0; i < v.which.size(); ++i)
@@ -103,6 +118,7 @@ bool is_well_formed(const KDop<k>& v) {
             return false;
     return true;
 }
+/// Whether the point is inside or on the surface.
 template <int k>
 bool contains(const KDop<k>& v, const Vec3& p) {
     for (std::size_t i = 0; i < v.which.size(); ++i) {
@@ -112,6 +128,7 @@ bool contains(const KDop<k>& v, const Vec3& p) {
     }
     return true;
 }
+/// The narrowest slabs that hold the points.
 template <int k>
 void fit(KDop<k>& result, const FitPoints& points) {
     for (std::size_t i = 0; i < result.which.size(); ++i) {

@@ -17,19 +17,25 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// duplicate triangles are legal, and vertices that no triangle uses are ignored by everything that
 /// bounds the mesh.
 struct Mesh {
+    /// Points, in any unit of length.
     std::vector<Vec3> vertices;
+    /// Three of them each.
     std::vector<Triangle> triangles;
 };
 
 /// An axis-aligned box; empty (lower > upper) until something is added.
 struct Box {
+    /// The least coordinates.
     Vec3 lower = Vec3::Constant(1e300);
+    /// The greatest coordinates.
     Vec3 upper = Vec3::Constant(-1e300);
 
+    /// Grows it until it holds the point.
     void add(const Vec3& point) {
         lower = lower.cwiseMin(point);
         upper = upper.cwiseMax(point);
     }
+    /// Grows it until it holds the other box.
     void add(const Box& box) {
         lower = lower.cwiseMin(box.lower);
         upper = upper.cwiseMax(box.upper);
@@ -43,8 +49,9 @@ inline constexpr double max_coordinate = 1e70;
 /// must not vanish.
 inline constexpr double min_size = 1e-60;
 
-/// The most triangles and vertices that a hierarchy can index.
+/// The most triangles that a hierarchy can index.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
+/// The most vertices that a hierarchy can index.
 inline constexpr std::size_t max_vertices = std::size_t{1} << 31;
 
 /// Throws InputError, naming the first offender, where the mesh has no triangles, too many of them

@@ -28,10 +28,17 @@ struct QuantizedCodec;
 /// 36 bytes for each: 9 floats.
 template <int width_>
 struct FloatCodec<width_, Scb> {
-    using Volume = Scb;         ///< what is encoded
-    using Decoded = PackedScb;  ///< what it is decoded to
+    /// What is encoded.
+    using Volume = Scb;
+    /// What it is decoded to.
+    using Decoded = PackedScb;
+    /// How many volumes it holds.
     static constexpr int width = width_;
-    float c[3][width], r[width], n[3][width], m[width], h[width];
+    float c[3][width],  ///< centers
+        r[width],       ///< radii
+        n[3][width],    ///< normals
+        m[width],       ///< middles of the slabs
+        h[width];       ///< half thicknesses of the slabs
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
@@ -42,40 +49,67 @@ struct FloatCodec<width_, Scb> {
 /// 44 bytes for each: 11 floats.
 template <int width_>
 struct FloatCodec<width_, Scb2> {
+    /// What is encoded.
     using Volume = Scb2;
+    /// What it is decoded to.
     using Decoded = PackedScb2;
+    /// How many volumes it holds.
     static constexpr int width = width_;
-    float c[3][width], r[width], q[3][width], m[2][width], h[2][width];
+    float c[3][width],  ///< centers
+        r[width],       ///< radii
+        q[3][width],    ///< quaternions
+        m[2][width],    ///< middles of the slabs
+        h[2][width];    ///< half thicknesses of the slabs
 
+    /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb2> volumes, const Vec3& origin);
+    /// The i-th volume as it is stored: it holds the one that was encoded.
     PackedScb2 decode(std::size_t i) const;
 };
 
 /// 18 bytes for each.
 template <int width_>
 struct QuantizedCodec<width_, Scb> {
+    /// What is encoded.
     using Volume = Scb;
+    /// What it is decoded to.
     using Decoded = PackedScb;
+    /// How many volumes it holds.
     static constexpr int width = width_;
-    std::int16_t c[3][width], n[3][width], m[width];
-    std::uint16_t r[width], h[width];
-    float length_unit, slab_unit;
+    std::int16_t c[3][width],  ///< centers, in units of `length_unit`
+        n[3][width],           ///< normals, in units of `direction_unit`
+        m[width];              ///< middles of the slabs, in units of `slab_unit`
+    std::uint16_t r[width],    ///< radii, in units of `length_unit`
+        h[width];              ///< half thicknesses of the slabs, in units of `slab_unit`
+    float length_unit,         ///< a power of two
+        slab_unit;             ///< a power of two
 
+    /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
+    /// The i-th volume as it is stored: it holds the one that was encoded.
     PackedScb decode(std::size_t i) const;
 };
 
 /// 22 bytes for each: a quaternion has three numbers, as a normal has.
 template <int width_>
 struct QuantizedCodec<width_, Scb2> {
+    /// What is encoded.
     using Volume = Scb2;
+    /// What it is decoded to.
     using Decoded = PackedScb2;
+    /// How many volumes it holds.
     static constexpr int width = width_;
-    std::int16_t c[3][width], q[3][width], m[2][width];
-    std::uint16_t r[width], h[2][width];
-    float length_unit, slab_unit[2];
+    std::int16_t c[3][width],  ///< centers, in units of `length_unit`
+        q[3][width],           ///< quaternions, in units of `direction_unit`
+        m[2][width];           ///< middles of the slabs, in units of `slab_unit`
+    std::uint16_t r[width],    ///< radii, in units of `length_unit`
+        h[2][width];           ///< half thicknesses of the slabs, in units of `slab_unit`
+    float length_unit,         ///< a power of two
+        slab_unit[2];          ///< a power of two for each slab
 
+    /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb2> volumes, const Vec3& origin);
+    /// The i-th volume as it is stored: it holds the one that was encoded.
     PackedScb2 decode(std::size_t i) const;
 };
 

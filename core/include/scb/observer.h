@@ -9,7 +9,9 @@ namespace scb {
 
 /// Two triangles, or two nodes, by their indices in A and in B.
 struct IndexPair {
-    std::uint32_t a = 0, b = 0;
+    std::uint32_t a = 0,  ///< index in A
+        b = 0;            ///< index in B
+    /// By `a`, then by `b`.
     friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
 };
 
@@ -25,9 +27,12 @@ concept Observer = requires(O& observer, IndexPair pair, int depth, Stage stage,
 /// An observer of any type as three pointers, for a traversal that was compiled without it. Both
 /// functions must be set.
 struct ObserverCalls {
+    /// What both functions get first.
     void* observer = nullptr;
+    /// Is told of a test of two volumes.
     void (*volume_test)(void* observer, IndexPair nodes, int depth_a, int depth_b,
                         Stage stage) = nullptr;
+    /// Is told of a test of two triangles.
     void (*triangle_test)(void* observer, IndexPair triangles, bool intersect) = nullptr;
 };
 

@@ -21,7 +21,9 @@ enum class OverlapTest {
 
 /// "printed", "line8", "corrected", "symmetric", "extents".
 std::string_view overlap_test_name(OverlapTest test);
+/// The test of this name, or nothing where there is none.
 std::optional<OverlapTest> overlap_test_of(std::string_view name);
+/// All tests, in the order in which they are declared.
 std::span<const OverlapTest> all_overlap_tests();
 
 /// Whether OverlapOptions::threshold means anything to the test.
@@ -30,6 +32,7 @@ bool has_threshold(OverlapTest test);
 /// Whether the test never rejects volumes that overlap or touch: all but `printed`.
 bool is_sound(OverlapTest test);
 
+/// How two slab cut balls are tested. Of other volumes it says nothing.
 struct OverlapOptions {
     OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
     /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
@@ -39,13 +42,16 @@ struct OverlapOptions {
 /// "symmetric", "corrected a=0.7": with the threshold, where the test has one.
 std::string overlap_title(const OverlapOptions& options);
 
-/// The stages at which the test of this volume type can reject, in the order in which it makes
-/// them. Those of slab cut balls depend on their test.
+/// The stages at which this test of slab cut balls can reject, in the order in which it makes them.
 std::span<const Stage> stages_of(OverlapTest test);
+/// The same for balls.
 std::span<const Stage> ball_stages();
+/// The same for balls cut by two slabs.
 std::span<const Stage> scb2_stages();
+/// The same for oriented boxes, and for boxes along the axes tested exactly.
 std::span<const Stage> obb_stages();
 std::span<const Stage> aabb_stages();  ///< as engines test them
+/// The same for convex volumes by their farthest points.
 std::span<const Stage> convex_stages();
 
 }  // namespace scb

@@ -13,13 +13,18 @@ namespace scb {
 /// One side of a query on packed hierarchies, and the mesh it was built from.
 template <class Codec>
 struct PackedCollider {
+    /// The hierarchy.
     const PackedHierarchy<Codec>& hierarchy;
+    /// The mesh; its indices are those of the pairs that are found.
     const Mesh& mesh;
 };
+/// Finds the codec.
 template <class Codec>
 PackedCollider(const PackedHierarchy<Codec>&, const Mesh&) -> PackedCollider<Codec>;
 
+/// How a query on packed hierarchies goes. Where it does not give up, it finds the same pairs.
 struct PackedOptions {
+    /// Which vector instructions to use.
     SimdLevel level = SimdLevel::best;
     /// How many threads share a query, this one included; of a small query this one does all.
     int threads = 1;
@@ -32,13 +37,17 @@ struct PackedOptions {
 /// Memory that queries need while they run, kept from one to the next. For one query at a time.
 class PackedWorkspace {
   public:
+    /// Empty: the first query allocates what it needs.
     PackedWorkspace();
     ~PackedWorkspace();
+    /// Moves. What it is moved from can only be assigned to or destroyed.
     PackedWorkspace(PackedWorkspace&&) noexcept;
+    /// Moves, likewise.
     PackedWorkspace& operator=(PackedWorkspace&&) noexcept;
 
     /// For the library itself.
     struct Parts;
+    /// For the library itself.
     Parts& parts() { return *parts_; }
 
   private:

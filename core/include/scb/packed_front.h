@@ -23,20 +23,25 @@ namespace scb {
 /// else. For one query at a time.
 class PackedFront {
   public:
+    /// Has no front yet: the first query begins at the roots.
     PackedFront();
     ~PackedFront();
+    /// Moves. What it is moved from can only be assigned to or destroyed.
     PackedFront(PackedFront&&) noexcept;
+    /// Moves, likewise.
     PackedFront& operator=(PackedFront&&) noexcept;
 
     /// Forgets the front and all poses.
     void clear();
 
-    /// How many fronts were made, and how many queries have begun at one, since it was cleared.
+    /// How many fronts were made since it was cleared.
     std::uint64_t made() const;
+    /// How many queries have begun at one since it was cleared.
     std::uint64_t used() const;
 
     /// For the library itself.
     struct Parts;
+    /// For the library itself.
     Parts& parts() { return *parts_; }
 
   private:

@@ -16,9 +16,12 @@ inline constexpr int most_leaf_triangles = 4;
 
 /// Which wide node or leaf a child is.
 struct PackedRef {
+    /// Set in `bits` of a leaf.
     static constexpr std::uint32_t leaf_bit = std::uint32_t{1} << 31;
+    /// The index, and `leaf_bit`.
     std::uint32_t bits = 0;
 
+    /// Whether it is a leaf.
     bool is_leaf() const { return (bits & leaf_bit) != 0; }
     /// Of a node: its index; of a leaf: which word is its first, see PackedLeaf.
     std::uint32_t index() const { return bits & ~leaf_bit; }
@@ -30,10 +33,13 @@ struct PackedRef {
 template <class Codec>
 struct PackedNode {
     std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
+    /// How many children it has.
     std::uint16_t count = 0;
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
+    /// The volumes of the children, their centers relative to that of `own`.
     Codec volumes;
     float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    /// Its own volume, in the body frame.
     typename Codec::Decoded own;
 };
 
@@ -46,7 +52,9 @@ struct PackedLeaf {
     /// What queries fetch ahead, three lines of a cache, nearly all of the largest leaf. Shorter
     /// leaves have fewer, so that as many are allocated behind the last one.
     static constexpr std::size_t fetched_words = 48;
-    static constexpr std::size_t ball = 4, header = ball + 1;
+    static constexpr std::size_t ball = 4,  ///< words of the ball
+        header = ball + 1;                  ///< words before the indices
+    /// The first word, that of the center.
     const float* words = nullptr;
 
     /// The volume: a PackedScb or a PackedScb2, whichever the layout has.
@@ -58,8 +66,11 @@ struct PackedLeaf {
                     sizeof(float) * words_before<Volume>);
         return volume;
     }
+    /// The center of its ball: 3 floats, in the body frame.
     const float* center() const { return words; }
+    /// The radius of its ball.
     float radius() const { return words[3]; }
+    /// How many triangles it has, 1 to 4.
     std::uint32_t count() const { return std::bit_cast<std::uint32_t>(words[ball]); }
     /// The index of triangle k of `count()`.
     std::uint32_t triangle(std::size_t k) const {
@@ -67,6 +78,7 @@ struct PackedLeaf {
     }
     /// The bits of all indices.
     const float* triangle_bits() const { return words + header; }
+    /// The stored corners, 9 floats a triangle; not there with LeafCorners::in_mesh.
     const float* corners() const { return words + header + count(); }
     /// The words of a leaf of so many triangles, from its center on.
     static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
@@ -93,12 +105,16 @@ template <class Codec>
 struct PackedHierarchy {
     std::vector<PackedNode<Codec>> nodes;  ///< parents first
     std::vector<float> leaves;             ///< words, and a few that kernels may read behind them
+    /// Where a query begins.
     PackedRef root;
+    /// Where the corners of its leaves' triangles are.
     LeafCorners corners = LeafCorners::stored;
     double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
     double leaf_radius = 0;  ///< of the leaves' balls, the mean
 
+    /// The leaf that `ref` names, which must be one; refers to `leaves`.
     PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
+    /// The memory that nodes and leaves take.
     std::size_t bytes() const {
         return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(float);
     }

@@ -8,10 +8,15 @@ namespace scb {
 /// The slab is its middle, m, and half its thickness, h, of which overlap tests are made. `n` is a
 /// unit vector as far as floats go.
 struct PackedScb {
+    /// Center, relative to an origin that is known elsewhere.
     float c[3] = {0, 0, 0};
+    /// Radius.
     float r = 0;
+    /// Unit normal of the slab.
     float n[3] = {0, 0, 1};
+    /// The middle of the slab from the center, along n.
     float m = 0;
+    /// Half the thickness of the slab.
     float h = 0;
 };
 

@@ -9,13 +9,17 @@ namespace scb {
 /// A ball cut by two slabs as 11 floats, 44 bytes: the points x with |x - c| <= r and
 /// |n_i.(x - c) - m_i| <= h_i, see PackedScb. The narrower slab is the first.
 struct PackedScb2 {
+    /// Center, relative to an origin that is known elsewhere.
     float c[3] = {0, 0, 0};
+    /// Radius.
     float r = 0;
     /// The vector part of a unit quaternion that turns x, y and z into the first normal, the second
     /// one and the long axis. Its scalar part is not negative, and so follows: at least 1/2, since
     /// a normal may be turned around together with another axis.
     float q[3] = {0, 0, 0};
+    /// The middles of the slabs from the center, along their normals.
     float m[2] = {0, 0};
+    /// Half the thicknesses of the slabs.
     float h[2] = {0, 0};
 };
 

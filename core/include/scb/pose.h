@@ -10,11 +10,15 @@ namespace scb {
 /// the scalar type: double, or one that counts its operations.
 template <class T>
 struct BasicPose {
+    /// Orthonormal, with determinant 1; acts on columns.
     Matrix3<T> rotation = Matrix3<T>::Identity();
+    /// Where the origin of the body is, in the unit of the mesh.
     Vector3<T> translation = Vector3<T>::Zero();
 };
+/// In doubles.
 using Pose = BasicPose<double>;
 
+/// The product m v, in one stated order of operations.
 template <class T>
 Vector3<T> rotate(const Matrix3<T>& m, const Vector3<T>& v) {
     return {m(0, 0) * v[0] + m(0, 1) * v[1] + m(0, 2) * v[2],
@@ -34,11 +38,13 @@ Vector3<T> transform_direction(const BasicPose<T>& pose, const Vector3<T>& direc
     return rotate(pose.rotation, direction);
 }
 
-// Of doubles, also for arguments that are Eigen's expressions, which templates do not deduce.
+/// Of doubles, also where arguments are Eigen's expressions, which templates do not deduce.
 inline Vec3 rotate(const Mat3& m, const Vec3& v) { return rotate<double>(m, v); }
+/// Of doubles, likewise.
 inline Vec3 transform_point(const Pose& pose, const Vec3& point) {
     return transform_point<double>(pose, point);
 }
+/// Of doubles, likewise.
 inline Vec3 transform_direction(const Pose& pose, const Vec3& direction) {
     return transform_direction<double>(pose, direction);
 }

@@ -13,16 +13,22 @@ namespace scb {
 /// Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept Sphere Volumes", 1999: the
 /// volume of PQP, and one of FCL's.)
 struct Rss {
+    /// What pictures call it.
     static constexpr const char* title = "RSS";
+    /// What `support_point` costs, see ConvexVolume.
     static constexpr unsigned support_operations = 18;
 
     Vec3 center = Vec3::Zero();                         ///< the middle of the rectangle
     Vec3 half_sides[2] = {Vec3::Zero(), Vec3::Zero()};  ///< from there to the middles of its edges
+    /// How far it reaches from the rectangle.
     double radius = 0;
 };
 
+/// The middle of the rectangle.
 inline Vec3 center(const Rss& v) { return v.center; }
+/// The radius.
 inline double rounding(const Rss& v) { return v.radius; }
+/// The corner of the rectangle, from the center, that is farthest along `d`.
 inline Vec3 support_point(const Rss& v, const Vec3& d) {
     const Vec3 &s = v.half_sides[0], &t = v.half_sides[1];
     return (dot(s, d) < 0 ? Vec3(-s) : s) + (dot(t, d) < 0 ? Vec3(-t) : t);
@@ -39,6 +45,7 @@ inline double squared_distance(const Rss& v, const Vec3& point) {
     }
     return squared_norm(rest);
 }
+/// Whether the point is inside or on the surface.
 inline bool contains(const Rss& v, const Vec3& point) {
     return squared_distance(v, point) <= v.radius * v.radius;
 }
@@ -96,14 +103,18 @@ inline void fit(Rss& result, const FitPoints& points) {
     result.radius = radius_of_square(squared);
 }
 
+/// The size that decides which of two volumes a traversal descends into: half the longer side, and
+/// the radius.
 inline double descent_size(const Rss& v) {
     return std::sqrt(std::max(squared_norm(v.half_sides[0]), squared_norm(v.half_sides[1]))) +
            v.radius;
 }
+/// Diameter: the rectangle's diagonal and two radii.
 inline double diameter(const Rss& v) {
     return 2 *
            (std::sqrt(squared_norm(v.half_sides[0]) + squared_norm(v.half_sides[1])) + v.radius);
 }
+/// Thickness: twice the radius.
 inline double thickness(const Rss& v) { return 2 * v.radius; }
 
 /// By Steiner's formula: of the rectangle's area, half its perimeter, and the radius.

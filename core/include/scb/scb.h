@@ -16,6 +16,7 @@ struct BasicScb {
     T e = 0;                             ///< signed distance from c to the upper plane, along n
     T f = 0;                             ///< signed distance from c to the lower plane, along n
 };
+/// In doubles: the volume of hierarchies.
 using Scb = BasicScb<double>;
 
 /// Surface area: the spherical zone and the two discs (equation 4).
@@ -39,8 +40,9 @@ double support(const Scb& scb, const Vec3& direction);
 /// The size that decides which of two volumes a traversal descends into: the radius (Section 5).
 inline double descent_size(const Scb& scb) { return scb.r; }
 
-/// Diameter d = 2r and thickness tau = e - f (Section 3.1).
+/// Diameter d = 2r (Section 3.1).
 inline double diameter(const Scb& scb) { return 2 * scb.r; }
+/// Thickness tau = e - f (Section 3.1).
 inline double thickness(const Scb& scb) { return scb.e - scb.f; }
 
 }  // namespace scb

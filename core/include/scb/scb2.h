@@ -14,6 +14,7 @@ struct BasicSlab {
     T e = 0;                             ///< signed distance from c to the upper plane, along n
     T f = 0;                             ///< signed distance from c to the lower plane, along n
 };
+/// In doubles.
 using Slab = BasicSlab<double>;
 
 /// A ball cut by two slabs at right angles, the "0 to 2 slabs" of Larsson and Akenine-Moller,
@@ -23,8 +24,10 @@ template <class T>
 struct BasicScb2 {
     Vector3<T> c = Vector3<T>::Zero();  ///< center of the ball
     T r = 0;                            ///< radius of the ball
+    /// The slabs, both measured from c.
     std::array<BasicSlab<T>, 2> slabs = {BasicSlab<T>{}, {Vector3<T>::UnitX(), 0, 0}};
 };
+/// In doubles: the volume of hierarchies.
 using Scb2 = BasicScb2<double>;
 
 /// The unit direction along both slabs: that of a needle.
@@ -52,8 +55,9 @@ double support(const Scb2& scb, const Vec3& direction);
 /// The size that decides which of two volumes a traversal descends into: the radius (Section 5).
 inline double descent_size(const Scb2& scb) { return scb.r; }
 
-/// Diameter d = 2r and thickness tau, that of the thinner slab (Section 3.1).
+/// Diameter d = 2r (Section 3.1).
 inline double diameter(const Scb2& scb) { return 2 * scb.r; }
+/// Thickness tau, that of the thinner slab (Section 3.1).
 inline double thickness(const Scb2& scb) {
     const auto of = [](const Slab& s) { return s.e - s.f; };
     return std::min(of(scb.slabs[0]), of(scb.slabs[1]));

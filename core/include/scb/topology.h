@@ -24,6 +24,7 @@ enum class SplitRule : std::uint8_t {
             ///< index
     least_cost,  ///< not of Section 3: see SplitMethod::cost
 };
+/// How many rules there are.
 inline constexpr std::size_t split_rule_count = 8;
 
 /// The rule in words, fit for a table: "longest side".
@@ -35,6 +36,7 @@ struct TopologyNode {
     std::uint32_t count = 0;  ///< triangles in the range, at least 1
     std::uint32_t left = 0;   ///< index of the left child, the right one is left + 1; 0 for a leaf
 
+    /// Whether it has no children.
     bool is_leaf() const { return left == 0; }
 };
 
@@ -43,6 +45,7 @@ struct TopologyNode {
 /// are those from its left child on: first the children, then all below the left one, then all
 /// below the right one.
 struct Topology {
+    /// Parents before their children.
     std::vector<TopologyNode> nodes;
     std::vector<SplitRule> rules;      ///< per node
     std::vector<std::uint32_t> order;  ///< triangle indices, permuted
@@ -56,9 +59,12 @@ enum class SplitMethod {
 
 /// "paper", "cost": the names of the command line.
 std::string_view split_method_name(SplitMethod method);
+/// The method of this name, or nothing where there is none.
 std::optional<SplitMethod> split_method_of(std::string_view name);
 
+/// How a tree is built.
 struct TopologyOptions {
+    /// How its nodes are divided.
     SplitMethod split = SplitMethod::section_3;
     /// How many threads; the result is the same for any number.
     int threads = 1;
@@ -77,7 +83,7 @@ Topology build_topology(const Mesh& mesh, const TopologyOptions& options = {});
 
 /// The depth of every node; the root has 0.
 std::vector<std::uint16_t> node_depths(const Topology& topology);
-/// That of one node. O(depth).
+/// The depth of one node. O(depth).
 std::uint16_t node_depth(const Topology& topology, std::uint32_t node);
 
 }  // namespace scb

@@ -58,6 +58,7 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
     X(rss, Rss, "rss")                     \
     X(capsule, Capsule, "capsule")
 
+/// For the line below: the types of the list are volumes.
 #define SCB_IS_VOLUME(V) static_assert(Volume<V>);
 SCB_FOR_EACH_VOLUME(SCB_IS_VOLUME)
 #undef SCB_IS_VOLUME
