@@ -107,7 +107,7 @@ def gallery(texts):
                 continue
             shown.add(path)
             link = page_of(manual) + ("#" + slug(heading) if heading != title_of(texts[manual]) else "")
-            card = f"````{{card}}\n![{title}]({path})\n\n{title}. [How to read it]({link})\n"
+            card = f"````{{container}} picture\n![{title}]({path})\n\n{title}. [How to read it]({link})\n"
             cards.append(card + (f"\n```sh\n{commands}```\n" if commands else "") + "````\n")
         if cards:
             parts.append(f"## {title_of(texts[manual])}\n\n" + "\n".join(cards))
@@ -132,6 +132,18 @@ def reference(core_manual):
     )
 
 
+def concepts(header):
+    """The concepts of a header, which Breathe does not know."""
+    pattern = r"((?:^///.*\n)+)template <(.*)>\nconcept (\w+) = ((?:.+\n)+)"
+    text = (pathlib.Path("core/include") / header).read_text()
+    return "".join(
+        f"````{{cpp:concept}} template<{parameters}> scb::{name}\n\n"
+        + re.sub(r"^/// ?", "", comment, flags=re.M)
+        + f"\n```cpp\n{wanted}```\n````\n\n"
+        for comment, parameters, name, wanted in re.findall(pattern, text, flags=re.M)
+    )
+
+
 def main():
     texts = {manual: pathlib.Path(manual).read_text() for manual in MANUALS}
     for manual, text in texts.items():
@@ -144,10 +156,9 @@ def main():
     write("gallery.md", gallery(texts))
     write("reference/index.md", reference(texts["core/README.md"]))
     for header in HEADERS:
-        write(
-            "reference/" + header.replace(".h", ".md"),
-            f"# {header}\n\n```cpp\n#include <{header}>\n```\n\n```{{doxygenfile}} {header}\n:project: scb\n```\n",
-        )
+        include = f"# {header}\n\n```cpp\n#include <{header}>\n```\n\n"
+        declared = f"```{{doxygenfile}} {header}\n```\n"
+        write("reference/" + header.replace(".h", ".md"), include + concepts(header) + declared)
     # Doxygen leaves out macros of files, and members of namespaces, that say nothing of themselves.
     files = "".join(f"/** @file {header} */\n" for header in ("scb/volume.h",))
     write("files.dox", files + "/** @namespace scb\n    Everything of the library. */\n")

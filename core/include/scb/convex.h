@@ -39,6 +39,7 @@ struct FacePlane {
 /// - `fit(v, points)`, with `points` a FitPoints;
 /// - `V::title`, a name for pictures, and `V::support_operations`, what `support_point` costs in
 ///   additions, multiplications, divisions and roots.
+///
 /// It may have `measures(v)`, its area and volume in closed form, a SurfaceMeasures; without it
 /// they are those of a polytope, and traversals by area or volume go by its box. A polytope may
 /// have `faces(v)`, a vector of FacePlane from the center: pictures and exported meshes then have
@@ -61,7 +62,7 @@ inline double radius_of_square(double squared) {
     return radius;
 }
 
-/// The functions below serve every convex volume that has none of its own.
+// The functions below serve every convex volume that has none of its own.
 
 /// How far the volume reaches from its center in the unit direction d.
 template <ConvexVolume V>

@@ -1,0 +1,31 @@
+"""mend.py XML: takes out of Doxygen's files what Sphinx cannot read or would say twice: initial values that are lambdas or name
+their members, deduction guides, the typedefs that give a struct of C its own name, and which file has a struct."""
+
+import pathlib
+import sys
+from xml.etree import ElementTree
+
+
+def is_left_out(member):
+    name, type_ = member.findtext("name"), "".join(member.find("type").itertext()) if member.find("type") is not None else ""
+    guide = "->" in (member.findtext("argsstring") or "")
+    own_name = member.get("kind") == "typedef" and type_.split()[-1:] == [name]
+    return guide or own_name
+
+
+for path in pathlib.Path(sys.argv[1]).glob("*.xml"):
+    tree = ElementTree.parse(path)
+    for section in tree.iter("sectiondef"):
+        for member in section.findall("memberdef"):
+            value = member.find("initializer")
+            if is_left_out(member):
+                section.remove(member)
+            elif value is not None and "".join(value.itertext()).lstrip("= ").startswith(("[]", "{.")):
+                member.remove(value)
+    for parent in tree.iter("compounddef"):
+        for include in parent.findall("includes"):
+            parent.remove(include)
+        for section in parent.findall("sectiondef"):
+            if section.find("memberdef") is None:
+                parent.remove(section)
+    tree.write(path)
