@@ -11,6 +11,7 @@ author = ""
 extensions = ["myst_parser", "breathe"]
 root_doc = "index"
 language = "en"
+smartquotes = False  # --json is no dash
 
 myst_heading_anchors = 4
 breathe_projects = {"scb": os.environ["SCB_SITE_XML"]}

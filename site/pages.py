@@ -126,7 +126,12 @@ def reference(core_manual):
     others = [header for header in HEADERS if header not in said]
     listed = ", ".join(f"[{header}]({header.replace('.h', '.md')})" for header in others)
     return (
-        "# C++ headers\n\nThe public headers of [the library](../core/index.md), and what each of them declares. Those that most users want:\n\n"
+        "# C++ headers\n\nThe public headers of [the library](../core/index.md), and what each of them declares. "
+        "[The index](../genindex) has all names.\n\n"
+        "Lengths are in the unit of the meshes, whatever it is; areas and volumes are in its square and cube. Everything that "
+        "bounds a mesh is in the frame of its body. A pose takes one frame to another. A and B are the two sides of a query, "
+        "and results are in A's frame. What is wrong with the input is an InputError; a parameter `name` says there which "
+        "mesh it is. Functions that are documented as the same take the same arguments.\n\nThe headers that most users want:\n\n"
         f"| header | what it has |\n|---|---|\n{rows}\nThe others: {listed}.\n"
         + "\n```{toctree}\n:hidden:\n\n" + "\n".join(header[:-2] for header in HEADERS) + "\n```\n"
     )
