@@ -18,8 +18,9 @@ breathe_projects = {"scb": os.environ["SCB_SITE_XML"]}
 breathe_default_project = "scb"
 breathe_domain_by_extension = {"h": "cpp"}
 
-# What has no page here: the standard library and Eigen, the library's inside, and the members of a template's arguments.
+# What has no page here: numpy, the standard library and Eigen, the library's inside, and the members of a template's arguments.
 nitpick_ignore_regex = [
+    ("py:class", r"(?!scb\.).*"),
     ("cpp:identifier", r"(std|Eigen)(::.*)?|u?int\d+_t|size_t|FILE"),
     ("cpp:identifier", r"(Vec3|Mat3|Vector3<T>|Matrix3<T>)::\w+|(Float|Quantized)Codec<.*|Parts|FitInput"),
 ]

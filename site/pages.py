@@ -7,6 +7,8 @@ import re
 import shutil
 import sys
 
+from python_pages import python_page
+
 out = pathlib.Path(sys.argv[1])
 
 # The manuals in the order in which they are listed.
@@ -127,7 +129,7 @@ def reference(core_manual):
     listed = ", ".join(f"[{header}]({header.replace('.h', '.md')})" for header in others)
     return (
         "# C++ headers\n\nThe public headers of [the library](../core/index.md), and what each of them declares. "
-        "[The index](../genindex) has all names.\n\n"
+        "{ref}`The index <genindex>` has all names.\n\n"
         "Lengths are in the unit of the meshes, whatever it is; areas and volumes are in its square and cube. Everything that "
         "bounds a mesh is in the frame of its body. A pose takes one frame to another. A and B are the two sides of a query, "
         "and results are in A's frame. What is wrong with the input is an InputError; a parameter `name` says there which "
@@ -156,10 +158,11 @@ def main():
         text = CODE_OR_LINK.sub(lambda match: linked(folder, match), text)
         if manual == "README.md":
             pages = [page_of(name).removesuffix(".md") for name in MANUALS if name != manual]
-            text += toctree("Manuals", pages) + toctree("Reference", ["gallery", "reference/index"])
+            text += toctree("Manuals", pages) + toctree("Reference", ["gallery", "reference/index", "reference/python"])
         write(page_of(manual), text)
     write("gallery.md", gallery(texts))
     write("reference/index.md", reference(texts["core/README.md"]))
+    write("reference/python.md", python_page())
     for header in HEADERS:
         include = f"# {header}\n\n```cpp\n#include <{header}>\n```\n\n"
         declared = f"```{{doxygenfile}} {header}\n```\n"
