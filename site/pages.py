@@ -58,7 +58,9 @@ def linked(folder, match):
         return f"[{text}]({os.path.relpath(page, folder or '.')})"
     if there in MANUALS:
         return f"[{text}]({page_of(path)}{hash_sign}{anchor})"
-    if not os.path.isfile(there):
+    if not os.path.exists(there):
+        sys.exit(f"a manual in {folder or 'the root'} links to {path}, which is not there.")
+    if os.path.isdir(there):
         return text
     copy = out / there
     copy.parent.mkdir(parents=True, exist_ok=True)

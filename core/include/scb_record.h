@@ -13,7 +13,7 @@
  *     SCB_RECORD(scb_record_test(&recorder, a, b, overlap ? 0 : 1);)
  *
  * After `if` or `for`, put braces about it. Recorders that functions take, and the constants below,
- * are inside SCB_RECORD too, or between #ifdef SCB_RECORD_ON and #endif.
+ * are inside SCB_RECORD too, or between `#ifdef SCB_RECORD_ON` and `#endif`.
  *
  * A recorder belongs to one thread. It takes memory once, when it is opened. Each call writes at
  * the end of the file, in blocks; what a program that crashed had written can be read up to its
