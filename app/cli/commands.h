@@ -25,6 +25,7 @@ void add_diff(const Command& program, Action& action);
 void add_explain(const Command& program, const Console& console, Action& action);
 void add_golden(const Command& program, const Console& console, Action& action);
 /// The commands of `scb golden`.
+void add_golden_init(const Command& golden, Action& action);
 void add_golden_check(const Command& golden, const Console& console, Action& action);
 void add_golden_update(const Command& golden, const Console& console, Action& action);
 void add_golden_list(const Command& golden, Action& action);

@@ -311,8 +311,8 @@ Suite load_suite(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found)
         throw InputError(file.string() +
-                         ": there is no such file; name your suite with --suite FILE.json, or run "
-                         "this where scb's own suite is, in the folder of its sources.");
+                         ": there is no such file; name your suite with --suite FILE.json, or "
+                         "write a first one with `scb golden init`.");
     return Reader(file).take();
 }
 
