@@ -35,8 +35,8 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
         if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
     }
     if (options.video.wanted())
-        video_.emplace(options.video.file, options.width(), options.height(), options.video.rate(),
-                       options.theme()->background);
+        video_ = render::animation_file(options.video.file, options.width(), options.height(),
+                                        options.video.rate(), options.theme()->background);
 }
 
 void PictureRun::explain(const render::SceneFigure& figure) {
@@ -130,7 +130,8 @@ void PictureRun::show(const Console& console) const {
     const render::TerminalImages how = render::terminal_images();
     if (how == render::TerminalImages::none) {
         console.note(
-            "scb: --terminal: this terminal is not known to show pictures; if it does, set SCB_IMAGES "
+            "scb: --terminal: this terminal is not known to show pictures; if it does, set "
+            "SCB_IMAGES "
             "to kitty, iterm2 or sixel.");
         return;
     }

@@ -11,8 +11,8 @@
 #include "app/pictures/sheet_run.h"
 #include "render/draw/renderer.h"
 #include "render/figures/scene_figure.h"
+#include "render/files/animation.h"
 #include "render/files/encode_queue.h"
-#include "render/files/video_file.h"
 #include "render/overlay/overlay_shape.h"
 
 namespace scb::app {
@@ -88,7 +88,7 @@ class PictureRun {
     std::filesystem::path folder_;
     FolderIndex index_;
     render::EncodeQueue queue_;
-    std::optional<render::VideoFile> video_;
+    std::unique_ptr<render::Animation> video_;  ///< or null
     std::optional<SheetRun> sheet_;
     render::OverlayShapes shapes_;  ///< of the overlay, where pictures are wanted as SVG too
     render::Overlay overlay_;

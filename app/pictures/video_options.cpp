@@ -16,20 +16,21 @@ void VideoOptions::check(const std::string& folder) const {
             throw InputError(given + ": give 1 to 120 pictures a second.");
     }
     if (!wanted()) return;
-    if (!file.ends_with(".mp4"))
-        throw InputError("--video " + file + ": give a file that ends in .mp4.");
-    if (!render::is_on_path(render::video_program))
+    if (!file.ends_with(".mp4") && !render::is_webp_name(file))
+        throw InputError("--video " + file + ": give a file that ends in .mp4 or .webp.");
+    if (!render::is_webp_name(file) && !render::is_on_path(render::video_program))
         throw render::OutputError("--video " + file + ": there is no program " +
                                   render::video_program + " on PATH; install the package " +
-                                  render::video_program + ", or leave out --video.");
+                                  render::video_program + ", or give a file that ends in .webp.");
     check_output(file, "--video", folder);
 }
 
 void add_video_options(const Command& command, VideoOptions& options) {
     command
         .add_option("--video", options.file,
-                    "Also write the pictures as an H.264 video (needs the program ffmpeg)")
-        .file({".mp4"})
+                    "Also write the pictures as a video: .mp4, H.264, which needs the program "
+                    "ffmpeg, or .webp, an animation for browsers")
+        .file({".mp4", ".webp"})
         .only_typed();
     command
         .add_option("--fps", options.frames_per_second,

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "render/files/animation.h"
 #include "render/files/child_process.h"
-#include "render/files/image.h"
 #include "render/files/work_queue.h"
 
 namespace scb::render {
@@ -17,7 +17,7 @@ inline constexpr const char* video_program = "ffmpeg";
 /// A video of pictures of one size, H.264 in an MP4 file, made beside the drawing by the program
 /// ffmpeg, which has to be on PATH. The same pictures always give the same bytes (with the same
 /// ffmpeg and x264). All functions throw OutputError where ffmpeg or the file system fails.
-class VideoFile {
+class VideoFile : public Animation {
   public:
     /// `background` fills the column or the row that is added where a side is odd, which the format
     /// does not know. `patience`: after which time without taking anything ffmpeg has failed.
@@ -25,16 +25,13 @@ class VideoFile {
     VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
               Rgba8 background, std::chrono::seconds patience = std::chrono::seconds(20));
     /// Without finish() nothing is written.
-    ~VideoFile();
+    ~VideoFile() override;
 
-    /// Takes over the next frame, which has the video's size. Memory stays flat: blocks while
-    /// ffmpeg is behind.
-    void push(Image image);
-    std::size_t frames() const { return frames_; }
+    void push(Image image) override;
+    std::size_t frames() const override { return frames_; }
 
-    /// Writes the file, whole or not at all, of one frame or more. Waits for ffmpeg, which has ten
-    /// times the patience to end once it has taken all frames.
-    void finish();
+    /// Waits for ffmpeg, which has ten times the patience to end once it has taken all frames.
+    void finish() override;
 
   private:
     [[noreturn]] void fail(std::optional<ProcessEnd> end) const;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/files/animation.h"
+#include "render/files/work_queue.h"
+
+struct WebPAnimEncoder;
+
+namespace scb::render {
+
+/// An animation that browsers show, endlessly: WebP, without loss, by libwebp. The same pictures
+/// always give the same bytes (with the same libwebp).
+class WebpFile : public Animation {
+  public:
+    WebpFile(std::filesystem::path path, int width, int height, int frames_per_second);
+    ~WebpFile() override;
+
+    void push(Image image) override;
+    std::size_t frames() const override { return frames_; }
+    void finish() override;
+
+  private:
+    [[noreturn]] void fail(const std::string& why) const;
+    /// When a frame begins, in milliseconds.
+    int time_of(std::size_t frame) const;
+    void encode(std::size_t frame, const Image& image);
+
+    std::filesystem::path path_;
+    int width_, height_, rate_;
+    WebPAnimEncoder* encoder_;
+    std::size_t frames_ = 0;
+    WorkQueue queue_{2};  ///< ends first: it uses the encoder
+};
+
+}  // namespace scb::render
