@@ -61,7 +61,8 @@ void CameraOptions::check() const {
 Vec3 CameraOptions::up_vector() const {
     if (up.empty() || up == "z") return Vec3::UnitZ();
     if (up == "x") return Vec3::UnitX();
-    return Vec3::UnitY();
+    if (up == "y") return Vec3::UnitY();
+    throw InputError("--up " + up + ": give x, y or z.");
 }
 
 std::optional<FacePlane> CameraOptions::clip_plane() const {
