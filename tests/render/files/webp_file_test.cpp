@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 64, height = 48;
 
-Image picture(int i) {
+Image frame_of(int i) {
     Image image{width, height, std::vector<std::uint8_t>(4 * width * height, 255)};
     for (std::size_t at = 0; at < image.rgba.size(); at += 4)
         image.rgba[at] = static_cast<std::uint8_t>(at / 64 + 30 * static_cast<std::size_t>(i));
@@ -22,7 +22,7 @@ Image picture(int i) {
 
 std::string made(const std::string& path, int frames, int rate) {
     WebpFile file(path, width, height, rate);
-    for (int i = 0; i < frames; ++i) file.push(picture(i));
+    for (int i = 0; i < frames; ++i) file.push(frame_of(i));
     EXPECT_EQ(file.frames(), static_cast<std::size_t>(frames));
     EXPECT_FALSE(std::filesystem::exists(path)) << "nothing is written before the end";
     file.finish();
@@ -47,7 +47,7 @@ TEST(WebpFile, HasAllFramesAsTheyWereAtTheirTimes) {
         std::uint8_t* pixels = nullptr;
         int end = 0;
         ASSERT_TRUE(WebPAnimDecoderGetNext(decoder, &pixels, &end));
-        EXPECT_EQ(std::vector<std::uint8_t>(pixels, pixels + 4 * width * height), picture(i).rgba);
+        EXPECT_EQ(std::vector<std::uint8_t>(pixels, pixels + 4 * width * height), frame_of(i).rgba);
         EXPECT_EQ(end, ends[i]);
     }
     WebPAnimDecoderDelete(decoder);
@@ -57,7 +57,7 @@ TEST(WebpFile, IsNotWrittenUnlessFinished) {
     TemporaryFolder folder;
     {
         WebpFile file(folder / "a.webp", width, height, 25);
-        file.push(picture(0));
+        file.push(frame_of(0));
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "a.webp"));
 }
