@@ -1,4 +1,4 @@
-# Packages of what is installed, with CPack: scb, libscb1, libscb-dev and python3-scb for Debian, and an archive for other systems.
+# Packages of what is installed, with CPack: scb, libscb0, libscb-dev and python3-scb for Debian, and an archive for other systems.
 # packages/run builds them.
 set(CPACK_PACKAGE_VENDOR "The scb authors")
 set(CPACK_PACKAGE_CONTACT "The scb authors <scb@example.invalid>")
@@ -42,7 +42,11 @@ scb_package(library libscb${soname} libs "" "slab cut balls: hierarchies and col
     "Fits slab cut balls and other bounding volumes to triangle meshes, builds\nhierarchies of them, and finds the triangles of two bodies that intersect.\nThis package has the shared library.")
 scb_package(development libscb-dev libdevel "libscb${soname} ${same_version}, libeigen3-dev, libtbb-dev, libhwy-dev" "slab cut balls: headers and libraries"
     "Fits slab cut balls and other bounding volumes to triangle meshes, builds\nhierarchies of them, and finds the triangles of two bodies that intersect.\nThis package has the headers, the static library, and files for CMake and\npkg-config.")
-scb_package(python python3-scb python "python3-numpy" "slab cut balls in Python"
+# An extension is of one minor version of Python.
+find_package(Python3 3.9 QUIET COMPONENTS Interpreter)
+math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+set(of_python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
+scb_package(python python3-scb python "${of_python}, python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
 # For packages of programs that use the library.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
