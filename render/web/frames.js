@@ -31,7 +31,7 @@ class FrameChart {
   // The nearest with a query.
   frameAt(x) {
     const at = (x / this.canvas.clientWidth) * this.app.manifest.frames.length - 0.5, have = this.columns.flatMap(({ query }) => [...query.frames.keys()].map((frame) => this.places.get(frame)));
-    return have.reduce((best, place) => (Math.abs(place - at) < Math.abs(best - at) ? place : best), have[0]);
+    return have.reduce((best, place) => (Math.abs(place - at) < Math.abs(best - at) ? place : best), have[0] ?? this.app.state.at);
   }
 
   draw() {

@@ -266,7 +266,7 @@ class App {
     if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     if (state.mode === 'rejections' && state.hidden.length > 0) {
-      const shown = columns[0].query.told.groups.filter(({ label }) => !state.hidden.includes(label));
+      const { query } = columns.find((column) => column.query), shown = query.told.groups.filter(({ label }) => !state.hidden.includes(label));
       if (shown.length > 0) words.push(`--stages ${shown.map(({ stages }) => stages).join()}`);
     }
     const bodies = columns[0].bodies.filter((_, b) => !state.without.includes(b));
