@@ -6,7 +6,7 @@ namespace scb {
 
 std::vector<std::size_t> level_overlaps(const EngineQuery& query, std::size_t most) {
     if (query.self || !query.rigid) return {};
-    const auto& [a, b] = query.sides;
+    const EngineSide &a = query.sides[0], &b = query.sides[1];
     return level_overlaps(
         *a.shape, *b.shape,
         [&](std::uint32_t x, std::uint32_t y) {
