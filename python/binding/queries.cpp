@@ -31,7 +31,8 @@ class Queries {
 
     FrameTests frame(std::int64_t number) {
         const std::lock_guard lock(mutex_);
-        return FrameTests(source_->header(), seek(number));
+        const TraceFrame& frame = seek(number);  // may open another source
+        return FrameTests(source_->header(), frame);
     }
     PassCounts waste(std::int64_t number) {
         const std::lock_guard lock(mutex_);
