@@ -33,8 +33,8 @@ void write_plot(Figure figure, const PictureOptions& options, render::Renderer& 
                 const std::filesystem::path& file, const std::string& scene) {
     PlotFile plot(options);
     figure.theme = options.theme();
-    plot.write(compose(figure, options.width(), options.height(), plot.overlay), renderer,
-               file, scene);
+    plot.write(compose(figure, options.width(), options.height(), plot.overlay), renderer, file,
+               scene);
 }
 
 }  // namespace scb::app

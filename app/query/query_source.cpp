@@ -194,7 +194,9 @@ Attribution QuerySource::attribution(const TraceFrame& frame, const TraversalTre
 
 std::vector<std::size_t> QuerySource::level_overlaps(const TraceFrame& frame, std::size_t most) {
     if (recorded_) return recorded_->level_overlaps(most);
-    return scb::level_overlaps(query_.hierarchy(query_.a), query_.hierarchy(query_.b), frame.b_to_a,
+    const scenes::BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
+    return scb::level_overlaps(query_.hierarchy(query_.a), a.tree->shape(),
+                               query_.hierarchy(query_.b), b.tree->shape(), frame.b_to_a,
                                header_.options.overlap, most);
 }
 

@@ -19,12 +19,6 @@ std::string escaped(const std::string& text, const std::string& characters) {
     return result;
 }
 
-std::string single_quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
 std::vector<const ReferenceOption*> options_of(const ReferenceCommand& command,
                                                const ReferenceCommand& program) {
     std::vector<const ReferenceOption*> options;

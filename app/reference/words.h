@@ -12,9 +12,6 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
 /// The text with a backslash before each of these characters.
 std::string escaped(const std::string& text, const std::string& characters);
 
-/// The text between single quotes, for a POSIX shell.
-std::string single_quoted(const std::string& text);
-
 /// The options of the command, then those of the program, which can be given behind it too.
 std::vector<const ReferenceOption*> options_of(const ReferenceCommand& command,
                                                const ReferenceCommand& program);

@@ -1,5 +1,6 @@
 #include "app/reference/completion_scripts.h"
 #include "app/reference/words.h"
+#include "golden/suite/shell_word.h"
 
 namespace scb::app {
 namespace {
@@ -25,7 +26,8 @@ std::string action(const OptionValues& values, const std::string& shown) {
     }
     if (files.empty()) return words.empty() ? " " : "(" + words + ")";
     // Without the space, _arguments would add arguments of its own.
-    return words.empty() ? files : " _scb_words_or_files " + single_quoted(files) + " " + words;
+    return words.empty() ? files
+                         : " _scb_words_or_files " + golden::shell_word(files) + " " + words;
 }
 
 /// What stands for it in a message: one word.
@@ -45,7 +47,8 @@ std::string option_spec(const ReferenceOption& option) {
     if (option.takes_value)
         rest += ":" + shown_value(option) + ":" +
                 escaped(action(option.values, shown_value(option)), ":");
-    return single_quoted(excluded) + (one_name ? names : "{" + names + "}") + single_quoted(rest);
+    return golden::shell_word(excluded) + (one_name ? names : "{" + names + "}") +
+           golden::shell_word(rest);
 }
 
 std::string argument_spec(const ReferenceCommand& command) {
@@ -53,10 +56,10 @@ std::string argument_spec(const ReferenceCommand& command) {
     const std::string tail = ":" + shown_value(argument) + ":" +
                              escaped(action(argument.values, shown_value(argument)), ":");
     const int most = most_arguments(command);
-    if (most > 2) return " \\\n        " + single_quoted("*" + tail);
+    if (most > 2) return " \\\n        " + golden::shell_word("*" + tail);
     std::string specs;
     for (int i = 0; i < most; ++i)
-        specs += " \\\n        " + single_quoted((i == 0 ? ":" : "::") + tail.substr(1));
+        specs += " \\\n        " + golden::shell_word((i == 0 ? ":" : "::") + tail.substr(1));
     return specs;
 }
 
@@ -76,7 +79,7 @@ std::string function_text(const ReferenceCommand& command, const ReferenceComman
         " \\\n        '1: :->command' '*:: :->rest' && return\n    case $state in\n"
         "    command)\n        local -a commands=(";
     for (const ReferenceCommand& sub : command.commands)
-        text += "\n            " + single_quoted(sub.word() + ":" + escaped(sub.help, ":"));
+        text += "\n            " + golden::shell_word(sub.word() + ":" + escaped(sub.help, ":"));
     text +=
         ")\n        _describe -t commands command commands ;;\n    rest)\n        case $line[1] "
         "in\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 #include "app/query/query_source.h"
 #include "core/base/text_format.h"
@@ -27,7 +28,12 @@ class Queries {
   public:
     explicit Queries(Asked asked) : asked_(std::move(asked)) { open(); }
 
-    const app::QuerySource& source() const { return *source_; }
+    /// What `use` makes of the source, which another thread may be about to open again.
+    template <class Use>
+    auto with_source(const Use& use) const {
+        const std::lock_guard lock(mutex_);
+        return use(std::as_const(*source_));
+    }
 
     FrameTests frame(std::int64_t number) {
         const std::lock_guard lock(mutex_);
@@ -62,12 +68,20 @@ class Queries {
     Asked asked_;
     std::unique_ptr<app::QuerySource> source_;
     std::int64_t last_ = -1;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
 };
+
+/// A copy: while a frame is asked for, nothing of Python is touched under the lock.
+TraceHeader header_of(const Queries& queries) {
+    return queries.with_source([](const app::QuerySource& source) { return source.header(); });
+}
+std::vector<int> frames_of(const Queries& queries) {
+    return queries.with_source([](const app::QuerySource& source) { return source.frames(); });
+}
 
 py::dict settings_of(const Queries& queries) {
     py::dict settings;
-    for (const TraceField& field : fields_of(queries.source().header()))
+    for (const TraceField& field : fields_of(header_of(queries)))
         settings[py::str(field.name)] = field.value;
     return settings;
 }
@@ -81,15 +95,17 @@ void add_queries(py::module_& module) {
                         R"(Queries of two bodies with all their tests, frame by frame.
 
 Made now, read from a trace, or from another engine's recording: which of them is no matter.)")
+        .def_property_readonly("frames", frames_of, "The numbers of the frames, ascending.")
         .def_property_readonly(
-            "frames", [](const Queries& q) { return q.source().frames(); },
-            "The numbers of the frames, ascending.")
-        .def_property_readonly(
-            "bodies", [](const Queries& q) { return body_names(q.source().header()); },
+            "bodies", [](const Queries& q) { return body_names(header_of(q)); },
             "The names of a and b.")
         .def_property_readonly("settings", settings_of, "What was asked, name by name, as text.")
         .def_property_readonly(
-            "is_recording", [](const Queries& q) { return q.source().is_recording(); },
+            "is_recording",
+            [](const Queries& q) {
+                return q.with_source(
+                    [](const app::QuerySource& source) { return source.is_recording(); });
+            },
             "Whether another engine made the queries.")
         .def(
             "frame", &Queries::frame, py::arg("frame"), Unlocked(),
@@ -100,10 +116,10 @@ Raises InputError where there is no such frame, or the file is broken.)")
              R"(What the tests of a frame were worth, by the exact verdict on each pair of volumes.
 
 Takes microseconds for each test. Raises InputError as frame does.)")
-        .def("__len__", [](const Queries& q) { return q.source().frames().size(); })
+        .def("__len__", [](const Queries& q) { return frames_of(q).size(); })
         .def("__repr__", [](const Queries& q) {
-            return "<scb.Queries of '" + q.source().header().scene +
-                   "': " + std::to_string(q.source().frames().size()) + " frames>";
+            return "<scb.Queries of '" + header_of(q).scene +
+                   "': " + std::to_string(frames_of(q).size()) + " frames>";
         });
     module.def(
         "open_queries",

@@ -39,8 +39,8 @@ struct CameraView {
 };
 
 /// What `--camera` takes: `fit` (all fitted, default angles),
-/// `orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]]`, where X,Y,Z is the target, or the path of a JSON file as parse_camera_json takes it. Throws InputError, naming the option,
-/// file and place.
+/// `orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]]`, where X,Y,Z is the target, or the path of a JSON
+/// file as parse_camera_json takes it. Throws InputError, naming the option, file and place.
 CameraView parse_camera(std::string_view text);
 
 /// The camera object of a scene file, from its JSON text; or the field `camera` of an object that

@@ -159,7 +159,8 @@ TEST_F(RenderVideoWithout, ReasonIsRefusedBeforeAnyWork) {
     const std::string with = "PATH=" + folder.path.string();
     for (const std::string command : {"pairs", "rejections", "traversal"}) {
         const std::string start = command + " spheres-l1 --video ";
-        refused(start + file, 3, "install the package ffmpeg, or give a file that ends in .webp", "PATH=");
+        refused(start + file, 3, "install the package ffmpeg, or give a file that ends in .webp",
+                "PATH=");
         refused(start + (folder / "v.avi"), 2, "give a file that ends in .mp4 or .webp", with);
         refused(start + file + " --fps 0", 2, "--fps 0: give 1 to 120", with);
         refused(start + file + " --fps 121", 2, "--fps 121: give 1 to 120", with);

@@ -9,6 +9,12 @@
 namespace scb {
 namespace {
 
+std::vector<std::size_t> overlaps(const AnyHierarchy& any, const Pose& b_to_a,
+                                  const OverlapOptions& test, std::size_t most) {
+    const TreeShape shape = tree_shape(topology_of(any));
+    return level_overlaps(any, shape, any, shape, b_to_a, test, most);
+}
+
 TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
     const BuiltMesh mesh(height_field(9));
     const AnyHierarchy& any = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];
@@ -17,10 +23,10 @@ TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
     Pose apart = pose_to_divide();
     apart.rotation << 1, 0, 0, 0, 0.8, -0.6, 0, 0.6, 0.8;
     // Apart, though not by their roots.
-    while (level_overlaps(any, any, apart, {}, SIZE_MAX).back() > 0) apart.translation[2] += 0.001;
+    while (overlaps(any, apart, {}, SIZE_MAX).back() > 0) apart.translation[2] += 0.001;
     for (const Pose& b_to_a : {pose_to_divide(), apart}) {
         const Placement placed = query_placement(hierarchy, hierarchy, b_to_a);
-        const std::vector<std::size_t> counts = level_overlaps(any, any, b_to_a, {}, SIZE_MAX);
+        const std::vector<std::size_t> counts = overlaps(any, b_to_a, {}, SIZE_MAX);
         ASSERT_EQ(counts[0], 1U);
         // Node by node up to the roots, one level above the other.
         const auto above = [&](std::uint32_t node, int level) {
@@ -52,14 +58,46 @@ TEST(LevelOverlaps, AreThoseOfAllPairsOfTheLevel) {
 TEST(LevelOverlaps, EndBeforeTheFirstLevelOfMoreThanTheMost) {
     const BuiltMesh mesh(height_field(9));
     const AnyHierarchy& any = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::ball)];
-    const std::vector<std::size_t> all = level_overlaps(any, any, pose_to_divide(), {}, SIZE_MAX);
+    const std::vector<std::size_t> all = overlaps(any, pose_to_divide(), {}, SIZE_MAX);
     ASSERT_GT(all.size(), 5U);
     for (const std::size_t most : {std::size_t{0}, all[2], all[3] - 1, all[4]}) {
         std::vector<std::size_t> expected = all;
         for (std::size_t i = 0; i < expected.size(); ++i)
             if (expected[i] > most) expected.resize(i);
-        EXPECT_EQ(level_overlaps(any, any, pose_to_divide(), {}, most), expected) << most;
+        EXPECT_EQ(overlaps(any, pose_to_divide(), {}, most), expected) << most;
     }
+}
+
+/// A root and so many leaves.
+TreeShape star(std::uint32_t leaves) {
+    TreeShape shape;
+    shape.roots = {0};
+    for (std::uint32_t node = 0; node <= leaves; ++node) {
+        shape.parents.push_back(node == 0 ? no_index : 0);
+        shape.depths.push_back(node == 0 ? 0 : 1);
+        shape.first_child.push_back(node == 0 ? 1 : no_index);
+        shape.next_sibling.push_back(node == 0 || node == leaves ? no_index : node + 1);
+        shape.order.push_back(node);
+    }
+    return shape;
+}
+
+TEST(LevelOverlaps, EndBeforeALevelOfEndlessTests) {
+    // Other engines' trees may have any number of children, and of roots.
+    TreeShape wide = star(1'000'000), roots;
+    roots.roots.resize(1'000'000);
+    std::size_t tests = 0;
+    const auto apart = [&](std::uint32_t x, std::uint32_t y) {
+        ++tests;
+        return x == 0 && y == 0 && tests == 1;
+    };
+    EXPECT_EQ(level_overlaps(wide, wide, apart, 1000), std::vector<std::size_t>{1});
+    EXPECT_EQ(level_overlaps(roots, roots, apart, 1000), std::vector<std::size_t>{});
+    EXPECT_LE(tests, 2U * 64 * 1000 + 1);
+    // Few are counted to the end.
+    EXPECT_EQ(level_overlaps(
+                  star(5), star(7), [](auto, auto) { return true; }, 1000),
+              (std::vector<std::size_t>{1, 35}));
 }
 
 }  // namespace
