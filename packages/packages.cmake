@@ -48,6 +48,7 @@ math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
 set(of_python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 scb_package(python python3-scb python "${of_python}, python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/python/postinst ${PROJECT_SOURCE_DIR}/packages/python/prerm)
 # For packages of programs that use the library.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
