@@ -48,7 +48,7 @@ Named named_command(const CLI::App& program) {
 }
 
 // One sentence; the parser's own does not say which word it could not place.
-std::string usage_sentence(const CLI::App& program, int argc, char** argv,
+std::string usage_sentence(const CLI::App& program, const std::vector<std::string>& words,
                            const CLI::ParseError& error) {
     const Named named = named_command(program);
     const std::string command =
@@ -63,9 +63,9 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
             names += (names.empty() ? "" : ", ") + sub->get_name();
         // The word after the command's own name, if any.
         std::string word;
-        for (int i = argc - 1; i >= 1; --i) {
-            if (argv[i] == named.command->get_name()) break;
-            if (argv[i][0] != '-') word = argv[i];
+        for (auto it = words.rbegin(); it != words.rend(); ++it) {
+            if (*it == named.command->get_name()) break;
+            if (!it->starts_with('-')) word = *it;
         }
         sentence = (word.empty() ? "`" + command + "` needs a command"
                                  : "unknown command '" + word + "' of `" + command + "`") +
@@ -73,14 +73,14 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
     }
     // The parser does not name an option that help does not show.
     if (sentence.starts_with(": "))
-        for (int i = argc - 1; i >= 1; --i)
-            if (std::strncmp(argv[i], "--", 2) == 0) {
-                sentence.insert(0, argv[i]);
+        for (auto it = words.rbegin(); it != words.rend(); ++it)
+            if (it->starts_with("--")) {
+                sentence.insert(0, *it);
                 break;
             }
     // The parser takes the value of an option that it does not know for one word too many.
-    for (int i = 1; i < argc; ++i) {
-        const std::string word(argv[i], std::strcspn(argv[i], "="));
+    for (const std::string& given : words) {
+        const std::string word = given.substr(0, given.find('='));
         if (word.size() < 3 || !word.starts_with("--")) continue;
         bool known = false;
         for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
@@ -95,12 +95,14 @@ std::string usage_sentence(const CLI::App& program, int argc, char** argv,
             break;
         }
     }
-    for (int i = 1; i < argc && std::strcmp(argv[i], "--") != 0; ++i)
-        if (argv[i][0] == '-' && argv[i][1] != '-' && std::filesystem::exists(argv[i])) {
-            sentence = "'" + std::string(argv[i]) +
+    for (const std::string& word : words) {
+        if (word == "--") break;
+        if (word.starts_with('-') && !word.starts_with("--") && std::filesystem::exists(word)) {
+            sentence = "'" + word +
                        "' begins like an option; put -- before names like that, behind all options";
             break;
         }
+    }
     for (char& c : sentence)
         if (c == '\n') c = ' ';
     return sentence + "; see `" + command + " --help`.";
@@ -122,7 +124,7 @@ struct ToldInputs {
     }
 };
 
-int run(int argc, char** argv, Watch& watch) {
+int run(const std::vector<std::string>& words, Watch& watch) {
     CLI::App program{
         "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
     program.name("scb");
@@ -169,6 +171,8 @@ int run(int argc, char** argv, Watch& watch) {
     add_render_rejections(render, console, action);
     add_render_traversal(render, console, action);
     add_view(root, console, action);
+    const RunAgain run_again = [&watch](const auto& others) { return run(others, watch); };
+    add_merge(root, console, run_again, action);
     add_inspect(root, console, action);
     add_collide(root, console, action);
     add_bench(root, console, action);
@@ -190,8 +194,7 @@ int run(int argc, char** argv, Watch& watch) {
     try {
         try {
             const ReferenceCommand reference = reference_of_program(root);
-            line =
-                configured(read_command_line({argv + 1, argv + argc}, reference), reference, table);
+            line = configured(read_command_line(words, reference), reference, table);
             // The parser takes them from the end.
             program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
         } catch (const CLI::CallForHelp&) {
@@ -205,7 +208,7 @@ int run(int argc, char** argv, Watch& watch) {
         } catch (const CLI::Success&) {
             return exit_done;
         } catch (const CLI::ParseError& error) {
-            console.error(line.placed(usage_sentence(program, argc, argv, error)));
+            console.error(line.placed(usage_sentence(program, words, error)));
             return exit_bad_input;
         }
         if (json) {
@@ -288,7 +291,7 @@ int main(int argc, char** argv) {
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
     scb::app::Watch watch;
-    const int status = scb::app::run(argc, argv, watch);
+    const int status = scb::app::run({argv + std::min(argc, 1), argv + argc}, watch);
     if (watch.wanted) scb::app::run_again_after_change(watch, argv);
     return status;
 }

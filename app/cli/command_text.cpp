@@ -24,6 +24,11 @@ std::string option_text(const CLI::Option& option, const std::string& name, bool
     return text + " " + values;
 }
 
+bool is_one_of(const CLI::Option& option, const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return option.check_name(name); });
+}
+
 }  // namespace
 
 std::string file_word(const std::string& name) {
@@ -37,15 +42,34 @@ std::string given_text(const Command& command, const std::vector<std::string>& o
     return text;
 }
 
+std::vector<std::string> given_words(const Command& command,
+                                     const std::vector<std::string>& left_out) {
+    std::vector<std::string> words, positional;
+    for (const CLI::App* app = &command.app(); app->get_parent() != nullptr;
+         app = app->get_parent())
+        words.insert(words.begin(), app->get_name());
+    for (const CLI::Option* option : command.app().get_options()) {
+        if (option->count() == 0 || is_one_of(*option, left_out)) continue;
+        const std::vector<std::string>& values = option->results();
+        if (option->get_positional())
+            positional = values;
+        else if (option->get_items_expected_max() == 0)
+            words.push_back(option->get_name() + "=" + values.back());
+        else
+            words.push_back(option->get_name() + "=" + CLI::detail::join(values, ","));
+    }
+    words.push_back("--");
+    words.insert(words.end(), positional.begin(), positional.end());
+    return words;
+}
+
 std::string told_command(const Command& command, const std::vector<std::string>& left_out) {
     std::string text;
     for (const CLI::App* app = &command.app(); app->get_parent() != nullptr;
          app = app->get_parent())
         text = " " + app->get_name() + text;
     for (const CLI::Option* option : command.app().get_options())
-        if (std::none_of(left_out.begin(), left_out.end(),
-                         [&](const std::string& name) { return option->check_name(name); }))
-            text += option_text(*option, option->get_name(), false);
+        if (!is_one_of(*option, left_out)) text += option_text(*option, option->get_name(), false);
     return "scb" + text;
 }
 

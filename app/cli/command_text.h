@@ -17,6 +17,10 @@ std::string given_text(const Command& command, const std::vector<std::string>& o
 /// text says nothing of the machine.
 std::string told_command(const Command& command, const std::vector<std::string>& left_out);
 
+/// The same as words that the program takes again, behind its name; of paths the whole.
+std::vector<std::string> given_words(const Command& command,
+                                     const std::vector<std::string>& left_out);
+
 /// The name of a file as a word of the shell that is not taken for an option.
 std::string file_word(const std::string& name);
 

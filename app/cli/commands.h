@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
@@ -10,6 +12,9 @@ namespace scb::app {
 /// What the chosen command does, once the whole command line has been read; returns the exit
 /// status.
 using Action = std::function<int()>;
+
+/// Runs the program with other words behind its name; returns the exit status.
+using RunAgain = std::function<int(const std::vector<std::string>& words)>;
 
 // Each adds one command to the program. When it is chosen, it sets `action`.
 void add_render_levels(const Command& render, const Console& console, Action& action);
@@ -40,6 +45,8 @@ void add_config(const Command& program, const bool& without_files, Action& actio
 void add_completion(const Command& program, Action& action);
 /// Hidden: for who installs scb.
 void add_man(const Command& program, Action& action);
+void add_merge(const Command& program, const Console& console, const RunAgain& run_again,
+               Action& action);
 void add_view(const Command& program, const Console& console, Action& action);
 
 }  // namespace scb::app

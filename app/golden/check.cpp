@@ -13,8 +13,8 @@
 #include "golden/run/completion.h"
 #include "golden/run/work_folder.h"
 #include "golden/suite/baseline.h"
-#include "golden/suite/shard.h"
 #include "scb/error.h"
+#include "scenes/text/shard.h"
 
 namespace scb::app {
 namespace {
@@ -32,10 +32,10 @@ std::vector<golden::GoldenCase> cases_of(const CheckOptions& options, const gold
                          ": there is no case to check; add some, or name another file with "
                          "--suite.");
     if (options.shard.empty()) return cases;
-    const golden::Shard shard = golden::parse_shard(options.shard);
+    const scenes::Shard shard = scenes::parse_shard(options.shard);
     std::vector<golden::GoldenCase> mine;
     for (std::size_t i = 0; i < cases.size(); ++i)
-        if (golden::in_shard(shard, i)) mine.push_back(std::move(cases[i]));
+        if (scenes::in_shard(shard, i)) mine.push_back(std::move(cases[i]));
     return mine;
 }
 

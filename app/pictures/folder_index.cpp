@@ -74,7 +74,13 @@ void FolderIndex::read_if_changed() {
     runs_.clear();
     read_ = now;
     if (!render::is_there(file_)) return;
-    Json index = Json::parse(scenes::read_text_file(file_.string(), largest_index), nullptr, false);
+    const std::string text = scenes::read_text_file(file_.string(), largest_index);
+    Json index;
+    try {
+        index = scenes::parse_ordered_json(text, file_.string());
+    } catch (const InputError&) {
+        // See below.
+    }
     for (Json& json : runs_of(std::move(index))) {
         Run& run = runs_.emplace_back();
         for (const Json& entry : json["files"])

@@ -8,28 +8,56 @@
 
 namespace scb::app {
 
-/// Calls `draw(queries, watch)` for each frame that was asked for until a signal comes; then
-/// finishes the pictures with the index that `head` gives. `draw` returns whether it drew all of
-/// the frame, and may stop between two pictures where the watch has a signal. Returns the exit
+/// Its queries at a frame.
+inline QueryFrames queries_at(QuerySources& sources, int frame) {
+    QueryFrames queries;
+    for (QuerySource& source : sources) queries.push_back(&source.frame(frame));
+    return queries;
+}
+
+/// Calls `make(frame, watch)` for each frame that was asked for until a signal comes; then finishes
+/// the pictures with the index that `head` gives, or the shard. `make` returns whether it made all
+/// of the frame, and may stop between two pictures where the watch has a signal. Returns the exit
 /// status.
-template <class Draw, class Head>
-int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
-                Head head) {
+template <class Make, class Head>
+int make_frames(const QuerySources& sources, PictureRun& pictures, const Console& console,
+                Make make, Head head) {
     const InterruptWatch watch;
     const std::vector<int>& frames = sources.front().frames();
     Progress progress(console, frames.size());
     std::size_t done = 0;
     for (; done < frames.size() && watch.signal() == 0; ++done) {
-        QueryFrames queries;
-        for (QuerySource& source : sources) queries.push_back(&source.frame(frames[done]));
-        if (!draw(queries, watch)) break;
+        if (!make(frames[done], watch)) break;
         progress.step("frames");
     }
-    pictures.finish(head(), console);
-    if (done == frames.size()) return exit_done;
-    console.note("scb: interrupted; " + std::to_string(done) + " of " +
-                 std::to_string(frames.size()) + " frames are drawn.");
+    const bool all = done == frames.size();
+    if (!pictures.is_shard())
+        pictures.finish(head(), console);
+    else if (all)
+        pictures.finish_shard();
+    if (all) return exit_done;
+    console.note("scb: interrupted; " +
+                 (pictures.is_shard() ? "the shard is to be made again."
+                                      : std::to_string(done) + " of " +
+                                            std::to_string(frames.size()) + " frames are drawn."));
     return exit_interrupted(watch.signal());
 }
+
+/// The same where each frame is a part of the run: `draw(queries)` draws it, and returns what
+/// `take`, which gets it from shards too, needs in the end.
+template <class Draw, class Take, class Head>
+int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
+                Take take, Head head) {
+    pictures.plan(sources.front().frames().size());
+    return make_frames(
+        sources, pictures, console,
+        [&](int frame, const InterruptWatch&) {
+            return pictures.part([&] { return draw(queries_at(sources, frame)); }, take);
+        },
+        head);
+}
+
+/// For pictures of which nothing is needed in the end.
+inline void take_nothing(const nlohmann::ordered_json&) {}
 
 }  // namespace scb::app

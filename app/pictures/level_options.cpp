@@ -37,6 +37,7 @@ void add_level_options(const Command& command, LevelOptions& options) {
     add_picture_options(command, options.picture, options.camera);
     add_panel_option(command, options.picture);
     add_level_look(command, options);
+    add_shard_options(command, options.picture.shards, "pictures");
     command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels");
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/pictures/scene_camera.h"
 #include "app/pictures/video_options.h"
+#include "app/shards/shard_options.h"
 #include "render/gl/context.h"
 #include "render/overlay/figure_layout.h"
 #include "render/view/palette.h"
@@ -35,6 +36,7 @@ struct PictureOptions {
     bool shift_color = false;             ///< see shifted_colors
     std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
     VideoOptions video{};
+    ShardOptions shards{};
     std::optional<Command> command{};  ///< whose options these are
 
     /// Throws InputError where one of them makes no sense.

@@ -1,14 +1,18 @@
 #include "app/pictures/picture_run.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/cli/open_file.h"
 #include "app/cli/version.h"
 #include "app/pictures/picture_texts.h"
 #include "app/pictures/shifted_colors.h"
+#include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "render/files/terminal_image.h"
 #include "render/overlay/svg.h"
+#include "scb/error.h"
+#include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"
 
 namespace scb::app {
@@ -34,9 +38,81 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
         const std::filesystem::path path = folder_ / name;
         if (!std::filesystem::is_directory(path, ignored)) std::filesystem::remove(path, ignored);
     }
-    if (options.video.wanted())
+    if (options.video.wanted() && !options.shards.is_shard())
         video_ = render::animation_file(options.video.file, options.width(), options.height(),
                                         options.video.rate(), options.theme()->background);
+}
+
+Json PictureRun::versions_json() const {
+    Json json;
+    const render::GlInfo info = context_.info();
+    for (const auto& [name, version] : versions(&info)) json[name] = version;
+    return json;
+}
+
+void PictureRun::plan(std::size_t parts) {
+    parts_ = Parts(options_.shards, parts, versions_json(), folder_);
+    if (is_shard()) make_shards_folder(folder_);
+}
+
+bool PictureRun::part(const std::function<Drawn()>& draw,
+                      const std::function<void(const Json&)>& take) {
+    const std::size_t k = next_part_++;
+    if (parts_.are_merged()) {
+        parts_.read(k, [&](const Json& made, const std::filesystem::path& folder) {
+            for (const Json& picture : made.at("pictures")) take_picture(picture, folder);
+            said_ += made.at("said").get<std::string>();
+            take(made.at("drawn"));
+        });
+        return true;
+    }
+    if (!parts_.is_made_here(k)) return true;
+    Drawn drawn = draw();
+    if (!drawn) return false;
+    if (!is_shard()) {
+        take(*drawn);
+        return true;
+    }
+    parts_.keep(k, {{"pictures", std::exchange(pictures_, Json::array())},
+                    {"said", std::exchange(said_, "")},
+                    {"drawn", std::move(*drawn)}});
+    return true;
+}
+
+void PictureRun::take_picture(const Json& picture, const std::filesystem::path& from) {
+    const Json& entry = picture.at("entry");
+    for (const char* kind : {"file", "svg", "ids"}) {
+        if (!entry.contains(kind)) continue;
+        const std::string name = entry[kind].get<std::string>();
+        if (std::filesystem::path(name).filename() != name)
+            throw InputError((from / name).string() + ": a picture has the name of a file alone.");
+        take_file(name, from / name);
+    }
+    const std::string name = entry.at("file").get<std::string>();
+    if (video_) video_->push(render::read_png(from / name));
+    if (sheet_) {
+        sheet_->explain(picture.at("explanation"));
+        sheet_->add(render::read_png(shards_folder(from) / name), entry);
+    }
+    files_.push_back(entry);
+}
+
+void PictureRun::take_file(const std::string& name, const std::filesystem::path& from) {
+    const std::filesystem::path to = place_picture(name);
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(from, to, ignored))
+        render::write_file_whole(to, std::string_view(scenes::file_bytes(from.string())));
+    written_.push_back(name);
+}
+
+void PictureRun::explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
+    if (!sheet_) return;
+    if (is_shard()) {
+        // Each picture's own; what several have in common is seen where they are joined.
+        sheet_->sheet.keys.clear();
+        sheet_->sheet.scale.reset();
+    }
+    sheet_->explain(title, panel);
 }
 
 void PictureRun::explain(const render::SceneFigure& figure) {
@@ -56,10 +132,19 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
     render::Rendering rendering = renderer_.draw(
         options_.shift_color ? shifted_colors(picture) : picture, &overlay_, with_ids);
     Json files = {{"file", name + ".png"}};
+    Json picture_of_shard;
     if (video_ && of_sequence) video_->push(rendering.image);
-    if (sheet_ && of_sequence)
-        sheet_->add(sheet_view_ ? std::move(*sheet_view_) : sheet_->shrunk(rendering.image), entry);
-    if (of_sequence) sheet_view_.reset();
+    if (sheet_ && of_sequence) {
+        render::Image view =
+            sheet_view_ ? std::move(*sheet_view_) : sheet_->shrunk(rendering.image);
+        sheet_view_.reset();
+        if (is_shard()) {
+            picture_of_shard["explanation"] = sheet_->explanation();
+            queue_.push(shards_folder(folder_) / (name + ".png"), std::move(view));
+        } else {
+            sheet_->add(std::move(view), entry);
+        }
+    }
     queue_.push(place_picture(name + ".png"), std::move(rendering.image));
     written_.push_back(name + ".png");
     if (options_.svg) {
@@ -73,7 +158,12 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
         written_.push_back(name + "_ids.png");
     }
     files.update(entry);
-    files_.push_back(std::move(files));
+    if (is_shard()) {
+        picture_of_shard["entry"] = std::move(files);
+        pictures_.push_back(std::move(picture_of_shard));
+    } else {
+        files_.push_back(std::move(files));
+    }
 }
 
 void PictureRun::write_svg(const std::string& name, const render::Picture& picture) {
@@ -143,6 +233,18 @@ void PictureRun::show(const Console& console) const {
             print_result(render::terminal_image(how, folder_ / file["file"].get<std::string>()));
 }
 
+void PictureRun::finish_shard() {
+    queue_.finish();
+    const std::filesystem::path file = parts_.write();
+    print_result(written_list() + file.string() + "\n");
+}
+
+std::string PictureRun::written_list() const {
+    std::string list;
+    for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    return list;
+}
+
 void PictureRun::finish(Json head, const Console& console) {
     if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
@@ -151,15 +253,11 @@ void PictureRun::finish(Json head, const Console& console) {
         video_->finish();
         head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
     }
-    Json versions_json;
-    const render::GlInfo info = context_.info();
-    for (const auto& [name, version] : versions(&info)) versions_json[name] = version;
-    head["versions"] = std::move(versions_json);
+    head["versions"] = versions_json();
     head["files"] = files_;
     index_.write(head);
     written_.push_back("index.json");
-    std::string list;
-    for (const std::string& name : written_) list += (folder_ / name).string() + "\n";
+    std::string list = written_list();
     if (with_video) list += options_.video.file + "\n";
     print_result(instead_ ? *instead_ : options_.json ? index_text(head) : said_ + list);
     if (options_.show) show(console);

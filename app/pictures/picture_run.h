@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "app/pictures/folder_index.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
+#include "app/shards/parts.h"
 #include "render/draw/renderer.h"
 #include "render/figures/scene_figure.h"
 #include "render/files/animation.h"
@@ -34,12 +36,22 @@ class PictureRun {
     const render::Context& context() const { return context_; }
     render::Overlay& overlay() { return overlay_; }
 
+    /// Says how many parts() there will be, which shards of the run share. Throws as Parts does.
+    void plan(std::size_t parts);
+    /// Whether this run makes only some parts: their pictures and nothing that is of all of them.
+    bool is_shard() const { return parts_.are_of_shard(); }
+    /// The next part. `draw` draws its pictures and returns what the run needs of it in the end, or
+    /// nothing where it was interrupted: then this returns false. Where a shard has made the part,
+    /// its pictures are taken over. `take` gets what `draw` returned, here or there, but not in a
+    /// shard.
+    using Drawn = std::optional<nlohmann::ordered_json>;
+    bool part(const std::function<Drawn()>& draw,
+              const std::function<void(const nlohmann::ordered_json&)>& take);
+
     /// Makes a contact sheet of the sequence's pictures too.
     void begin_sheet(SheetRun sheet) { sheet_ = std::move(sheet); }
     /// What the colors of the picture that comes next mean, for the sheet, if there is one.
-    void explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
-        if (sheet_) sheet_->explain(title, panel);
-    }
+    void explain(const std::string& title, const std::vector<render::PanelItem>& panel);
 
     /// The same of a view of the scene, which the sheet draws anew in its own size: text of a
     /// picture that is shrunk cannot be read.
@@ -62,6 +74,10 @@ class PictureRun {
     /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
     std::uint32_t id_at(int x, int y) const;
 
+    /// Of a shard: waits until its pictures are written, keeps what else `scb merge` needs of them,
+    /// and prints the names of all files.
+    void finish_shard();
+
     /// Draws the sheet, and waits until everything is written, the video too; then writes
     /// index.json, in which `head` with `files` and the versions at its end is the latest run, and
     /// prints that run, or the names of all files, as was asked for, and opens what was made where
@@ -70,6 +86,12 @@ class PictureRun {
 
   private:
     void draw_sheet();
+    /// Takes over a picture that a shard has drawn, from the folder of its pictures.
+    void take_picture(const nlohmann::ordered_json& picture, const std::filesystem::path& from);
+    /// A file of that picture.
+    void take_file(const std::string& name, const std::filesystem::path& from);
+    nlohmann::ordered_json versions_json() const;
+    std::string written_list() const;
     /// Of the picture that the overlay belongs to.
     void write_svg(const std::string& name, const render::Picture& picture);
     /// In the terminal.
@@ -98,6 +120,9 @@ class PictureRun {
     std::optional<render::Image> sheet_view_;  ///< of the picture that comes next
     render::IdImage last_ids_;                 ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
+    Parts parts_{0};
+    std::size_t next_part_ = 0;
+    nlohmann::ordered_json pictures_ = nlohmann::ordered_json::array();  ///< of a shard's part
 };
 
 }  // namespace scb::app

@@ -7,8 +7,9 @@ namespace scb::app {
 namespace {
 
 /// Options that change nothing in a picture.
-const std::vector<std::string> untold = {"--output", "--models", "--jobs", "--json", "--ids",
-                                         "--pick",   "--video",  "--fps",  "--open"};
+const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--json",
+                                         "--ids",    "--pick",   "--video",  "--fps",
+                                         "--open",   "--shard",  "--merged", "--terminal"};
 
 }  // namespace
 

@@ -98,6 +98,7 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         add_picture_options(command, options.picture);
     }
     add_video_options(command, options.picture.video);
+    add_shard_options(command, options.picture.shards, "frames");
     command.get_option("--frames")
         .description("Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is the scene's own")
         .offer({"all", "auto"});

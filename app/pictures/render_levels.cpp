@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/pictures/frame_pictures.h"
 #include "app/pictures/level_figures.h"
 #include "app/pictures/level_index.h"
 #include "app/pictures/level_options.h"
@@ -17,6 +18,8 @@
 
 namespace scb::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 NamedOptions named_options(const LevelOptions& options) {
     NamedOptions named;
@@ -69,16 +72,25 @@ int run(const LevelOptions& options, const Console& console) {
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();
     std::size_t done = 0;
+    pictures.plan(total);
     for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
-            const render::Picture picture =
-                render::compose(figures.figure(k, level), width, height, options.picture.samples,
-                                pictures.overlay());
             const std::string name = level_name(named, scene, trees[k].name, level, frame);
-            pictures.draw(name, picture,
-                          level_entry(trees[k].name, level, frame, figures.bodies(k)));
+            const auto draw = [&, k = k] {
+                const render::Picture picture =
+                    render::compose(figures.figure(k, level), width, height,
+                                    options.picture.samples, pictures.overlay());
+                pictures.draw(name, picture,
+                              level_entry(trees[k].name, level, frame, figures.bodies(k)));
+                return Json();
+            };
+            pictures.part(draw, take_nothing);
             console.progress(name, ++done, total);
         }
+    if (pictures.is_shard()) {
+        pictures.finish_shard();
+        return exit_done;
+    }
 
     if (total > 1 && !options.no_sheet) {
         render::LevelSheet sheet;

@@ -99,10 +99,10 @@ int run(PairsOptions& options, const Console& console) {
     view.begin_sheet(pictures, what, std::move(sheet));
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames, const InterruptWatch&) {
+        [&](const QueryFrames& frames) {
             if (view.compares()) {
                 draw_compared(view, sources, frames, options, style, what, pictures);
-                return true;
+                return nlohmann::ordered_json();
             }
             const TraceFrame& frame = *frames[0];
             const QuerySource& source = sources[0];
@@ -119,8 +119,9 @@ int run(PairsOptions& options, const Console& console) {
             const std::string name = view.picture_name(what, frame.frame);
             pictures.draw(name, picture, std::move(entry));
             view.tell_pick(pictures, name, frames);
-            return true;
+            return nlohmann::ordered_json();
         },
+        take_nothing,
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render pairs");
             if (!options.heat)

@@ -19,6 +19,8 @@
 namespace scb::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// See QueryViewOptions::held_part.
 constexpr double held_in_focus = 0.15;
 
@@ -67,7 +69,7 @@ struct Shot {
         } else if (frame.found.pairs.empty()) {
             figure.remark = "no contact";
         }
-        nlohmann::ordered_json entry = query_index_entry(view, {&frame}, figure.pane.camera);
+        Json entry = query_index_entry(view, {&frame}, figure.pane.camera);
         entry["volumes"] = {ended[0].size(), ended[1].size()};
         if (step) entry["tests"] = *step;
         const std::string name = view.picture_name("rejections", frame.frame, step);
@@ -77,6 +79,30 @@ struct Shot {
                             options.picture.samples, pictures.overlay());
         pictures.draw(name, picture, std::move(entry));
         view.tell_pick(pictures, name, {&frame});
+    }
+
+    void draw_whole(const QueryFrames& frames) const {
+        if (view.compares()) return draw_compared(frames);
+        const TraceFrame& frame = *frames.front();
+        draw(frame, traversal_tree(sources.front().header(), frame), std::nullopt, frame);
+    }
+
+    /// The animation of a query, or a part of it where it is interrupted: then false.
+    bool draw_steps(const TraceFrame& frame, const InterruptWatch& watch) const {
+        const TraceHeader& header = sources.front().header();
+        const TraversalTree tree = traversal_tree(header, frame);
+        const std::size_t all = frame.events.volume_tests.size(),
+                          each = static_cast<std::size_t>(*options.steps);
+        for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
+            const auto draw_step = [&] {
+                const TraceFrame part = trace_prefix(header, frame, tree, count);
+                draw(part, traversal_tree(header, part), count, frame);
+                return Json();
+            };
+            if (!pictures.part(draw_step, take_nothing)) return false;
+            if (count == all) return true;
+            if (watch.signal() != 0) return false;
+        }
     }
 
     void draw_compared(const QueryFrames& frames) const {
@@ -184,50 +210,53 @@ int run(RejectionsOptions& options, const Console& console) {
                          : "rejections",
                      std::move(sheet));
     std::vector<render::StagesFigure> stages(sources.size());
-    return draw_frames(
+    // How the paths of a frame ended, for the pictures of all frames.
+    const auto ending_counts_of = [&](const QueryFrames& frames) {
+        Json kept = {{"frame", frames[0]->frame}, {"counts", Json::array()}};
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            kept["counts"].push_back(
+                ending_counts(*frames[i], traversal_tree(sources[i].header(), *frames[i])));
+        return kept;
+    };
+    const auto take = [&](const Json& kept) {
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            stages[i].frames.push_back(kept.at("frame").get<int>());
+            stages[i].counts.push_back(kept.at("counts").at(i).get<EndingCounts>());
+        }
+    };
+    const auto head = [&] {
+        if (stages[0].frames.size() > 1 && !options.picture.no_panel)
+            draw_stages(stages, sources, view, style, options, pictures);
+        Json json = query_index_head(view, "render rejections");
+        json["options"]["by"] = render::node_color_names[options.by];
+        if (!options.stages.empty()) json["options"]["stages"] = scenes::split_list(options.stages);
+        if (!options.depths.empty())
+            json["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
+        if (!options.body.empty()) json["options"]["body"] = options.body;
+        json["options"]["opacity"] = options.opacity;
+        json["options"]["nested"] = options.nested;
+        json["options"]["focus"] = style.focus;
+        if (options.steps) json["options"]["steps"] = *options.steps;
+        return json;
+    };
+    if (!options.steps)
+        return draw_frames(
+            sources, pictures, console,
+            [&](const QueryFrames& frames) {
+                shot.draw_whole(frames);
+                return ending_counts_of(frames);
+            },
+            take, head);
+    // Each step is a part.
+    pictures.plan(picture_count(sources.front(), options.steps));
+    return make_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames, const InterruptWatch& watch) {
-            for (std::size_t i = 0; i < sources.size(); ++i) {
-                stages[i].frames.push_back(frames[i]->frame);
-                stages[i].counts.push_back(
-                    ending_counts(*frames[i], traversal_tree(sources[i].header(), *frames[i])));
-            }
-            if (view.compares()) {
-                shot.draw_compared(frames);
-                return true;
-            }
-            const QuerySource& source = sources.front();
-            const TraceFrame& frame = *frames.front();
-            const TraversalTree tree = traversal_tree(source.header(), frame);
-            if (!options.steps) {
-                shot.draw(frame, tree, std::nullopt, frame);
-                return true;
-            }
-            const std::size_t all = frame.events.volume_tests.size(),
-                              each = static_cast<std::size_t>(*options.steps);
-            for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
-                const TraceFrame part = trace_prefix(source.header(), frame, tree, count);
-                shot.draw(part, traversal_tree(source.header(), part), count, frame);
-                if (count == all) return true;
-                if (watch.signal() != 0) return false;
-            }
+        [&](int frame, const InterruptWatch& watch) {
+            const QueryFrames frames = queries_at(sources, frame);
+            take(ending_counts_of(frames));
+            return shot.draw_steps(*frames.front(), watch);
         },
-        [&] {
-            if (stages[0].frames.size() > 1 && !options.picture.no_panel)
-                draw_stages(stages, sources, view, style, options, pictures);
-            nlohmann::ordered_json head = query_index_head(view, "render rejections");
-            head["options"]["by"] = render::node_color_names[options.by];
-            if (!options.stages.empty())
-                head["options"]["stages"] = scenes::split_list(options.stages);
-            if (!options.depths.empty())
-                head["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
-            if (!options.body.empty()) head["options"]["body"] = options.body;
-            head["options"]["opacity"] = options.opacity;
-            head["options"]["nested"] = options.nested;
-            head["options"]["focus"] = style.focus;
-            if (options.steps) head["options"]["steps"] = *options.steps;
-            return head;
-        });
+        head);
 }
 
 }  // namespace

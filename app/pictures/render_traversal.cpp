@@ -112,7 +112,7 @@ int run(TraversalOptions& options, const Console& console) {
     const TraceHeader& header = sources.front().header();
     return draw_frames(
         sources, pictures, console,
-        [&](const QueryFrames& frames, const InterruptWatch&) {
+        [&](const QueryFrames& frames) {
             const TraceFrame& whole = *frames.front();
             check_depths(header, whole);
             const TraversalTree tree = traversal_tree(header, whole);
@@ -133,8 +133,9 @@ int run(TraversalOptions& options, const Console& console) {
             nlohmann::ordered_json entry = query_index_entry(view, {&frame});
             entry["parts"] = parts_json(frame, root ? traversal_tree(header, frame) : tree);
             pictures.draw(view.picture_name("traversal", frame.frame), picture, std::move(entry));
-            return true;
+            return nlohmann::ordered_json();
         },
+        take_nothing,
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render traversal");
             head["options"]["by"] = render::matrix_measure_names[options.by];

@@ -13,6 +13,32 @@ void SheetRun::explain(const std::string& title, const std::vector<render::Panel
     scale_end = render::scale_end(panel);
 }
 
+nlohmann::ordered_json SheetRun::explanation() const {
+    nlohmann::ordered_json json = {{"title", sheet.title},
+                                   {"keys", nlohmann::ordered_json::array()}};
+    for (const render::PanelKey& key : sheet.keys)
+        json["keys"].push_back(
+            {{"color", {key.color.r, key.color.g, key.color.b, key.color.a}}, {"text", key.text}});
+    if (sheet.scale) json["scale"] = {{"title", sheet.scale->title}, {"ticks", sheet.scale->ticks}};
+    return json;
+}
+
+void SheetRun::explain(const nlohmann::ordered_json& explanation) {
+    std::vector<render::PanelItem> panel;
+    for (const auto& key : explanation.at("keys")) {
+        const auto color = key.at("color").get<std::array<std::uint8_t, 4>>();
+        panel.push_back(render::PanelKey{{color[0], color[1], color[2], color[3]},
+                                         key.at("text").get<std::string>()});
+    }
+    if (explanation.contains("scale")) {
+        const auto& scale = explanation["scale"];
+        panel.push_back(render::PanelScale{
+            scale.at("title").get<std::string>(),
+            scale.at("ticks").get<std::vector<std::pair<double, std::string>>>()});
+    }
+    explain(explanation.at("title").get<std::string>(), panel);
+}
+
 render::Image SheetRun::shrunk(const render::Image& picture) const {
     return render::shrunk(picture, view, sheet.layout.view_width, sheet.layout.view_height);
 }

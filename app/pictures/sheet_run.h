@@ -18,6 +18,9 @@ struct SheetRun {
 
     /// Takes title and legend over from those of the picture that comes next.
     void explain(const std::string& title, const std::vector<render::PanelItem>& panel);
+    /// What explain() was told once, and tells it again elsewhere.
+    nlohmann::ordered_json explanation() const;
+    void explain(const nlohmann::ordered_json& explanation);
     /// The part of a picture that a cell shows, in the cell's size.
     render::Image shrunk(const render::Image& picture) const;
     /// Adds a cell with this view, with what the index says of the picture as its caption: the

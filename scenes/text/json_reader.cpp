@@ -128,15 +128,22 @@ class StrictReader : public nlohmann::json_sax<json> {
     std::vector<std::set<std::string>> fields_;  ///< of the objects and arrays that are open
 };
 
-}  // namespace
-
-json parse_json(std::string_view text, const std::string& file) {
+template <class Json>
+Json parsed(std::string_view text, const std::string& file) {
     // The parser takes one for the end.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         throw InputError(file + ": " + line_and_column(text, zero + 1) +
                          ": not valid JSON: a zero byte; correct it there.");
     StrictReader(text, file).read();
-    return json::parse(text.begin(), text.end());
+    return Json::parse(text.begin(), text.end());
+}
+
+}  // namespace
+
+json parse_json(std::string_view text, const std::string& file) { return parsed<json>(text, file); }
+
+nlohmann::ordered_json parse_ordered_json(std::string_view text, const std::string& file) {
+    return parsed<nlohmann::ordered_json>(text, file);
 }
 
 std::string read_text_file(const std::string& file, std::size_t largest) {

@@ -28,6 +28,8 @@ inline constexpr int max_json_depth = 100;
 /// object has a field twice, which JSON readers otherwise resolve silently, and where it is nested
 /// more than max_json_depth deep.
 nlohmann::json parse_json(std::string_view text, const std::string& file);
+/// The same with the fields of objects in the order of the document.
+nlohmann::ordered_json parse_ordered_json(std::string_view text, const std::string& file);
 
 /// The whole of a text file. Throws InputError where it is missing, a directory, larger than
 /// `largest`, or unreadable.

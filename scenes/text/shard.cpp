@@ -1,4 +1,4 @@
-#include "golden/suite/shard.h"
+#include "scenes/text/shard.h"
 
 #include <cassert>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "scb/error.h"
 
-namespace scb::golden {
+namespace scb::scenes {
 namespace {
 
 std::optional<std::size_t> number_in(std::string_view digits) {
@@ -35,4 +35,4 @@ bool in_shard(const Shard& shard, std::size_t index) {
     return index % shard.n == shard.k - 1;
 }
 
-}  // namespace scb::golden
+}  // namespace scb::scenes

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <string_view>
 
-namespace scb::golden {
+namespace scb::scenes {
 
-/// One of several parts of a suite that run on machines of their own: the k-th of n, from 1.
+/// One of several shares of a long run that are done on machines of their own: the k-th of n, from
+/// 1.
 struct Shard {
     std::size_t k = 1, n = 1;
 
@@ -15,8 +16,8 @@ struct Shard {
 /// Reads "K/N", such as "2/3". Throws InputError where it is not that, or K is not in 1 to N.
 Shard parse_shard(std::string_view text);
 
-/// Whether the case with that index, from 0, belongs to the shard. Cases are dealt in turn: every
-/// case belongs to one shard of n, and none has two cases more than another.
+/// Whether the part of the run with that index, from 0, belongs to the shard. Parts are dealt in
+/// turn: each belongs to one shard of n, and none has two parts more than another.
 bool in_shard(const Shard& shard, std::size_t index);
 
-}  // namespace scb::golden
+}  // namespace scb::scenes

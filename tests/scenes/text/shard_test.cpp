@@ -1,4 +1,4 @@
-#include "golden/suite/shard.h"
+#include "scenes/text/shard.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "scb/error.h"
 
-namespace scb::golden {
+namespace scb::scenes {
 namespace {
 
 TEST(Shard, IsReadFromText) {
@@ -53,4 +53,4 @@ TEST(Shards, HaveEveryCaseOnceAndAreEven) {
 }
 
 }  // namespace
-}  // namespace scb::golden
+}  // namespace scb::scenes

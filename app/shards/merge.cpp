@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/shards/shard_file.h"
+#include "scb/error.h"
+
+namespace scb::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeOptions {
+    std::vector<std::string> shards;
+    std::string output;
+};
+
+/// The files of shards that a name stands for: itself, or those in a folder of results.
+std::vector<fs::path> files_of(const fs::path& name) {
+    std::error_code ignored;
+    if (!fs::is_directory(name, ignored)) return {name};
+    const fs::path folder =
+        fs::is_directory(shards_folder(name), ignored) ? shards_folder(name) : name;
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (files.empty())
+        throw InputError(name.string() +
+                         ": no shard is in this folder; name one that --shard wrote to with -o.");
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// What the program is called with to join them.
+std::vector<std::string> merging_words(const MergeOptions& options, const Console& console) {
+    std::vector<fs::path> files;
+    for (const std::string& name : options.shards)
+        for (fs::path& file : files_of(name)) files.push_back(std::move(file));
+    const std::vector<std::string> of_shards = read_shards(files).front().words;
+    console.note("scb: joins the shards of " + shard_command(of_shards, "K/N"));
+    // Its shards have what configuration files say.
+    std::vector<std::string> words = {"--no-config"};
+    if (console.quiet) words.emplace_back("--quiet");
+    for (const std::string& word : of_shards) {
+        if (word == "--") {
+            for (const fs::path& file : files) words.push_back("--merged=" + file.string());
+            if (!options.output.empty()) words.push_back("--output=" + options.output);
+        }
+        words.push_back(word);
+    }
+    return words;
+}
+
+}  // namespace
+
+void add_merge(const Command& program, const Console& console, const RunAgain& run_again,
+               Action& action) {
+    const Command command = program.add_subcommand(
+        "merge", "Join the shards of a run: its index, tables, sheets and animations");
+    const auto options = std::make_shared<MergeOptions>();
+    command
+        .add_option("SHARD", options->shards,
+                    "Folders that --shard wrote to with -o, or the files in their shards/")
+        .required()
+        .expected(1, 1'000'000)
+        .file({".json"});
+    command
+        .add_option("-o,--output", options->output,
+                    "Folder for what is made; it can be that of the shards, where they share one")
+        .folder()
+        .only_typed();
+    command.footer(
+        "Several machines share a run: each makes some of its frames, by --shard of `scb render "
+        "...`, `inspect` or `bench`.\n"
+        "The result has the bytes of the run of one machine, but for times of `scb bench`. The "
+        "scene is read again, and the\n"
+        "shards must be of the same versions of scb and of what it draws with.\n\n"
+        "Example:\n"
+        "  scb render pairs spheres-l1 --frames all --sheet --shard 1/2 -o out/\n"
+        "  scb render pairs spheres-l1 --frames all --sheet --shard 2/2 -o out/\n"
+        "  scb merge out/ -o out/");
+    command.callback([&action, &console, &run_again, options] {
+        action = [&, options] { return run_again(merging_words(*options, console)); };
+    });
+}
+
+}  // namespace scb::app

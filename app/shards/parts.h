@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/shards/shard_file.h"
+#include "app/shards/shard_options.h"
+
+namespace scb::app {
+
+/// The parts of a run, such as its frames, by numbers from 0. All are made here; or those of one
+/// shard, whose results are kept in a file; or none, where shards have made them all.
+class Parts {
+  public:
+    /// A run that makes all of its parts.
+    explicit Parts(std::size_t total) : total_(total) {}
+    /// `versions` of what makes them here. Throws InputError for shards of another run, or where a
+    /// file of another run is in the way in `folder`.
+    Parts(const ShardOptions& options, std::size_t total, nlohmann::ordered_json versions,
+          std::filesystem::path folder);
+
+    bool are_of_shard() const { return kept_.has_value(); }
+    bool are_merged() const { return !merged_.empty(); }
+    bool is_made_here(std::size_t k) const;
+    /// How many are made here, or joined.
+    std::size_t count() const;
+
+    /// Hands over what a shard made of a part, and the folder that has its files. Throws InputError
+    /// where that cannot be read.
+    using Read =
+        std::function<void(const nlohmann::ordered_json& made, const std::filesystem::path&)>;
+    void read(std::size_t k, const Read& use) const;
+
+    /// Keeps what was made here of a part of a shard.
+    void keep(std::size_t k, nlohmann::ordered_json made);
+    /// Writes what was kept, to be called when all parts are made. Returns the file.
+    std::filesystem::path write() const;
+
+  private:
+    std::size_t total_;
+    std::filesystem::path folder_;
+    std::optional<ShardFile> kept_;
+    std::vector<ShardFile> merged_;
+    std::vector<std::filesystem::path> files_;  ///< of these
+};
+
+}  // namespace scb::app

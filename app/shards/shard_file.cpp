@@ -1,0 +1,146 @@
+#include "app/shards/shard_file.h"
+
+#include <algorithm>
+
+#include "golden/suite/shell_word.h"
+#include "render/files/output_file.h"
+#include "scb/error.h"
+#include "scenes/text/json_reader.h"
+
+namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+// That of a million pictures.
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+
+std::string text_of(const scenes::Shard& shard) {
+    return std::to_string(shard.k) + "/" + std::to_string(shard.n);
+}
+
+ShardFile shard_of(const Json& json) {
+    ShardFile file;
+    file.shard = scenes::parse_shard(json.at("shard").get_ref<const std::string&>());
+    file.words = json.at("command").get<std::vector<std::string>>();
+    if (std::find(file.words.begin(), file.words.end(), "--") == file.words.end())
+        throw InputError("its command has no end of options");
+    file.versions = json.at("versions");
+    file.total = json.at("total").get<std::size_t>();
+    for (const Json& part : json.at("parts")) {
+        const auto number = part.at("number").get<std::size_t>();
+        if (number >= file.total || !in_shard(file.shard, number))
+            throw InputError("part " + std::to_string(number) + " is not of this shard");
+        file.parts[number] = part.at("made");
+    }
+    for (std::size_t k = file.shard.k - 1; k < file.total; k += file.shard.n)
+        if (!file.parts.contains(k)) throw InputError("part " + std::to_string(k) + " is missing");
+    return file;
+}
+
+}  // namespace
+
+std::string shard_command(const std::vector<std::string>& words, const std::string& shard) {
+    std::string text = "scb";
+    for (const std::string& word : words) {
+        if (word == "--") text += " --shard " + shard + " -o DIR";
+        text += " " + golden::shell_word(word);
+    }
+    return text;
+}
+
+namespace {
+
+/// Refuses what is not of the run of the first one.
+void check_same_run(const ShardFile& first, const fs::path& first_path, const ShardFile& other,
+                    const fs::path& path) {
+    const std::string both = first_path.string() + " and " + path.string() + " are ";
+    if (first.words != other.words || first.total != other.total)
+        throw InputError(both + "of different runs: `" + shard_command(first.words, "K/N") +
+                         "` and `" + shard_command(other.words, "K/N") + "`; name those of one.");
+    if (first.shard.n != other.shard.n)
+        throw InputError(both + "shards " + text_of(first.shard) + " and " + text_of(other.shard) +
+                         "; name those of one division.");
+    if (first.versions != other.versions)
+        throw InputError(both + "made by different versions, " + first.versions.dump() + " and " +
+                         other.versions.dump() + "; make both with the same.");
+}
+
+}  // namespace
+
+fs::path shards_folder(const fs::path& folder) { return folder / "shards"; }
+
+fs::path shard_path(const fs::path& folder, const scenes::Shard& shard) {
+    return shards_folder(folder) /
+           (std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
+}
+
+ShardFile read_shard_file(const fs::path& path) {
+    const std::string name = path.string();
+    const Json json = scenes::parse_ordered_json(scenes::read_text_file(name, largest_file), name);
+    if (json.is_object() && json.contains("cases"))
+        throw InputError(name +
+                         ": these are results of `scb golden check`; join them with `scb golden "
+                         "report`.");
+    std::string reason;
+    try {
+        return shard_of(json);
+    } catch (const Json::exception&) {
+        reason = "this is no file of a shard";
+    } catch (const InputError& error) {
+        reason = error.what();
+    }
+    throw InputError(name + ": " + reason + "; give what `--shard` has written.");
+}
+
+void make_shards_folder(const fs::path& folder) {
+    const fs::path made = shards_folder(folder);
+    std::error_code error;
+    fs::create_directories(made, error);
+    if (error || !fs::is_directory(made))
+        throw render::OutputError(made.string() + ": this folder cannot be made" +
+                                  (error ? " (" + error.message() + ")" : "") +
+                                  "; name another with -o.");
+}
+
+void write_shard_file(const fs::path& path, const ShardFile& shard) {
+    Json parts = Json::array();
+    for (const auto& [number, made] : shard.parts)
+        parts.push_back({{"number", number}, {"made", made}});
+    const Json json = {{"shard", text_of(shard.shard)},
+                       {"command", shard.words},
+                       {"versions", shard.versions},
+                       {"total", shard.total},
+                       {"parts", std::move(parts)}};
+    make_shards_folder(path.parent_path().parent_path());
+    render::write_file_whole(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::vector<ShardFile> read_shards(std::vector<fs::path>& paths) {
+    std::vector<std::pair<ShardFile, fs::path>> shards;
+    for (const fs::path& path : paths) {
+        shards.emplace_back(read_shard_file(path), path);
+        check_same_run(shards.front().first, shards.front().second, shards.back().first, path);
+    }
+    std::stable_sort(shards.begin(), shards.end(), [](const auto& x, const auto& y) {
+        return x.first.shard.k < y.first.shard.k;
+    });
+    std::vector<ShardFile> ordered;
+    for (std::size_t i = 0; i < shards.size(); ++i) {
+        if (i > 0 && shards[i].first.shard == shards[i - 1].first.shard)
+            throw InputError("shard " + text_of(shards[i].first.shard) + " is in " +
+                             shards[i - 1].second.string() + " and in " +
+                             shards[i].second.string() + "; give one of them.");
+        paths[i] = shards[i].second;
+        ordered.push_back(std::move(shards[i].first));
+    }
+    const std::size_t n = ordered.front().shard.n;
+    for (std::size_t k = 1; k <= n; ++k)
+        if (k > ordered.size() || ordered[k - 1].shard.k != k)
+            throw InputError("shard " + text_of({k, n}) + " is missing; make it: " +
+                             shard_command(ordered.front().words, text_of({k, n})));
+    return ordered;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,40 @@
+#include "app/shards/shard_options.h"
+
+#include "app/cli/command_text.h"
+#include "scb/error.h"
+
+namespace scb::app {
+
+std::optional<scenes::Shard> ShardOptions::asked() const {
+    if (!is_shard()) return std::nullopt;
+    try {
+        return scenes::parse_shard(shard);
+    } catch (const InputError& error) {
+        throw InputError("--shard: " + std::string(error.what()));
+    }
+}
+
+std::vector<std::string> ShardOptions::words() const {
+    // Where results go, and who is shown them, differs from machine to machine.
+    return given_words(*command,
+                       {"--shard", "--merged", "--output", "--jobs", "--open", "--terminal"});
+}
+
+void add_shard_options(const Command& command, ShardOptions& options, const std::string& parts) {
+    options.command = command;
+    command
+        .add_option("--shard", options.shard,
+                    "Only the K-th of N shares of the " + parts +
+                        ", for `scb merge` to join with those that are made elsewhere")
+        .type_name("K/N")
+        .only_typed();
+    command.add_option("--merged", options.merged, "").only_typed().hide();
+}
+
+void refuse_with_shard(const ShardOptions& options, bool given, const std::string& option,
+                       const std::string& reason) {
+    if ((options.is_shard() || options.is_merge()) && given)
+        throw InputError(option + ": " + reason + "; leave it out, or --shard.");
+}
+
+}  // namespace scb::app
