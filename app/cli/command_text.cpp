@@ -44,22 +44,22 @@ std::string given_text(const Command& command, const std::vector<std::string>& o
 
 std::vector<std::string> given_words(const Command& command,
                                      const std::vector<std::string>& left_out) {
-    std::vector<std::string> words, positional;
+    std::vector<std::string> words;
     for (const CLI::App* app = &command.app(); app->get_parent() != nullptr;
          app = app->get_parent())
         words.insert(words.begin(), app->get_name());
     for (const CLI::Option* option : command.app().get_options()) {
         if (option->count() == 0 || is_one_of(*option, left_out)) continue;
         const std::vector<std::string>& values = option->results();
+        const std::string& name = option->get_name();
         if (option->get_positional())
-            positional = values;
-        else if (option->get_items_expected_max() == 0)
-            words.push_back(option->get_name() + "=" + values.back());
+            for (const std::string& value : values)
+                words.push_back((value.starts_with('-') ? "./" : "") + value);
+        else if (option->get_items_expected_max() > 0)
+            words.push_back(name + "=" + CLI::detail::join(values, ","));
         else
-            words.push_back(option->get_name() + "=" + CLI::detail::join(values, ","));
+            words.push_back(name + (values.back() == "true" ? "" : "=" + values.back()));
     }
-    words.push_back("--");
-    words.insert(words.end(), positional.begin(), positional.end());
     return words;
 }
 

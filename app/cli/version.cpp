@@ -23,6 +23,12 @@ std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* 
     return list;
 }
 
+nlohmann::ordered_json versions_json(const render::GlInfo* gl) {
+    nlohmann::ordered_json json;
+    for (const auto& [name, version] : versions(gl)) json[name] = version;
+    return json;
+}
+
 std::string compiler_text() { return SCB_COMPILER; }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,9 @@ namespace scb::app {
 /// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order.
 /// Without an OpenGL context, the first and the last ones.
 std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* gl);
+
+/// The same as an object.
+nlohmann::ordered_json versions_json(const render::GlInfo* gl);
 
 /// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
 std::string compiler_text();

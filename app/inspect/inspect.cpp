@@ -8,7 +8,9 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/validators.h"
+#include "app/cli/version.h"
 #include "app/explain/explain_report.h"
+#include "app/inspect/frame_findings.h"
 #include "app/inspect/inspect_bodies.h"
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_findings.h"
@@ -30,67 +32,27 @@
 namespace scb::app {
 namespace {
 
-/// Adds frame after frame.
-class Inspector {
-  public:
-    Inspector(QuerySource& source, int top)
-        : source_(source),
-          query_(source.query()),
-          wrong_(static_cast<std::size_t>(top)),
-          weak_tests_(PassReason::weak_test, static_cast<std::size_t>(top)),
-          loose_fits_(PassReason::loose_fit, static_cast<std::size_t>(top)) {
-        report_.header = source.header();
-        for (const OverlapOptions& other : alternative_tests(report_.header)) {
-            report_.others.emplace_back();
-            report_.others.back().overlap = other;
-        }
-    }
-
-    void add(const TraceFrame& frame) {
-        const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
-        const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
-        const TraversalTree tree = traversal_tree(report_.header, frame);
-        const Attribution attribution = source_.attribution(frame, tree);
-        report_.frames.push_back({frame.frame, inspection(frame, tree, attribution)});
-        report_.sum += report_.frames.back().found;
-        vain_ += vain_tests(mesh_a, mesh_b, frame);
-        complete_ &= frame.found.complete;
-        wrong_.add(frame, attribution);
-        weak_tests_.add(frame, tree, attribution);
-        loose_fits_.add(frame, tree, attribution);
-        for (AlternativeTest& other : report_.others)
-            other.add(try_alternative_test(a, mesh_a, b, mesh_b, report_.header, frame, attribution,
-                                           other.overlap));
-    }
-
-    std::size_t frames() const { return report_.frames.size(); }
-    /// Whether no query ended at the pairs that it may find at most.
-    bool complete() const { return complete_; }
-
-    InspectReport report() && {
-        report_.wrong = wrong_.pairs();
-        report_.weak_tests = weak_tests_.pairs();
-        report_.loose_fits = loose_fits_.pairs();
-        for (auto* worst : {&report_.weak_tests, &report_.loose_fits})
-            for (FalsePair& pair : *worst)
-                sharpen_margin(pair, query_.hierarchy(query_.a), query_.hierarchy(query_.b),
-                               query_.b_to_a(pair.frame));
-        sort_by_waste(report_.frames);
-        report_.causes =
-            waste_causes(topology_of(query_.hierarchy(query_.a)), query_.mesh(query_.a),
-                         topology_of(query_.hierarchy(query_.b)), query_.mesh(query_.b), vain_);
-        return std::move(report_);
-    }
-
-  private:
-    QuerySource& source_;
-    const SceneQuery& query_;
-    WorstRejections wrong_;
-    WorstPairs weak_tests_, loose_fits_;
-    VainTests vain_;
-    bool complete_ = true;
-    InspectReport report_;
-};
+/// What there is to say of what was found; nothing of other settings yet.
+InspectReport report_of(const QuerySource& source, const FrameFindings& found) {
+    const SceneQuery& query = source.query();
+    InspectReport report;
+    report.header = source.header();
+    report.frames = found.frames;
+    for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
+    report.others = found.others;
+    report.wrong = found.wrong.pairs();
+    report.weak_tests = found.weak_tests.pairs();
+    report.loose_fits = found.loose_fits.pairs();
+    for (auto* worst : {&report.weak_tests, &report.loose_fits})
+        for (FalsePair& pair : *worst)
+            sharpen_margin(pair, query.hierarchy(query.a), query.hierarchy(query.b),
+                           query.b_to_a(pair.frame));
+    sort_by_waste(report.frames);
+    report.causes =
+        waste_causes(topology_of(query.hierarchy(query.a)), query.mesh(query.a),
+                     topology_of(query.hierarchy(query.b)), query.mesh(query.b), found.vain);
+    return report;
+}
 
 /// A command names no more frames of a trace.
 constexpr std::size_t most_named_frames = 20;
@@ -226,9 +188,13 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 }
 
 int run(InspectOptions& options, const Console& console) {
-    if (options.scene.is_recording() && asks_for_recorded(options.recording))
+    if (options.scene.is_recording() && asks_for_recorded(options.recording)) {
+        refuse_with_shard(options.picture.shards, true, "SCENE",
+                          "another engine's recording is judged as a whole");
         return inspect_recording(options, console);
+    }
     options.check();
+    options.picture.shards.check_folder(options.picture.output);
     QuerySources sources;
     sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits, false);
     QuerySource& source = sources.front();
@@ -236,8 +202,11 @@ int run(InspectOptions& options, const Console& console) {
     note_doubts(options.hierarchy, {query.kind}, console);
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
+    const std::vector<int>& frames = source.frames();
+    Parts parts(options.picture.shards, frames.size(), versions_json(nullptr),
+                options.picture.output);
     std::optional<PictureRun> pictures;
-    if (options.draws()) {
+    if (options.draws() && !parts.are_of_shard()) {
         InspectReport named;
         named.header = source.header();
         name_files(named, options, source);
@@ -247,18 +216,30 @@ int run(InspectOptions& options, const Console& console) {
                                      named.files + "_frames.csv", named.files + "_pairs.csv"});
     }
 
-    Progress progress(console, source.frames().size());
-    Inspector inspector(source, options.top);
-    for (const int number : source.frames()) {
-        if (watch.signal() != 0) break;
-        inspector.add(source.frame(number));
+    Progress progress(console, frames.size());
+    const auto top = static_cast<std::size_t>(options.top);
+    FrameFindings found(source.header(), top);
+    std::size_t done = 0;
+    for (; done < frames.size() && watch.signal() == 0; ++done) {
+        const int number = frames[done];
+        if (parts.are_merged()) {
+            parts.read(done, [&](const nlohmann::ordered_json& made, const auto&) {
+                found += findings_of_json(made, source, number, top);
+            });
+        } else if (parts.are_of_shard() && parts.is_made_here(done)) {
+            FrameFindings of_frame(source.header(), top);
+            of_frame.add(source, source.frame(number));
+            parts.keep(done, findings_json(of_frame));
+        } else if (!parts.are_of_shard()) {
+            found.add(source, source.frame(number));
+        }
         progress.step("frames");
     }
-    const std::size_t done = inspector.frames();
+    if (parts.are_of_shard()) return finish_shard(parts, watch, console);
     // Parts of queries, and queries with errors on purpose, say nothing of settings.
     const bool whole =
-        inspector.complete() && query.options.stop_level < 0 && query.mutation == Mutation::none;
-    InspectReport report = std::move(inspector).report();
+        found.complete && query.options.stop_level < 0 && query.mutation == Mutation::none;
+    InspectReport report = report_of(source, found);
     if (watch.signal() == 0 && whole && report.sum.counts.missed == 0)
         find_settings(report, options, source, console, watch);
     if (pictures && watch.signal() == 0) {
@@ -279,7 +260,7 @@ int run(InspectOptions& options, const Console& console) {
     }
     if (watch.signal() != 0) {
         console.note("scb: interrupted; " + std::to_string(done) + " of " +
-                     std::to_string(source.frames().size()) + " frames were inspected" +
+                     std::to_string(frames.size()) + " frames were inspected" +
                      (pictures ? ", and nothing is drawn." : "."));
         return exit_interrupted(watch.signal());
     }
@@ -322,6 +303,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         .default_str("")
         .description("Also write a page with pictures of the worst pairs, CSV and JSON");
     command.get_option("--json").description("Print JSON");
+    add_shard_options(command, options->picture.shards, "frames");
     command.footer(
         "A pair of nodes passes the test for one of three reasons: triangles below it intersect "
         "(true); its volumes\n"

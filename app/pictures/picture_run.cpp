@@ -43,15 +43,12 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
                                         options.video.rate(), options.theme()->background);
 }
 
-Json PictureRun::versions_json() const {
-    Json json;
-    const render::GlInfo info = context_.info();
-    for (const auto& [name, version] : versions(&info)) json[name] = version;
-    return json;
-}
-
 void PictureRun::plan(std::size_t parts) {
-    parts_ = Parts(options_.shards, parts, versions_json(), folder_);
+    const render::GlInfo info = context_.info();
+    Json versions = versions_json(&info);
+    // It also tells the processor's vector instructions, which change no picture.
+    versions.erase("gl");
+    parts_ = Parts(options_.shards, parts, std::move(versions), folder_);
     if (is_shard()) make_shards_folder(folder_);
 }
 
@@ -253,7 +250,8 @@ void PictureRun::finish(Json head, const Console& console) {
         video_->finish();
         head["video"] = {{"fps", options_.video.rate()}, {"frames", video_->frames()}};
     }
-    head["versions"] = versions_json();
+    const render::GlInfo info = context_.info();
+    head["versions"] = versions_json(&info);
     head["files"] = files_;
     index_.write(head);
     written_.push_back("index.json");

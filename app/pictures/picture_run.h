@@ -90,7 +90,6 @@ class PictureRun {
     void take_picture(const nlohmann::ordered_json& picture, const std::filesystem::path& from);
     /// A file of that picture.
     void take_file(const std::string& name, const std::filesystem::path& from);
-    nlohmann::ordered_json versions_json() const;
     std::string written_list() const;
     /// Of the picture that the overlay belongs to.
     void write_svg(const std::string& name, const render::Picture& picture);

@@ -41,13 +41,9 @@ std::vector<std::string> merging_words(const MergeOptions& options, const Consol
     // Its shards have what configuration files say.
     std::vector<std::string> words = {"--no-config"};
     if (console.quiet) words.emplace_back("--quiet");
-    for (const std::string& word : of_shards) {
-        if (word == "--") {
-            for (const fs::path& file : files) words.push_back("--merged=" + file.string());
-            if (!options.output.empty()) words.push_back("--output=" + options.output);
-        }
-        words.push_back(word);
-    }
+    words.insert(words.end(), of_shards.begin(), of_shards.end());
+    for (const fs::path& file : files) words.push_back("--merged=" + file.string());
+    if (!options.output.empty()) words.push_back("--output=" + options.output);
     return words;
 }
 

@@ -1,5 +1,6 @@
 #include "app/shards/parts.h"
 
+#include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 
@@ -36,9 +37,9 @@ bool Parts::is_made_here(std::size_t k) const {
     return !are_merged() && (!kept_ || in_shard(kept_->shard, k));
 }
 
-std::size_t Parts::count() const {
+std::size_t Parts::count(std::size_t first, std::size_t end) const {
     std::size_t count = 0;
-    for (std::size_t k = 0; k < total_; ++k) count += are_merged() || is_made_here(k);
+    for (std::size_t k = first; k < end; ++k) count += is_made_here(k);
     return count;
 }
 
@@ -58,6 +59,15 @@ std::filesystem::path Parts::write() const {
     const std::filesystem::path file = shard_path(folder_, kept_->shard);
     write_shard_file(file, *kept_);
     return file;
+}
+
+int finish_shard(const Parts& parts, const InterruptWatch& watch, const Console& console) {
+    if (watch.signal() == 0) {
+        print_result(parts.write().string() + "\n");
+        return exit_done;
+    }
+    console.note("scb: interrupted; the shard is to be made again.");
+    return exit_interrupted(watch.signal());
 }
 
 }  // namespace scb::app

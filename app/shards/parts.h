@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
 #include "app/shards/shard_file.h"
 #include "app/shards/shard_options.h"
 
@@ -25,8 +27,8 @@ class Parts {
     bool are_of_shard() const { return kept_.has_value(); }
     bool are_merged() const { return !merged_.empty(); }
     bool is_made_here(std::size_t k) const;
-    /// How many are made here, or joined.
-    std::size_t count() const;
+    /// How many of those from `first` to before `end` are made here.
+    std::size_t count(std::size_t first, std::size_t end) const;
 
     /// Hands over what a shard made of a part, and the folder that has its files. Throws InputError
     /// where that cannot be read.
@@ -46,5 +48,8 @@ class Parts {
     std::vector<ShardFile> merged_;
     std::vector<std::filesystem::path> files_;  ///< of these
 };
+
+/// Writes the shard and prints its name, unless a signal came. Returns the exit status.
+int finish_shard(const Parts& parts, const InterruptWatch& watch, const Console& console);
 
 }  // namespace scb::app

@@ -24,8 +24,6 @@ ShardFile shard_of(const Json& json) {
     ShardFile file;
     file.shard = scenes::parse_shard(json.at("shard").get_ref<const std::string&>());
     file.words = json.at("command").get<std::vector<std::string>>();
-    if (std::find(file.words.begin(), file.words.end(), "--") == file.words.end())
-        throw InputError("its command has no end of options");
     file.versions = json.at("versions");
     file.total = json.at("total").get<std::size_t>();
     for (const Json& part : json.at("parts")) {
@@ -43,11 +41,8 @@ ShardFile shard_of(const Json& json) {
 
 std::string shard_command(const std::vector<std::string>& words, const std::string& shard) {
     std::string text = "scb";
-    for (const std::string& word : words) {
-        if (word == "--") text += " --shard " + shard + " -o DIR";
-        text += " " + golden::shell_word(word);
-    }
-    return text;
+    for (const std::string& word : words) text += " " + golden::shell_word(word);
+    return text + " --shard " + shard + " -o DIR";
 }
 
 namespace {

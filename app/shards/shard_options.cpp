@@ -14,6 +14,11 @@ std::optional<scenes::Shard> ShardOptions::asked() const {
     }
 }
 
+void ShardOptions::check_folder(const std::string& folder) const {
+    if (is_shard() && folder.empty())
+        throw InputError("--shard " + shard + ": say where to keep the shard, with -o DIR.");
+}
+
 std::vector<std::string> ShardOptions::words() const {
     // Where results go, and who is shown them, differs from machine to machine.
     return given_words(*command,

@@ -19,6 +19,8 @@ struct ShardOptions {
     bool is_merge() const { return !merged.empty(); }
     /// Throws InputError for what is no shard.
     std::optional<scenes::Shard> asked() const;
+    /// A shard needs a folder. Throws InputError where there is none.
+    void check_folder(const std::string& folder) const;
     /// The words of the command line that all shards of a run have in common.
     std::vector<std::string> words() const;
 };

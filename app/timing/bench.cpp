@@ -12,6 +12,7 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/plot_file.h"
 #include "app/query/layout_options.h"
+#include "app/shards/parts.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/correlation_report.h"
@@ -130,6 +131,13 @@ std::string place_words(const std::vector<double>& pose) {
     return format(" · B at %.4g, %.4g, %.4g", pose[3], pose[7], pose[11]);
 }
 
+/// The parts of a run are frames of scenes: the number of the scene's first one.
+std::size_t first_part(const std::vector<Entry>& all, std::size_t scene) {
+    std::size_t first = 0;
+    for (std::size_t e = 0; e < scene; ++e) first += all[e].frames.size();
+    return first;
+}
+
 int run(const BenchCommandOptions& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
@@ -161,7 +169,11 @@ int run(const BenchCommandOptions& options, const Console& console) {
                 check_packable(mesh.mesh, entry.scene.name + ", " + mesh.name);
             }
 
-    const bool writes = !options.picture.output.empty();
+    const ShardOptions& shards = options.picture.shards;
+    shards.check_folder(options.picture.output);
+    Parts parts(shards, first_part(all, all.size()), versions_json(nullptr),
+                options.picture.output);
+    const bool writes = !options.picture.output.empty() && !parts.are_of_shard();
     const BenchFiles files(options);
     const std::string csv_file = files.of_all("bench", ".csv"),
                       json_file = files.of_all("bench", ".json"),
@@ -205,18 +217,41 @@ int run(const BenchCommandOptions& options, const Console& console) {
     // Whether it was finished.
     const auto measure = [&](std::size_t e) {
         const Entry& entry = all[e];
-        Progress progress(console, entry.frames.size() * bench_options.subjects.size() *
-                                       static_cast<std::size_t>(options.repeats));
+        const std::size_t first = first_part(all, e);
+        const std::size_t queries =
+            bench_options.subjects.size() * static_cast<std::size_t>(options.repeats);
+        Progress progress(console, parts.count(first, first + entry.frames.size()) * queries);
         const std::string what = entry.scene.name + " (scene " + std::to_string(e + 1) + " of " +
                                  std::to_string(all.size()) + ")";
         const auto step = [&] {
             progress.step(what);
             return watch.signal() == 0;
         };
-        std::optional<SceneBench> bench =
-            bench_scene(entry.scene, entry.a, entry.b, entry.frames, bench_options, step);
-        if (!bench) return false;
+        std::optional<SceneBench> bench;
+        if (parts.are_merged()) {
+            bench = empty_bench(entry.scene, entry.a, entry.b, bench_options.subjects);
+            for (std::size_t i = 0; i < entry.frames.size(); ++i)
+                parts.read(first + i,
+                           [&](const Json& made, const auto&) { add_bench_frame(*bench, made); });
+        } else {
+            std::vector<int> frames;
+            std::vector<std::size_t> numbers;
+            for (std::size_t i = 0; i < entry.frames.size(); ++i) {
+                if (!parts.is_made_here(first + i)) continue;
+                frames.push_back(entry.frames[i]);
+                numbers.push_back(first + i);
+            }
+            if (frames.empty()) return true;
+            bench = bench_scene(entry.scene, entry.a, entry.b, frames, bench_options, step);
+            if (!bench) return false;
+            if (parts.are_of_shard()) {
+                for (std::size_t i = 0; i < frames.size(); ++i)
+                    parts.keep(numbers[i], bench_frame_json(*bench, i));
+                return true;
+            }
+        }
         bench->builtin = entry.builtin;
+        bench->all_frames = entry.frames.size() == static_cast<std::size_t>(entry.scene.frames);
         report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
         report.costs.add(*bench);
         if (report.correlation) report.correlation->add(*bench);
@@ -244,6 +279,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         failure = std::current_exception();
     }
     if (failure && report.scenes.empty()) std::rethrow_exception(failure);
+    if (parts.are_of_shard()) return finish_shard(parts, watch, console);
     if (options.json)
         print_result(json());
     else if (!report.table.empty())

@@ -53,6 +53,8 @@ std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
             subject.names_split = splits.size() > 1;
             result.push_back(subject);
         }
+    refuse_with_shard(options.picture.shards, options.coherent, "--coherent",
+                      "a front is kept from each frame to the next");
     if (options.coherent && std::none_of(result.begin(), result.end(),
                                          [](const BenchSubject& s) { return s.coherent; }))
         throw InputError(
@@ -173,6 +175,7 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
                      "turns at each frame");
     add_figure_options(command, options.picture,
                        "Folder for bench.csv, bench.json and a picture per scene");
+    add_shard_options(command, options.picture.shards, "frames of each scene");
     command.add_flag("--coherent", options.coherent,
                      "Also time each packed layout with a front: if bodies move slowly, a query "
                      "begins where an earlier one ended. Add --warm for a fair comparison");

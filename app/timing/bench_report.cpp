@@ -60,7 +60,7 @@ std::string pairs_text(const SceneBench& bench) {
     const SubjectBench& first = bench.subjects.front();
     std::string others;
     for (const SubjectBench& subject : bench.subjects)
-        if (subject.pairs_hash != first.pairs_hash)
+        if (subject.pairs_hash() != first.pairs_hash())
             others += (others.empty() ? "" : ", ") + subject.subject.title();
     return others.empty() ? "  All found the same pairs.\n"
                           : "  Other pairs than " + first.subject.title() + ": " + others + "\n";
@@ -210,7 +210,7 @@ Json bench_json(const SceneBench& bench) {
         row["n_p"] = mean(subject.n_p);
         row["n_u"] = mean(subject.n_u);
         row["pairs"] = mean(subject.pairs);
-        row["pairs_hash"] = hash_text(subject.pairs_hash);
+        row["pairs_hash"] = hash_text(subject.pairs_hash());
         row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
         for (std::size_t p = 0; p < subject.predictors.size(); ++p)
@@ -229,6 +229,38 @@ Json bench_json(const SceneBench& bench) {
             {"triangles", bench.triangles},
             {"frames", bench.frames.size()},
             {"hierarchies", hierarchies}};
+}
+
+Json bench_frame_json(const SceneBench& bench, std::size_t i) {
+    Json subjects = Json::array();
+    for (const SubjectBench& subject : bench.subjects)
+        subjects.push_back({{"ms", subject.ms[i]},
+                            {"n_v", subject.n_v[i]},
+                            {"n_p", subject.n_p[i]},
+                            {"n_u", subject.n_u[i]},
+                            {"pairs", subject.pairs[i]},
+                            {"pairs_hash", subject.pairs_hashes[i]},
+                            {"bytes_per_triangle", subject.bytes_per_triangle},
+                            {"predictors", subject.predictors}});
+    return {{"frame", bench.frames[i]}, {"subjects", std::move(subjects)}};
+}
+
+void add_bench_frame(SceneBench& bench, const Json& json) {
+    bench.frames.push_back(json.at("frame").get<int>());
+    for (std::size_t s = 0; s < bench.subjects.size(); ++s) {
+        const Json& from = json.at("subjects").at(s);
+        SubjectBench& subject = bench.subjects[s];
+        const auto count = [&](const char* name) { return from.at(name).get<std::uint64_t>(); };
+        subject.ms.push_back(from.at("ms").get<double>());
+        subject.n_v.push_back(count("n_v"));
+        subject.n_p.push_back(count("n_p"));
+        subject.n_u.push_back(count("n_u"));
+        subject.pairs.push_back(count("pairs"));
+        subject.pairs_hashes.push_back(count("pairs_hash"));
+        // The same in each frame.
+        from.at("bytes_per_triangle").get_to(subject.bytes_per_triangle);
+        from.at("predictors").get_to(subject.predictors);
+    }
 }
 
 std::string bench_csv(const SceneBench& bench) {

@@ -28,6 +28,12 @@ struct BenchCosts {
 /// The same as JSON, without the frames.
 nlohmann::ordered_json bench_json(const SceneBench& bench);
 
+/// What was measured in the i-th frame, for the file of a shard.
+nlohmann::ordered_json bench_frame_json(const SceneBench& bench, std::size_t i);
+/// Adds what stands there to the frames of the bench, which has its subjects. Throws what the JSON
+/// library throws for JSON of another bench.
+void add_bench_frame(SceneBench& bench, const nlohmann::ordered_json& json);
+
 /// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split"; without the header.
 std::string bench_csv(const SceneBench& bench);
 inline constexpr const char* bench_csv_header =

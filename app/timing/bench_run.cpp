@@ -77,6 +77,17 @@ std::vector<std::vector<double>> predictors_of(const std::vector<BuiltHierarchie
 
 double SubjectBench::mean_ms() const { return mean(ms); }
 
+SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
+                       const std::vector<BenchSubject>& subjects) {
+    SceneBench bench;
+    bench.scene = scene.name;
+    bench.bodies = {scene.bodies[a].name, scene.bodies[b].name};
+    for (const std::size_t body : {a, b})
+        bench.triangles.push_back(scene.meshes[scene.bodies[body].mesh].mesh.triangles.size());
+    for (const BenchSubject& subject : subjects) bench.subjects.push_back({.subject = subject});
+    return bench;
+}
+
 std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
@@ -120,16 +131,10 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
         return found;
     };
 
-    SceneBench result;
-    result.scene = scene.name;
-    result.bodies = {scene.bodies[a].name, scene.bodies[b].name};
+    SceneBench result = empty_bench(scene, a, b, options.subjects);
     result.frames = frames;
-    result.all_frames = frames.size() == static_cast<std::size_t>(scene.frames);
-    for (const std::size_t m : {mesh_a, mesh_b})
-        result.triangles.push_back(scene.meshes[m].mesh.triangles.size());
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         const BenchSubject& subject = options.subjects[s];
-        result.subjects.push_back({.subject = subject});
         const std::vector<AnyHierarchy>& h = built[built_of[s]].hierarchies;
         std::size_t bytes = 0;
         for (const std::size_t m : {mesh_a, mesh_b}) {
@@ -165,7 +170,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
         subject.n_p.push_back(found.n_p);
         subject.n_u.push_back(found.n_u);
         subject.pairs.push_back(found.pairs.size());
-        subject.pairs_hash = pairs_hash(found.pairs, subject.pairs_hash);
+        subject.pairs_hashes.push_back(pairs_hash(found.pairs));
     };
     timing.step = step;
     const auto ms = time_queries(timing);

@@ -30,7 +30,7 @@ struct SubjectBench {
     BenchSubject subject{};
     std::vector<double> ms{};  ///< processor time of a query: the median of the repeats
     std::vector<std::uint64_t> n_v{}, n_p{}, n_u{}, pairs{};
-    std::uint64_t pairs_hash = fnv_offset_basis;  ///< of the pairs of all frames, one after another
+    std::vector<std::uint64_t> pairs_hashes{};
     double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
     /// Where it is coherent, the share of queries that began at a front of an earlier one: others
     /// began at the roots, and some of these made a front.
@@ -39,6 +39,7 @@ struct SubjectBench {
     std::vector<double> predictors{};
 
     double mean_ms() const;
+    std::uint64_t pairs_hash() const { return joined_hash(pairs_hashes); }
 };
 
 struct SceneBench {
@@ -61,6 +62,10 @@ struct BenchOptions {
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
 };
+
+/// What is known of a bench before anything is measured: no frames yet.
+SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
+                       const std::vector<BenchSubject>& subjects);
 
 /// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
 /// `step` is called after each query and ends the measurement by returning false; then there is no

@@ -69,6 +69,16 @@ void WorstPairs::add(const TraceFrame& frame, const TraversalTree& tree,
         (outermost ? outermost_ : parts_).push_back(found);
         listed[pair.test] = tests_below(found);
     }
+    keep_worst_ones();
+}
+
+void WorstPairs::add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts) {
+    outermost_.insert(outermost_.end(), outermost.begin(), outermost.end());
+    parts_.insert(parts_.end(), parts.begin(), parts.end());
+    keep_worst_ones();
+}
+
+void WorstPairs::keep_worst_ones() {
     for (std::vector<FalsePair>* pairs : {&outermost_, &parts_}) {
         std::sort(pairs->begin(), pairs->end(), is_worse);
         keep_worst(*pairs, most_);
@@ -86,6 +96,11 @@ std::vector<FalsePair> WorstPairs::pairs() const {
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
     for (const WrongRejection& rejection : attribution.wrongly_rejected)
         pairs_.push_back({frame.frame, rejection, frame.events.volume_tests[rejection.test]});
+    add(std::vector<WronglyRejectedPair>{});
+}
+
+void WorstRejections::add(const std::vector<WronglyRejectedPair>& pairs) {
+    pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
     std::sort(pairs_.begin(), pairs_.end(), misses_more);
     keep_worst(pairs_, most_);
 }

@@ -38,10 +38,18 @@ class WorstPairs {
 
     /// `tree` is traversal_tree's.
     void add(const TraceFrame& frame, const TraversalTree& tree, const Attribution& attribution);
+    /// Adds what others kept of other frames.
+    void add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts);
     /// The worst one first.
     std::vector<FalsePair> pairs() const;
 
+    /// What is kept, the worst first: those that are not within another, and parts of these.
+    const std::vector<FalsePair>& outermost() const { return outermost_; }
+    const std::vector<FalsePair>& parts() const { return parts_; }
+
   private:
+    void keep_worst_ones();
+
     PassReason reason_;
     std::size_t most_;
     std::vector<FalsePair> outermost_, parts_;
@@ -55,6 +63,8 @@ class WorstRejections {
     explicit WorstRejections(std::size_t most) : most_(most) {}
 
     void add(const TraceFrame& frame, const Attribution& attribution);
+    /// Adds what others kept of other frames.
+    void add(const std::vector<WronglyRejectedPair>& pairs);
     /// The worst one first.
     const std::vector<WronglyRejectedPair>& pairs() const { return pairs_; }
 

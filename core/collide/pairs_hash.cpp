@@ -39,6 +39,16 @@ std::uint64_t pairs_hash(std::span<const IndexPair> pairs, std::uint64_t start) 
     return hash.value();
 }
 
+std::uint64_t joined_hash(std::span<const std::uint64_t> hashes) {
+    std::uint64_t joined = hashes.empty() ? fnv_offset_basis : hashes.front();
+    for (std::size_t i = 1; i < hashes.size(); ++i) {
+        Fnv1a hash(joined);
+        for (const char digit : hash_text(hashes[i])) hash.add(digit);
+        joined = hash.value();
+    }
+    return joined;
+}
+
 std::string hash_text(std::uint64_t hash) {
     constexpr std::size_t size = 16;
     std::string text(size, '0');

@@ -1,0 +1,149 @@
+#include "app/inspect/frame_findings.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace scb {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IndexPair, a, b)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeTest, nodes, depth_a, depth_b, stage)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Work, volume_tests, triangle_tests, operations)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassCounts, inner, leaves, touching, wrongly_rejected, missed,
+                                   all, wasted, wasted_by_tests)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthInspection, tests, wasted, wasted_by_tests, passed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Inspection, pairs, counts, depths)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InspectedFrame, frame, found)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VainTests, tests, parallel)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassedPair, test, reason, leaves, within_false_pair,
+                                   within_weak_test, exact, gap, below)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FalsePair, frame, pair, test, margin)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WrongRejection, test, missed, exact)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WronglyRejectedPair, frame, rejection, test)
+
+}  // namespace scb
+
+namespace scb::app {
+namespace {
+
+// The macros know this kind alone.
+using MacroJson = nlohmann::json;
+
+/// Throws where a number is not of the query of that frame: somebody has edited the file.
+class Checks {
+  public:
+    Checks(const QuerySource& source, int frame) : query_(source.query()), frame_(frame) {}
+
+    void operator()(bool is_right) const {
+        if (!is_right)
+            throw MacroJson::other_error::create(501, "numbers of another query", nullptr);
+    }
+    void operator()(const FalsePair& pair) const {
+        (*this)(pair.frame, pair.test);
+        (*this)(static_cast<std::size_t>(pair.pair.reason) < pass_reason_count);
+        (*this)(pair.pair.exact);
+    }
+    void operator()(const WronglyRejectedPair& pair) const {
+        (*this)(pair.frame, pair.test);
+        (*this)(pair.rejection.exact);
+    }
+
+  private:
+    void operator()(int frame, const VolumeTest& test) const {
+        (*this)(frame == frame_ && test.nodes.a < node_count(query_.a) &&
+                test.nodes.b < node_count(query_.b) &&
+                static_cast<std::size_t>(test.stage) < stage_count);
+    }
+    void operator()(Contact contact) const {
+        (*this)(contact >= Contact::disjoint && contact <= Contact::touching);
+    }
+
+    std::size_t node_count(std::size_t body) const {
+        return topology_of(query_.hierarchy(body)).nodes.size();
+    }
+
+    const SceneQuery& query_;
+    int frame_;
+};
+
+}  // namespace
+
+FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top)
+    : weak_tests(PassReason::weak_test, top), loose_fits(PassReason::loose_fit, top), wrong(top) {
+    for (const OverlapOptions& other : alternative_tests(header))
+        others.emplace_back().overlap = other;
+}
+
+void FrameFindings::add(QuerySource& source, const TraceFrame& frame) {
+    const SceneQuery& query = source.query();
+    const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
+    const Mesh &mesh_a = query.mesh(query.a), &mesh_b = query.mesh(query.b);
+    const TraversalTree tree = traversal_tree(source.header(), frame);
+    const Attribution attribution = source.attribution(frame, tree);
+    frames.push_back({frame.frame, inspection(frame, tree, attribution)});
+    complete &= frame.found.complete;
+    vain += vain_tests(mesh_a, mesh_b, frame);
+    wrong.add(frame, attribution);
+    weak_tests.add(frame, tree, attribution);
+    loose_fits.add(frame, tree, attribution);
+    for (AlternativeTest& other : others)
+        other.add(try_alternative_test(a, mesh_a, b, mesh_b, source.header(), frame, attribution,
+                                       other.overlap));
+}
+
+FrameFindings& FrameFindings::operator+=(const FrameFindings& other) {
+    frames.insert(frames.end(), other.frames.begin(), other.frames.end());
+    complete &= other.complete;
+    vain += other.vain;
+    wrong.add(other.wrong.pairs());
+    weak_tests.add(other.weak_tests.outermost(), other.weak_tests.parts());
+    loose_fits.add(other.loose_fits.outermost(), other.loose_fits.parts());
+    for (std::size_t i = 0; i < others.size(); ++i) others[i].add(other.others[i]);
+    return *this;
+}
+
+nlohmann::ordered_json findings_json(const FrameFindings& findings) {
+    MacroJson others = MacroJson::array();
+    for (const AlternativeTest& other : findings.others)
+        others.push_back({{"caught", other.caught}, {"pairs", other.pairs}, {"all", other.all}});
+    return MacroJson{{"frames", findings.frames},
+                     {"complete", findings.complete},
+                     {"vain", findings.vain},
+                     {"weak_tests", findings.weak_tests.outermost()},
+                     {"weak_test_parts", findings.weak_tests.parts()},
+                     {"loose_fits", findings.loose_fits.outermost()},
+                     {"loose_fit_parts", findings.loose_fits.parts()},
+                     {"wrong", findings.wrong.pairs()},
+                     {"others", std::move(others)}};
+}
+
+FrameFindings findings_of_json(const nlohmann::ordered_json& json, const QuerySource& source,
+                               int frame, std::size_t top) {
+    const MacroJson of_frame = json;
+    const Checks check(source, frame);
+    FrameFindings findings(source.header(), top);
+    of_frame.at("frames").get_to(findings.frames);
+    check(findings.frames.size() == 1 && findings.frames[0].frame == frame);
+    of_frame.at("complete").get_to(findings.complete);
+    of_frame.at("vain").get_to(findings.vain);
+    const auto pairs_of = [&]<class P>(const char* name, std::vector<P> pairs) {
+        of_frame.at(name).get_to(pairs);
+        for (const P& pair : pairs) check(pair);
+        return pairs;
+    };
+    const auto false_pairs = [&](const char* name) {
+        return pairs_of(name, std::vector<FalsePair>());
+    };
+    findings.weak_tests.add(false_pairs("weak_tests"), false_pairs("weak_test_parts"));
+    findings.loose_fits.add(false_pairs("loose_fits"), false_pairs("loose_fit_parts"));
+    findings.wrong.add(pairs_of("wrong", std::vector<WronglyRejectedPair>()));
+    const MacroJson& others = of_frame.at("others");
+    check(others.size() == findings.others.size());
+    for (std::size_t i = 0; i < findings.others.size(); ++i) {
+        others[i].at("caught").get_to(findings.others[i].caught);
+        others[i].at("pairs").get_to(findings.others[i].pairs);
+        others[i].at("all").get_to(findings.others[i].all);
+    }
+    return findings;
+}
+
+}  // namespace scb::app
