@@ -48,8 +48,9 @@ struct EngineQuery {
     bool tells_items = false, tells_pairs = false;
     bool complete = true;           ///< false: it ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
-    /// Lengths up to which the engine's arithmetic may differ from exact one.
-    double tolerance = 0;
+    /// Lengths up to which the engine's arithmetic may differ from exact one: of volumes, and of
+    /// triangles.
+    double tolerance = 0, triangle_tolerance = 0;
 };
 
 }  // namespace scb

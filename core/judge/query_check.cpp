@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/geometry/triangle_distance.h"
 #include "core/judge/object_contacts.h"
 #include "core/judge/test_links.h"
 #include "scb/triangle_overlap.h"
@@ -18,13 +19,6 @@ std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(a) << 32 | b;
 }
 
-NodeVolume triangle_volume(const TriangleCorners& corners) {
-    Polytope triangle;
-    triangle.center = (corners[0] + corners[1] + corners[2]) / 3;
-    for (const Vec3& corner : corners) triangle.corners.push_back(corner - triangle.center);
-    return std::make_shared<const Polytope>(std::move(triangle));
-}
-
 bool has_items(const EngineQuery& query, IndexPair items) {
     const auto has = [](const EngineSide& side, std::uint32_t item) {
         return !side.mesh || item < side.mesh->triangles.size();
@@ -35,8 +29,15 @@ bool has_items(const EngineQuery& query, IndexPair items) {
 /// Two triangles of the query: whether they intersect, and whether that is within the tolerance.
 struct ItemContact {
     bool meet = false, grazing = false;
-    double margin = 0;  ///< gap or depth, at least
+    double margin = 0;  ///< gap or depth; of volumes, at least
 };
+
+/// In the frame of A.
+std::array<TriangleCorners, 2> triangles_of(const EngineQuery& query, const Pose& b_to_a,
+                                            IndexPair items) {
+    return {corners(*query.sides[0].mesh, items.a),
+            transform_corners(b_to_a, corners(*query.sides[1].mesh, items.b))};
+}
 
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
     if (has_object_volumes(query)) {
@@ -51,13 +52,10 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
         return {found.contact == Contact::overlapping, found.contact == Contact::touching,
                 found.margin};
     }
-    const TriangleCorners a = corners(*query.sides[0].mesh, items.a),
-                          b = corners(*query.sides[1].mesh, items.b);
-    const ContactCertificate found =
-        exact_verdict(triangle_volume(a), triangle_volume(b), b_to_a, query.tolerance);
-    ItemContact result{triangles_overlap(a, transform_corners(b_to_a, b)), false, found.margin};
-    result.grazing = found.contact != (result.meet ? Contact::overlapping : Contact::disjoint);
-    return result;
+    const auto [a, b] = triangles_of(query, b_to_a, items);
+    const bool meet = triangles_overlap(a, b);
+    const double margin = meet ? triangle_depth(a, b) : triangle_gap(a, b);
+    return {meet, margin <= query.triangle_tolerance, margin};
 }
 
 bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query.sides[1].mesh; }
@@ -65,12 +63,11 @@ bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query
 /// The gap or depth of two triangles whose test erred, and not just within the tolerance.
 std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
                                const EngineEvent& event) {
-    if (!have_meshes(query) || !has_items(query, {event.a, event.b})) return std::nullopt;
-    const TriangleCorners a = corners(*query.sides[0].mesh, event.a),
-                          b = corners(*query.sides[1].mesh, event.b);
-    if (triangles_overlap(a, transform_corners(b_to_a, b)) == (event.kind == Kind::items_meet))
-        return std::nullopt;
-    const ItemContact contact = contact_of(query, b_to_a, {event.a, event.b});
+    const IndexPair items{event.a, event.b};
+    if (!have_meshes(query) || !has_items(query, items)) return std::nullopt;
+    const auto [a, b] = triangles_of(query, b_to_a, items);
+    if (triangles_overlap(a, b) == (event.kind == Kind::items_meet)) return std::nullopt;
+    const ItemContact contact = contact_of(query, b_to_a, items);
     return contact.grazing ? std::nullopt : std::optional(contact.margin);
 }
 

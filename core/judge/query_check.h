@@ -67,7 +67,7 @@ struct PairProblem {
 /// A test of two items that erred, and not just within the tolerance.
 struct WrongItemTest {
     std::uint32_t event = 0;  ///< index into EngineQuery::events
-    double margin = 0;        ///< gap or depth of the two triangles, at least
+    double margin = 0;        ///< gap or depth of the two triangles
     bool strayed = false;     ///< no test of the nodes that have them came before it
     bool unknown = false;     ///< one of the two does not exist
 };

@@ -296,18 +296,22 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
     query_.complete = end.complete;
     query_.nanoseconds = end.nanoseconds;
     std::array<const BodyState*, 2> bodies{};
-    double share = 0, length = 0, defect = 0;
+    double share = 0, length = 0, length_of_meshes = 0, defect = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         bodies[k] = &bodies_.at(bodies_of_query_[k]);
         query_.sides[k] = side_of(bodies[k]->tree);
         const TreeState& tree = trees_.at(bodies[k]->tree);
         share = std::max(share, share_of(tree));
-        length += reach_of(tree) + std::sqrt(squared_norm(bodies[k]->pose.translation));
+        const double away = std::sqrt(squared_norm(bodies[k]->pose.translation));
+        length += reach_of(tree) + away;
+        length_of_meshes += mesh_reach(tree) + away;
         defect = std::max(defect, bodies[k]->defect);
     }
     query_.rigid = bodies[0]->is_rigid() && bodies[1]->is_rigid();
     query_.b_to_a = query_.rigid ? relative_pose(bodies[0]->pose, bodies[1]->pose) : Pose{};
-    query_.tolerance = std::max((share + (query_.rigid ? defect : 0)) * length, told_tolerance_);
+    if (!query_.rigid) defect = 0;
+    query_.tolerance = tolerance_of(share, length) + defect * length;
+    query_.triangle_tolerance = tolerance_of(share, length_of_meshes) + defect * length_of_meshes;
     query_.b_to_a_before.reset();
     if (query_.rigid && bodies[0]->last && bodies[1]->last)
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);
@@ -330,13 +334,22 @@ double RecordedQueries::share_of(const TreeState& tree) const {
     return single ? single_tolerance : double_tolerance;
 }
 
-double RecordedQueries::reach_of(const TreeState& tree) const {
+double RecordedQueries::mesh_reach(const TreeState& tree) const {
     const auto mesh = meshes_.find(tree.mesh);
-    return std::max(tree.reach, mesh != meshes_.end() ? mesh->second.reach : 0);
+    return mesh != meshes_.end() ? mesh->second.reach : 0;
+}
+
+double RecordedQueries::reach_of(const TreeState& tree) const {
+    return std::max(tree.reach, mesh_reach(tree));
+}
+
+double RecordedQueries::tolerance_of(double share, double length) const {
+    // This program's own rounding is not the engine's.
+    return told_tolerance_ ? std::max(*told_tolerance_, double_tolerance * length) : share * length;
 }
 
 double RecordedQueries::tolerance_of(const TreeState& tree) const {
-    return std::max(share_of(tree) * reach_of(tree), told_tolerance_);
+    return tolerance_of(share_of(tree), reach_of(tree));
 }
 
 EngineSide RecordedQueries::side_of(std::uint32_t tree) {

@@ -128,7 +128,10 @@ class RecordedQueries {
     void set_volume(TreeState& tree, std::uint32_t index, const RecordedVolume& volume);
     void note_odd(const std::string& what);
     double share_of(const TreeState& tree) const;
+    /// The largest |coordinate| of its mesh, and of its volumes too.
+    double mesh_reach(const TreeState& tree) const;
     double reach_of(const TreeState& tree) const;
+    double tolerance_of(double share, double length) const;
     /// Throws where there is none of this number.
     template <class State>
     State& known(std::map<std::uint32_t, State>& states, std::uint32_t number, const char* what);
@@ -142,7 +145,7 @@ class RecordedQueries {
     std::map<std::uint8_t, std::string> stages_;
     std::vector<std::uint8_t> stage_order_;
     std::vector<RecordedSetting> settings_;
-    double told_tolerance_ = 0;
+    std::optional<double> told_tolerance_;
     EngineQuery query_;
     std::array<std::uint32_t, 2> bodies_of_query_{};
     std::vector<std::string> oddities_;
