@@ -107,6 +107,25 @@ std::string tests_text(const RecordingJudgement& judged) {
     return text + "\n";
 }
 
+/// The queries whose tests fit another pose, the first of each.
+std::string poses_text(const RecordingJudgement& judged, std::size_t top) {
+    std::map<std::string, std::size_t> counts;
+    std::string text;
+    for (const auto& pose : judged.poses) {
+        if (++counts[pose.pose] > std::min<std::size_t>(top, 3)) continue;
+        text += std::string("Pose: the tests ") + (pose.only_volumes ? "of volumes " : "") + "at " +
+                query_words(pose.query) + " fit " + pose.pose + ": " +
+                count_text(pose.told.all_wrong()) +
+                " are wrong with the one that was told, none with this" +
+                (pose.only_volumes ? ". Those of triangles fit the one that was told.\n" : ".\n");
+    }
+    for (const auto& [pose, count] : counts)
+        if (const std::size_t more = count - std::min(count, std::min<std::size_t>(top, 3)))
+            text +=
+                "Pose: " + counted(more, "more query fits", "more queries fit") + " " + pose + ".\n";
+    return text.empty() ? text : text + "\n";
+}
+
 std::string groups_text(const char* title, const std::vector<ProblemGroup>& groups,
                         std::size_t cases) {
     std::string text;
@@ -140,7 +159,7 @@ std::string verdict_text(const RecordingJudgement& judged) {
     for (const TreeJudgement& tree : judged.trees) faults += tree.problems.size();
     for (const ProblemGroup& group : judged.test_problems) tests += group.count;
     add(faults, "fault of trees", "faults of trees");
-    add(judged.poses.size(), "query with another pose", "queries with another pose");
+    add(judged.poses.size(), "query that fits another pose", "queries that fit another pose");
     add(tests, "test that went wrong", "tests that went wrong");
     add(sum(judged, &FrameJudgement::missed), "pair missed", "pairs missed");
     add(sum(judged, &FrameJudgement::false_pairs), "false pair", "false pairs");
@@ -262,17 +281,14 @@ std::string recording_text(const RecordingJudgement& judged, const std::string& 
                        counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
                        " of volumes, " + count_text(sum(judged, &FrameJudgement::item_tests)) +
                        " of triangles\n" + verdict_text(judged);
-    for (const auto& pose : judged.poses)
-        text += "Pose: the tests at " + query_words(pose.query) + " fit " + pose.pose + ": " +
-                count_text(pose.told.wrong) + " are wrong with the one that was told, none with " +
-                "this.\n";
-    if (!judged.poses.empty()) text += "\n";
+    text += poses_text(judged, top);
     text += trees_text(judged, top) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
             results_text(judged) + groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
             frames_text(judged, top);
     for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
+    for (const std::string& note : judged.notes) text += "Note: " + note + ".\n";
     if (judged.more_odd > 0) text += "Odd: " + count_text(judged.more_odd) + " more of the kind.\n";
     return text;
 }
@@ -311,7 +327,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
         json["poses"].push_back({{"frame", pose.query.frame},
                                  {"bodies", {pose.query.a, pose.query.b}},
                                  {"fits", pose.pose},
-                                 {"wrong_as_told", pose.told.wrong}});
+                                 {"only_volumes", pose.only_volumes},
+                                 {"wrong_as_told", pose.told.all_wrong()}});
     json["test_problems"] = groups_json(judged.test_problems);
     json["missed"] = groups_json(judged.missed);
     json["false"] = groups_json(judged.false_pairs);
@@ -333,6 +350,7 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                                   {"false_pairs", f.false_pairs},
                                   {"pairs", f.pairs}});
     json["odd"] = judged.odd;
+    json["notes"] = judged.notes;
     return json;
 }
 

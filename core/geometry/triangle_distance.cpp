@@ -70,8 +70,7 @@ double triangle_gap(const TriangleCorners& a, const TriangleCorners& b) {
     for (std::size_t i = 0; i < 3; ++i) {
         least = std::min({least, squared_distance_above(a[i], b), squared_distance_above(b[i], a)});
         for (std::size_t j = 0; j < 3; ++j)
-            least = std::min(least,
-                             squared_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
+            least = std::min(least, squared_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
     }
     return std::sqrt(least);
 }

@@ -18,6 +18,7 @@ void NodeTree::add(TreeNode node, std::string node_name, std::span<const std::ui
     node.item_count = static_cast<std::uint32_t>(items.size());
     children_.insert(children_.end(), children.begin(), children.end());
     items_.insert(items_.end(), items.begin(), items.end());
+    if (!nodes_.empty()) tells_parents_ |= node.parent != nodes_.front().parent;
     if (!node_name.empty()) names_.emplace(index, std::move(node_name));
     nodes_.push_back(std::move(node));
 }
@@ -39,6 +40,10 @@ std::string NodeTree::words(std::size_t index) const {
     const std::string number = "node " + std::to_string(nodes_[index].number);
     const auto found = names_.find(static_cast<std::uint32_t>(index));
     return found == names_.end() ? number : number + " \"" + found->second + "\"";
+}
+
+std::uint32_t NodeTree::parent(std::size_t index) const {
+    return tells_parents_ ? nodes_[index].parent : no_index;
 }
 
 void NodeTree::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault) {
@@ -68,7 +73,7 @@ TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
         for (const std::uint32_t child : tree.children(i))
             if (const std::uint32_t c = tree.index_of(child); c != no_index) listed[c] = true;
     for (std::uint32_t i = 0; i < size; ++i)
-        if (!listed[i] && tree[i].parent == no_index) shape.roots.push_back(i);
+        if (!listed[i] && tree.parent(i) == no_index) shape.roots.push_back(i);
     // A tree that only is a cycle is entered somewhere.
     if (shape.roots.empty() && size > 0) shape.roots.push_back(0);
 

@@ -39,6 +39,9 @@ class NodeTree {
     TreeNode& operator[](std::size_t index) { return nodes_[index]; }
     /// no_index where there is none of this number.
     std::uint32_t index_of(std::uint32_t number) const;
+    /// The number of its parent as it tells it; no_index where it tells of none: a root, or any
+    /// node where all name the same one, as of an engine that knows no parents.
+    std::uint32_t parent(std::size_t index) const;
     /// The numbers of its children as it tells them.
     std::span<const std::uint32_t> children(std::size_t index) const;
     std::span<const std::uint32_t> items(std::size_t index) const;
@@ -55,6 +58,7 @@ class NodeTree {
   private:
     std::vector<TreeNode> nodes_;
     std::vector<std::uint32_t> children_, items_, told_twice_;
+    bool tells_parents_ = false;  ///< not all are the same
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
     std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
 };

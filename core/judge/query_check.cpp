@@ -125,6 +125,8 @@ class Judge {
                 if (const auto margin = error_of(query_, query_.b_to_a, event))
                     result_.wrong_item_tests.push_back(
                         {i, *margin, !links_.tested_nodes_of({event.a, event.b})});
+                else if (have_meshes(query_) && links_.strays({event.a, event.b}))
+                    result_.stray_item_tests.push_back(i);
                 item_parent_.push_back(links_.led_to_items({event.a, event.b}));
                 if (event.kind == Kind::items_meet) mark_above(item_parent_.back());
                 if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
@@ -342,7 +344,7 @@ PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
     for (const EngineEvent& event : query.events) {
         if (event.kind == Kind::pair) continue;
         if (event.kind != Kind::volumes) {
-            fit.wrong += error_of(query, b_to_a, event).has_value();
+            fit.wrong_items += error_of(query, b_to_a, event).has_value();
             continue;
         }
         const IndexPair nodes = nodes_of(query, event);

@@ -77,6 +77,9 @@ struct QueryJudgement {
     std::vector<JudgedTest> tests;  ///< of volumes, in order
     std::uint64_t item_tests = 0;
     std::vector<WrongItemTest> wrong_item_tests;
+    /// Tests of items that are neither in the two leaves tested before nor in others that were: as
+    /// indices into EngineQuery::events. Without those of wrong_item_tests.
+    std::vector<std::uint32_t> stray_item_tests;
     std::uint64_t reported = 0;      ///< pairs, each once
     std::uint64_t exact = 0;         ///< pairs that intersect
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
@@ -103,7 +106,11 @@ QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> 
 /// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,
 /// passed ones that are disjoint, or erred about two triangles.
 struct PoseFit {
-    std::uint64_t wrong = 0, false_positive = 0;
+    std::uint64_t wrong = 0;           ///< tests of volumes
+    std::uint64_t wrong_items = 0;     ///< tests of triangles
+    std::uint64_t false_positive = 0;  ///< tests of volumes that passed
+
+    std::uint64_t all_wrong() const { return wrong + wrong_items; }
 };
 PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a);
 

@@ -20,7 +20,10 @@ TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
         link.repeated = !added;
         known->second = index;
     }
-    if (overlap) last_overlap_ = index;
+    if (overlap) {
+        last_overlap_ = index;
+        last_are_leaves_ = are_leaves(nodes);
+    }
     return link;
 }
 
@@ -40,6 +43,17 @@ std::uint32_t TestLinks::led_to(IndexPair nodes) const {
 
 std::uint32_t TestLinks::led_to_items(IndexPair items) const {
     return test_of_items(items).value_or(last_overlap_);
+}
+
+bool TestLinks::are_leaves(IndexPair nodes) const {
+    const auto is_leaf = [](const EngineSide& side, std::uint32_t node) {
+        return node != no_index && !side.tree->items(node).empty();
+    };
+    return is_leaf(query_.sides[0], nodes.a) && is_leaf(query_.sides[1], nodes.b);
+}
+
+bool TestLinks::strays(IndexPair items) const {
+    return last_are_leaves_ && !tested_nodes_of(items);
 }
 
 bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }

@@ -134,10 +134,11 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
         }
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         const TreeNode& node = tree[i];
-        if (node.parent != no_index && lister[i] == no_index)
-            add(TreeFault::dropped, node.number, node.parent);
-        else if (node.parent != no_index && tree[lister[i]].number != node.parent)
-            add(TreeFault::wrong_parent, node.number, node.parent);
+        const std::uint32_t parent = tree.parent(i);
+        if (parent != no_index && lister[i] == no_index)
+            add(TreeFault::dropped, node.number, parent);
+        else if (parent != no_index && tree[lister[i]].number != parent)
+            add(TreeFault::wrong_parent, node.number, parent);
         // No root leads to it, or only because one has to begin somewhere.
         const bool is_entered = shape.depths[i] != no_index && shape.depths[i] > 0;
         if (!is_entered && lister[i] != no_index) add(TreeFault::unreachable, node.number);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/base/word_hash.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_volume.h"
 #include "scenes/scene/pose_rows.h"
@@ -245,14 +247,18 @@ void RecordedQueries::take(const RecordedRefit& refit) {
 
 void RecordedQueries::take(const RecordedBody& body) {
     known(trees_, body.tree, "tree");
-    bodies_[body.body] = {shown(body.name), body.tree, {}, 0, {}};
+    BodyState& state = bodies_[body.body] = {};
+    state.name = shown(body.name);
+    state.tree = body.tree;
 }
 
 void RecordedQueries::take(const RecordedFrame& frame) {
     if (frame.frame >= static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
         fail("frame " + std::to_string(frame.frame) + " is too high a number");
     const int number = static_cast<int>(frame.frame);
-    if (in_query_) fail("frame " + std::to_string(number) + " begins within a query");
+    if (in_query_)
+        fail("frame " + std::to_string(number) +
+             " begins within a query; call scb_record_query_end where a query ends");
     if (!frame_told_) {
         frame_told_ = true;
         frame_ = number;
@@ -271,10 +277,12 @@ void RecordedQueries::take(const RecordedPose& pose) {
         told.translation.cwiseAbs().maxCoeff() <= max_coordinate ? rigidity_defect(told) : HUGE_VAL;
     const bool is_nearly_rigid = body.defect > double_defect && body.defect <= most_defect;
     body.pose = is_nearly_rigid ? made_rigid(told) : told;
+    body.placed = true;
 }
 
 void RecordedQueries::take(const RecordedQuery& query) {
-    if (in_query_) fail("a query begins within a query");
+    if (in_query_)
+        fail("a query begins within a query; call scb_record_query_end where a query ends");
     in_query_ = true;
     bodies_of_query_ = {query.body_a, query.body_b};
     for (const std::uint32_t number : bodies_of_query_) {
@@ -319,6 +327,13 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
 
 void RecordedQueries::set_volume(TreeState& tree, std::uint32_t index,
                                  const RecordedVolume& volume) {
+    WordHash told;
+    told.add(static_cast<std::uint64_t>(volume.kind));
+    for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
+    if (index == tree.told_volumes.size())
+        tree.told_volumes.push_back(told.value);
+    else if (std::exchange(tree.told_volumes[index], told.value) == told.value)
+        return;  // an engine may tell all again, also those that it forgot to change
     std::string fault;
     NodeVolume made = node_volume(volume, tree.directions, fault);
     tree.single = tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_single);

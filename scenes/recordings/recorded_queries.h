@@ -30,6 +30,7 @@ struct TreeState {
     NodeTree tree;
     TreeShape shape;
     std::vector<double> directions;
+    std::vector<std::uint64_t> told_volumes;  ///< per node a hash of what was told
     int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
     int volume_version = 0;  ///< counts what was told of it, or of its mesh
     bool whole = false;      ///< `shape` is that of `tree`
@@ -45,6 +46,7 @@ struct BodyState {
     double defect = 0;  ///< how far from rigid it was told, see rigidity_defect
     bool is_rigid() const;
     std::optional<Pose> last;  ///< that of the frame before, where there is one
+    bool placed = false;       ///< a pose was told
 };
 
 /// What of tests and results a recording has anywhere.

@@ -103,6 +103,7 @@ class RecordingJudge {
             add(tests_, "a query's pose is not rigid", {name, "it is not judged"});
             return;
         }
+        note_moves(query, name);
         const QueryJudgement judged =
             judge_query(query, own_.contacts(query, recording_->meshes()));
         take_tests(query, judged, name, row);
@@ -172,6 +173,18 @@ class RecordingJudge {
                  {event.a, event.b},
                  number});
         }
+        for (const std::uint32_t i : judged.stray_item_tests) {
+            const EngineEvent& event = query.events[i];
+            const std::uint32_t number = test_number(judged, i);
+            ++row.wrong;
+            add(tests_, "a test of triangles that are not in the leaves that were tested before",
+                {name,
+                 pair_words("triangles", event.a, event.b) + test_words(number) +
+                     "; are these their numbers?",
+                 {no_index, no_index},
+                 {event.a, event.b},
+                 number});
+        }
         row.wasted += judged.wasted_weak + judged.wasted_loose;
         result_.wasted_weak += judged.wasted_weak;
         result_.wasted_loose += judged.wasted_loose;
@@ -222,8 +235,8 @@ class RecordingJudge {
             if (problem.next.a != no_index)
                 next = "node " + std::to_string(problem.next.a) + " of A";
             if (problem.next.b != no_index)
-                next += (next.empty() ? "node " : " or node ") + std::to_string(problem.next.b) +
-                        " of B";
+                next += (next.empty() ? "node " : ", to node ") + std::to_string(problem.next.b) +
+                        " of B" + (next.empty() ? "" : ", or to both");
             words += ", from which the way leads to " + next;
         }
         words += test_words(test_number(judged, problem.event));
@@ -249,33 +262,91 @@ class RecordingJudge {
         return number == no_index ? "" : ", test " + std::to_string(number);
     }
 
-    /// Another pose with which no test is wrong.
-    void find_pose(const EngineQuery& query, const QueryName& name) {
-        const PoseFit told = fit_of_pose(query, query.b_to_a);
+    /// Other poses that the tests may have been made with, the likeliest first.
+    std::vector<std::pair<std::string, Pose>> other_poses(const EngineQuery& query) const {
         std::vector<std::pair<std::string, Pose>> others;
         if (query.b_to_a_before)
             others.emplace_back("the pose of the frame before", *query.b_to_a_before);
+        const auto transposed = [](const Pose& pose) {
+            return Pose{pose.rotation.transpose(), pose.translation};
+        };
         const Pose& pose = query.b_to_a;
+        others.emplace_back("the pose with its rotation transposed", transposed(pose));
         const Mat3 turned = pose.rotation.transpose();
-        others.emplace_back("the pose with its rotation transposed",
-                            Pose{turned, pose.translation});
         others.emplace_back("the inverse of the pose",
                             Pose{turned, -rotate(turned, pose.translation)});
+        const auto bodies = recording_->query_bodies();
+        const Pose &a = recording_->bodies().at(bodies[0]).pose,
+                   &b = recording_->bodies().at(bodies[1]).pose;
+        others.emplace_back("the poses with the rotation of B transposed",
+                            relative_pose(a, transposed(b)));
+        others.emplace_back("the poses with the rotation of A transposed",
+                            relative_pose(transposed(a), b));
+        others.emplace_back("the poses with both rotations transposed",
+                            relative_pose(transposed(a), transposed(b)));
         others.emplace_back("the pose without its rotation",
                             Pose{Mat3::Identity(), pose.translation});
         others.emplace_back("the pose without its translation", Pose{pose.rotation, Vec3::Zero()});
+        return others;
+    }
+
+    /// Another pose with which no test is wrong, or at least none of volumes.
+    void find_pose(const EngineQuery& query, const QueryName& name) {
+        ++erring_queries_;
+        const PoseFit told = fit_of_pose(query, query.b_to_a);
         const auto fits_all = [&](const EngineQuery& asked, const Pose& with,
-                                  const std::string& what) {
+                                  const std::string& what, bool only_volumes) {
             const PoseFit fits = fit_of_pose(asked, with);
             if (fits.wrong > 0 || fits.false_positive > told.false_positive) return false;
-            result_.poses.push_back({name, what, told, fits});
+            if (only_volumes ? told.wrong_items > 0 || told.wrong == 0 : fits.wrong_items > 0)
+                return false;
+            result_.poses.push_back({name, what, told, fits, only_volumes});
             return true;
         };
+        const auto others = other_poses(query);
         for (const auto& [what, other] : others)
-            if (fits_all(query, other, what)) return;
+            if (fits_all(query, other, what, false)) return;
         EngineQuery swapped = query;
         for (EngineEvent& event : swapped.events) std::swap(event.a, event.b);
-        fits_all(swapped, query.b_to_a, "the pose, were those of B named before those of A");
+        if (fits_all(swapped, query.b_to_a,
+                     "the pose that was told if each names a node of " + name.b +
+                         " first, and of " + name.a + " second, the other way round than the query",
+                     false))
+            return;
+        for (const auto& [what, other] : others)
+            if (fits_all(query, other, what, true)) return;
+        const auto bodies = recording_->query_bodies();
+        not_placed_ |= !recording_->bodies().at(bodies[0]).placed &&
+                       !recording_->bodies().at(bodies[1]).placed;
+    }
+
+    /// What fits only here and there fits by chance.
+    void keep_likely_poses() {
+        std::map<std::string, std::size_t> counts;
+        for (const PoseProblem& problem : result_.poses) ++counts[problem.pose];
+        std::erase_if(result_.poses, [&](const PoseProblem& problem) {
+            return 2 * counts[problem.pose] <= erring_queries_;
+        });
+        if (not_placed_ && result_.poses.empty())
+            result_.notes.push_back(
+                "no pose was told of the bodies of a query whose tests are wrong; tell those that "
+                "the engine has, with scb_record_pose");
+    }
+
+    /// Of several queries of the same bodies in a frame, commands other than this one show the
+    /// first: where the bodies have moved in between, frames were meant.
+    void note_moves(const EngineQuery& query, const QueryName& name) {
+        const auto bodies = recording_->query_bodies();
+        const auto [last, added] = last_queries_.try_emplace(bodies, query.frame, query.b_to_a);
+        const bool moved = !added && last->second.first == query.frame &&
+                           (last->second.second.rotation != query.b_to_a.rotation ||
+                            last->second.second.translation != query.b_to_a.translation);
+        last->second = {query.frame, query.b_to_a};
+        if (moved && !std::exchange(moves_noted_, true))
+            result_.notes.push_back("in frame " + std::to_string(query.frame) + ", " + name.a +
+                                    " and " + name.b +
+                                    " were queried at several poses, of which other commands show "
+                                    "the first; begin a frame for each, with scb_record_frame");
     }
 
     std::string stage_name(std::uint8_t stage) const {
@@ -295,6 +366,7 @@ class RecordingJudge {
     }
 
     void finish() {
+        keep_likely_poses();
         for (const RecordedSetting& setting : recording_->settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         for (const auto& [number, watch] : watches_) {
@@ -334,6 +406,10 @@ class RecordingJudge {
     std::map<std::uint32_t, TreeWatch> watches_;
     std::map<std::uint8_t, StageJudgement> stages_;
     Groups missed_, false_, tests_;
+    std::size_t erring_queries_ = 0;
+    bool not_placed_ = false, moves_noted_ = false;
+    /// Of two bodies the frame of the last query, and its pose.
+    std::map<std::array<std::uint32_t, 2>, std::pair<int, Pose>> last_queries_;
 };
 
 }  // namespace

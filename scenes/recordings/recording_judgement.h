@@ -52,6 +52,8 @@ struct PoseProblem {
     QueryName query;
     std::string pose;    ///< whose pose they fit: "the pose of the frame before"
     PoseFit told, fits;  ///< errors with the pose that was told, and with the other
+    /// Its tests of volumes fit the other pose, and those of triangles the one that was told.
+    bool only_volumes = false;
 };
 
 struct FrameJudgement {
@@ -81,7 +83,8 @@ struct RecordingJudgement {
     std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
-    std::vector<std::string> odd;  ///< sentences without a full stop
+    std::vector<std::string> odd;    ///< sentences without a full stop
+    std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
     std::size_t more_odd = 0;
     std::string damage;
     std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, unjudged = 0,

@@ -191,7 +191,7 @@ TEST(QueryCheck, NamesTheCauseOfAFalsePair) {
 
 TEST(QueryCheck, WhatTouchesWithinTheToleranceIsNotJudged) {
     Rows rows;
-    rows.query.tolerance = 0.2;
+    rows.query.tolerance = rows.query.triangle_tolerance = 0.2;
     rows.erase(Kind::pair, 1, 1);
     rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
     rows.event(Kind::volumes, 3, 3).stage = 5;
@@ -200,6 +200,44 @@ TEST(QueryCheck, WhatTouchesWithinTheToleranceIsNotJudged) {
     EXPECT_EQ(judged.grazing, 1u);
     EXPECT_TRUE(judged.wrong_item_tests.empty());
     EXPECT_EQ(judged.count(TestVerdict::wrong), 0u);
+}
+
+// A small triangle and the side of a long one, three thousandths deep in each other: more than any
+// rounding, though a bound of the depth of two flat volumes is nearly nothing.
+TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
+    const Mesh small{{Vec3(0.43, 1.39, 0.84), Vec3(0.40, 1.36, 0.87), Vec3(0.38, 1.39, 0.86)},
+                     {{0, 1, 2}}},
+        needle{{Vec3(0.3915, 1.384, 0.8580), Vec3(0.3905, 1.381, 0.8575), Vec3(-0.3, 3.3, 0.75)},
+               {{0, 1, 2}}};
+    const NodeTree trees[2] = {tree_of({{0, no_index, {}, {0}, Ball{}}}),
+                               tree_of({{0, no_index, {}, {0}, Ball{}}})};
+    const TreeShape shapes[2] = {tree_shape(trees[0], 1), tree_shape(trees[1], 1)};
+    EngineQuery query;
+    query.sides = {EngineSide{&trees[0], &shapes[0], &small},
+                   EngineSide{&trees[1], &shapes[1], &needle}};
+    query.tells_items = query.tells_pairs = true;
+    query.tolerance = query.triangle_tolerance = 1e-9;
+    query.events = {{Kind::items_apart, 0, 0, 0}};
+    ASSERT_TRUE(triangles_overlap(corners(small, 0), corners(needle, 0)));
+    const QueryJudgement judged = judge_query(query, std::vector<IndexPair>{{0, 0}});
+    EXPECT_EQ(judged.grazing, 0u);
+    ASSERT_EQ(judged.wrong_item_tests.size(), 1u);
+    EXPECT_NEAR(judged.wrong_item_tests[0].margin, 0.0012, 0.0012);
+    ASSERT_EQ(judged.pairs.size(), 1u);
+    EXPECT_EQ(judged.pairs[0].cause, PairCause::items_apart);
+}
+
+TEST(QueryCheck, ATestOfTrianglesOfOtherLeavesIsSeen) {
+    Rows rows;
+    rows.query.events.push_back({Kind::volumes, 0, 3, 3});
+    rows.query.events.push_back({Kind::items_apart, 0, 0, 3});  // 3 is of another leaf
+    const QueryJudgement judged = rows.judged();
+    EXPECT_TRUE(judged.wrong_item_tests.empty());
+    ASSERT_EQ(judged.stray_item_tests.size(), 1u);
+    EXPECT_EQ(judged.stray_item_tests[0], rows.query.events.size() - 1);
+    // Engines whose nodes do not hold what they test, such as CGAL's, are not concerned.
+    rows.query.events[rows.query.events.size() - 2] = {Kind::volumes, 0, 0, 0};
+    EXPECT_TRUE(rows.judged().stray_item_tests.empty());
 }
 
 TEST(QueryCheck, ATestTwiceIsSeen) {
@@ -214,10 +252,10 @@ TEST(QueryCheck, ATestTwiceIsSeen) {
 
 TEST(QueryCheck, TheRightPoseFitsAndOthersDoNot) {
     const Rows rows;
-    EXPECT_EQ(fit_of_pose(rows.query, rows.query.b_to_a).wrong, 0u);
+    EXPECT_EQ(fit_of_pose(rows.query, rows.query.b_to_a).all_wrong(), 0u);
     Pose other = rows.query.b_to_a;
     other.translation[0] += 1;
-    EXPECT_GT(fit_of_pose(rows.query, other).wrong, 4u);
+    EXPECT_GT(fit_of_pose(rows.query, other).all_wrong(), 4u);
 }
 
 }  // namespace

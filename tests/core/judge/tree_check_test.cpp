@@ -57,6 +57,14 @@ TEST(TreeCheck, NamesWhatIsWrongWithTheShape) {
     EXPECT_EQ(problems_of(nodes), Words{"node 6 has no parent, as node 0"});
 }
 
+TEST(TreeCheck, AnEngineNeedNotKnowParents) {
+    for (const std::uint32_t same : {0u, 77u, no_index}) {
+        auto nodes = nodes_of_row();
+        for (ToldNode& node : nodes) node.parent = same;
+        EXPECT_EQ(problems_of(nodes), Words{}) << same;
+    }
+}
+
 TEST(TreeCheck, NamesWhatIsInACycle) {
     auto nodes = nodes_of_row();
     nodes[0].children = {1};

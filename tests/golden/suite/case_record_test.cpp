@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-const json document = json::parse(R"({
+const json of_a_case = json::parse(R"({
     "scene": "spheres", "test": "corrected", "threshold": 0.7, "level": null, "frames": [],
     "options": {"volume": ["scb", "obb"], "opacity": 1},
     "bodies": [{"name": "A", "triangles": 20, "vertices": 12, "hash": "00000000000000aa"}],
@@ -20,7 +20,7 @@ const json document = json::parse(R"({
 
 TEST(CaseRecord, IsReadAsItWasWritten) {
     const TemporaryFolder folder;
-    const json written = record_json("scb collide", document);
+    const json written = record_json("scb collide", of_a_case);
     EXPECT_EQ(written["poses"]["90"]["A"], "1 0 0 0.1 0 1 0 -2.5 0 0 1 1e-07");
     EXPECT_FALSE(written.contains("frames"));
     const CaseRecord record = read_record(folder.write("case.meta.json", written.dump()));

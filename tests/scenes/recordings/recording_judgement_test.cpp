@@ -6,7 +6,9 @@
 
 #include "core/analysis/attribution.h"
 #include "scb/error.h"
+#include "scb/triangle_overlap.h"
 #include "scenes/recordings/trace_recording.h"
+#include "scenes/scene/pose_rows.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/unless_sanitized.h"
@@ -41,6 +43,10 @@ std::vector<Record> records_in(const std::string& bytes) {
     while (const Record* record = reader.next()) records.push_back(*record);
     return records;
 }
+
+constexpr auto items_apart = static_cast<std::uint8_t>(RecordTag::items_apart),
+               items_meet = static_cast<std::uint8_t>(RecordTag::items_meet),
+               a_pair = static_cast<std::uint8_t>(RecordTag::pair);
 
 RecordingJudgement judge(const std::string& bytes) {
     return judge_recording(
@@ -91,7 +97,7 @@ TEST(RecordingJudgement, NamesNodesOfBThatStandBeforeThoseOfA) {
         if (auto* event = std::get_if<RecordedEvent>(&record)) std::swap(event->a, event->b);
     const RecordingJudgement judged = judge(records);
     ASSERT_FALSE(judged.poses.empty());
-    EXPECT_NE(judged.poses[0].pose.find("those of B named before those of A"), std::string::npos);
+    EXPECT_NE(judged.poses[0].pose.find("the other way round than the query"), std::string::npos);
 }
 
 TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
@@ -167,6 +173,123 @@ TEST(RecordingJudgement, NamesThePoseThatTheTestsFit) {
     EXPECT_EQ(judged.poses[0].query.frame, 3);
 }
 
+// What fits one query of three is chance.
+TEST(RecordingJudgement, APoseThatFitsOneQueryOfSeveralIsNotNamed) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    const auto turn = [](RecordedPose& pose) {
+        for (double& number : pose.rows) number = 0;
+        pose.rows[2] = pose.rows[4] = pose.rows[9] = 1;
+        pose.rows[3] = 0.05;
+    };
+    std::vector<RecordedPose*> poses;
+    for (Record& record : records)
+        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
+            poses.push_back(pose);
+    ASSERT_EQ(poses.size(), 3u);
+    poses[0]->rows = poses[1]->rows;  // that of the second fits, one frame late
+    turn(*poses[1]);
+    poses[2]->rows[11] += 0.2;
+    const RecordingJudgement judged = judge(records);
+    std::uint64_t erring = 0;
+    for (const FrameJudgement& frame : judged.frames) erring += frame.wrong > 0;
+    EXPECT_GE(erring, 2u);
+    EXPECT_TRUE(judged.poses.empty()) << judged.poses[0].pose;
+}
+
+TEST(RecordingJudgement, NamesAWorldRotationThatIsTransposed) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    // Both bodies are turned together, which changes nothing; then the file has B's the wrong way.
+    Pose turn;
+    turn.rotation << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+    const auto turned = [&](const PoseRows& rows) {
+        return rows_of(relative_pose(turn, pose_of(rows)));
+    };
+    for (Record& record : records)
+        if (auto* pose = std::get_if<RecordedPose>(&record)) {
+            pose->rows = turned(pose->rows);
+            if (pose->body == 1)
+                for (const auto& [i, j] : {std::pair(1, 4), std::pair(2, 8), std::pair(6, 9)})
+                    std::swap(pose->rows[static_cast<std::size_t>(i)],
+                              pose->rows[static_cast<std::size_t>(j)]);
+        }
+    const RecordingJudgement judged = judge(records);
+    ASSERT_FALSE(judged.poses.empty());
+    EXPECT_EQ(judged.poses[0].pose, "the poses with the rotation of B transposed");
+}
+
+// Its tests of volumes are made with the poses of the frame before, those of triangles are not.
+TEST(RecordingJudgement, NamesThePoseOfTheTestsOfVolumesAlone) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    std::vector<RecordedPose*> poses;
+    for (Record& record : records)
+        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
+            poses.push_back(pose);
+    ASSERT_EQ(poses.size(), 3u);
+    poses[0]->rows = poses[1]->rows;
+    poses[1]->rows = poses[2]->rows;
+    poses[2]->rows[3] -= 0.15;
+    Pose told;
+    for (Record& record : records) {
+        if (const auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
+            told = pose_of(pose->rows);
+        auto* event = std::get_if<RecordedEvent>(&record);
+        if (!event || (event->tag != items_apart && event->tag != items_meet)) continue;
+        const bool meet =
+            triangles_overlap(corners(mesh_a().mesh, event->a),
+                              transform_corners(told, corners(mesh_b().mesh, event->b)));
+        event->tag = meet ? items_meet : items_apart;
+    }
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.poses.size(), 2u);
+    for (const PoseProblem& problem : judged.poses) {
+        EXPECT_TRUE(problem.only_volumes);
+        EXPECT_EQ(problem.pose, "the pose of the frame before");
+        EXPECT_EQ(problem.told.wrong_items, 0u);
+    }
+}
+
+TEST(RecordingJudgement, SaysThatBodiesHaveMovedWithinAFrame) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    bool first = true;
+    std::erase_if(records, [&](const Record& record) {
+        return std::holds_alternative<RecordedFrame>(record) && !std::exchange(first, false);
+    });
+    const RecordingJudgement judged = judge(records);
+    EXPECT_FALSE(judged.wrong());
+    ASSERT_EQ(judged.notes.size(), 1u);
+    EXPECT_NE(judged.notes[0].find("were queried at several poses"), std::string::npos);
+    EXPECT_TRUE(judge(recording_of(trace_of(VolumeKind::obb))).notes.empty());
+}
+
+TEST(RecordingJudgement, SaysThatNoPoseWasTold) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    std::erase_if(
+        records, [](const Record& record) { return std::holds_alternative<RecordedPose>(record); });
+    const RecordingJudgement judged = judge(records);
+    EXPECT_TRUE(judged.wrong());
+    ASSERT_EQ(judged.notes.size(), 1u);
+    EXPECT_NE(judged.notes[0].find("no pose was told"), std::string::npos);
+}
+
+TEST(RecordingJudgement, AToldToleranceHoldsHoweverLargeTheVolumesAre) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::aabb)));
+    records.insert(records.begin(), RecordedSetting{"tolerance", "1e-9"});
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (auto* node = std::get_if<RecordedNode>(&records[i]); node && node->node == 0)
+            for (std::size_t k = 0; k < 6; ++k) node->volume.values[k] = k < 3 ? -1e7 : 1e7;
+        if (auto* event = std::get_if<RecordedEvent>(&records[i]);
+            event && event->tag == items_meet)
+            event->tag = items_apart;
+    }
+    std::erase_if(records, [](const Record& record) {
+        const auto* event = std::get_if<RecordedEvent>(&record);
+        return event && event->tag == a_pair;
+    });
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.grazing, 0u);
+    EXPECT_GT(judged.missed.size(), 0u);
+}
+
 TEST(RecordingJudgement, AStaleBoxIsNamedWithItsFrameAndNode) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::aabb)));
     // From frame 3 on the mesh of B is moved, and all its leaves are refitted but one.
@@ -186,10 +309,10 @@ TEST(RecordingJudgement, AStaleBoxIsNamedWithItsFrameAndNode) {
     std::vector<Record> told = {mesh};
     constexpr std::uint32_t forgotten = 7;
     for (const Record& record : records)
-        if (const auto* node = std::get_if<RecordedNode>(&record);
-            node && node->tree == 1 && node->node != forgotten) {
+        if (const auto* node = std::get_if<RecordedNode>(&record); node && node->tree == 1) {
+            // Told again it may be, and is stale all the same.
             RecordedRefit refit{1, node->node, node->volume};
-            refit.volume.values[2] += 0.3;
+            if (node->node != forgotten) refit.volume.values[2] += 0.3;
             told.push_back(refit);
         }
     const auto at = records.insert(second + 1, told.begin(), told.end());
@@ -207,6 +330,7 @@ TEST(RecordingJudgement, AStaleBoxIsNamedWithItsFrameAndNode) {
     EXPECT_EQ(problem.problem.node, forgotten);
     EXPECT_EQ(problem.since, 3);
     EXPECT_TRUE(problem.stale);
+    EXPECT_EQ(problem.told_at, 0);
     EXPECT_NEAR(problem.problem.amount, 0.3, 0.15);
 }
 
@@ -231,7 +355,8 @@ TEST(RecordingJudgement, WhatOneCannotGoOnWithoutIsASentence) {
               0u);
     EXPECT_EQ(error_of({RecordedTree{0, record_none, "", {}}, RecordedBody{0, 0, ""},
                         RecordedQuery{0, 0}, RecordedFrame{1}}),
-              "test.scbrec: frame 1 begins within a query (frame 0).");
+              "test.scbrec: frame 1 begins within a query; call scb_record_query_end where a query "
+              "ends (frame 0).");
 }
 
 TEST(RecordingJudgement, WhatIsOddIsSaid) {
