@@ -51,7 +51,9 @@ std::optional<RecordingSettings> recording_settings(const std::string& path,
         throw InputError(path + ": its items are objects without triangles.");
     if (recorded.sides()[0] == recorded.sides()[1])
         throw InputError(path + ": its queries are of a body against itself.");
-    if (!recorded.recording().refusal.empty()) throw InputError(recorded.recording().refusal);
+    const scenes::Recording& recording = recorded.recording();
+    if (!recording.refusal.empty() && !recording.changes_meshes)
+        throw InputError(recording.refusal);
     Work all;
     std::vector<Work> of_frames;
     for (const int frame : recorded.frames()) {
@@ -63,19 +65,25 @@ std::optional<RecordingSettings> recording_settings(const std::string& path,
     RecordingSettings result;
     result.engine = render::volume_title(header);
     std::vector<int> chosen;
-    for (const std::size_t i : counted_frames(recorded.frames().size(), all)) {
+    std::vector<std::size_t> places = counted_frames(recorded.frames().size(), all);
+    // Hierarchies of this project are of one mesh.
+    if (recording.changes_meshes)
+        places = {static_cast<std::size_t>(std::max_element(of_frames.begin(), of_frames.end()) -
+                                           of_frames.begin())};
+    for (const std::size_t i : places) {
         chosen.push_back(recorded.frames()[i]);
         result.recorded += of_frames[i];
     }
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
     asked.layouts = false;
-    std::optional<SceneTuning> tuning =
-        tune_scene(recorded.scene(), recorded.sides()[0], recorded.sides()[1], chosen, asked,
-                   tune_progress(console, watch));
+    std::optional<SceneTuning> tuning = tune_scene(
+        recording.changes_meshes ? scenes::scene_at(recording, chosen[0]) : recorded.scene(),
+        recorded.sides()[0], recorded.sides()[1], chosen, asked, tune_progress(console, watch));
     if (!tuning) return std::nullopt;
     result.tuning = std::move(*tuning);
     result.command = "scb collide " + file_word(path) +
+                     (recording.changes_meshes ? " --frames " + std::to_string(chosen[0]) : "") +
                      (bodies.empty() ? "" : " --bodies " + file_word(bodies)) +
                      setting_options(result.tuning.rows[result.tuning.recommended()].setting);
     return result;

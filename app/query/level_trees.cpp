@@ -53,7 +53,7 @@ LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions&
     if (of_scene.is_recording() && asks_for_recorded(given))
         return recorded_subject(of_scene, levels);
     LevelSubject subject;
-    subject.scene = of_scene.load();
+    subject.scene = of_scene.load(of_scene.frames);
     const scenes::Scene& scene = subject.scene;
     subject.frame = of_scene.frame_of(scene);
     const std::vector<MeshTopology> topologies =

@@ -18,7 +18,7 @@
 
 namespace scb::app {
 
-scenes::Scene SceneOptions::load() const {
+scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
     if (given) return *given;
     for (const std::string& name : names)
         if (scenes::names_trace(name) && std::filesystem::exists(name))
@@ -31,7 +31,7 @@ scenes::Scene SceneOptions::load() const {
         if (!pose.empty())
             throw InputError("--pose: " + names[0] +
                              " is recorded, and has its poses; leave out --pose.");
-        return scenes::scene_of_recording(names[0]);
+        return scenes::scene_of_recording(names[0], list_of_frames);
     }
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;

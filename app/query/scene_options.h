@@ -26,7 +26,9 @@ struct SceneOptions {
     bool is_recording() const;
     /// Whether the one name is that of a trace.
     bool is_trace() const;
-    scenes::Scene load() const;
+    /// `frames`: a list of those that will be asked for, as far as it is known: the meshes of a
+    /// recording may change.
+    scenes::Scene load(const std::string& list_of_frames = "") const;
     /// The one frame asked for, or the scene's own. Throws InputError where the scene has no such
     /// frame, or where several were asked for.
     int frame_of(const scenes::Scene& scene) const;

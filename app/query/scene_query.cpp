@@ -84,7 +84,7 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.options = query.collide();
     result.mutation = hierarchy.mutation;
     result.build = hierarchy.build();
-    result.scene = scene.load();
+    result.scene = scene.load(query.frames);
     std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
     for (const scenes::Body& body : result.scene.bodies)
         if (result.scene.meshes[body.mesh].mesh.triangles.empty())

@@ -41,7 +41,7 @@ struct Entry {
 
 Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     Entry entry;
-    entry.scene = scene.load();
+    entry.scene = scene.load(query.frames);
     std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
     entry.frames = frames_of(entry.scene, query.frames);
     return entry;

@@ -158,7 +158,7 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
 int run(const TuneCommandOptions& options, const Console& console) {
     const TuneOptions asked = tune_options(options);
     options.picture.check();
-    const scenes::Scene scene = options.scene.load();
+    const scenes::Scene scene = options.scene.load(options.query.frames);
     if (!options.picture.output.empty())
         for (const std::string& file :
              {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),

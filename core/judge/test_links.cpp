@@ -1,5 +1,7 @@
 #include "core/judge/test_links.h"
 
+#include <algorithm>
+
 namespace scb {
 namespace {
 
@@ -22,7 +24,7 @@ TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
     }
     if (overlap) {
         last_overlap_ = index;
-        last_are_leaves_ = are_leaves(nodes);
+        last_nodes_ = nodes;
     }
     return link;
 }
@@ -45,15 +47,13 @@ std::uint32_t TestLinks::led_to_items(IndexPair items) const {
     return test_of_items(items).value_or(last_overlap_);
 }
 
-bool TestLinks::are_leaves(IndexPair nodes) const {
-    const auto is_leaf = [](const EngineSide& side, std::uint32_t node) {
-        return node != no_index && !side.tree->items(node).empty();
-    };
-    return is_leaf(query_.sides[0], nodes.a) && is_leaf(query_.sides[1], nodes.b);
-}
-
 bool TestLinks::strays(IndexPair items) const {
-    return last_are_leaves_ && !tested_nodes_of(items);
+    if (last_nodes_.a == no_index || last_nodes_.b == no_index) return false;
+    const auto of_a = query_.sides[0].tree->items(last_nodes_.a),
+               of_b = query_.sides[1].tree->items(last_nodes_.b);
+    if (of_a.empty() || of_b.empty() || tested_nodes_of(items)) return false;
+    return std::find(of_a.begin(), of_a.end(), items.a) == of_a.end() ||
+           std::find(of_b.begin(), of_b.end(), items.b) == of_b.end();
 }
 
 bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }

@@ -29,21 +29,20 @@ class TestLinks {
     std::uint32_t led_to_items(IndexPair items) const;
     /// Whether the nodes that have them were tested.
     bool tested_nodes_of(IndexPair items) const;
-    /// Whether they were not, though the latest test that passed was of two leaves: engines that
-    /// test triangles at leaves take them from these.
+    /// Whether they were not, nor are they in the two leaves that the latest test that passed was
+    /// of: engines that test triangles at leaves take them from these.
     bool strays(IndexPair items) const;
     /// The latest test of these nodes.
     std::optional<std::uint32_t> test_of(IndexPair nodes) const;
 
   private:
     std::uint32_t led_to(IndexPair nodes) const;
-    bool are_leaves(IndexPair nodes) const;
     std::optional<std::uint32_t> test_of_items(IndexPair items) const;
 
     const EngineQuery& query_;
     std::unordered_map<std::uint64_t, std::uint32_t> tests_;  ///< by nodes: lookups only
     std::uint32_t taken_ = 0, last_overlap_ = no_index;
-    bool last_are_leaves_ = false;  ///< those of last_overlap_
+    IndexPair last_nodes_{no_index, no_index};  ///< those of last_overlap_
 };
 
 }  // namespace scb

@@ -8,6 +8,7 @@
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/text/input_files.h"
+#include "scenes/text/number_list.h"
 #include "scenes/text/utf8.h"
 
 namespace scb::scenes {
@@ -62,8 +63,9 @@ class RecordingContents {
         else if (changed_)
             recording_.refusal = path + ": the mesh of '" + printable(changed_->name) +
                                  "' changes at frame " + std::to_string(changed_->frame) +
-                                 ", and hierarchies of this project are of one mesh; leave out "
-                                 "what asks for them, or record frames of one mesh.";
+                                 ", and hierarchies of this project are of one mesh; name one "
+                                 "frame with --frames.";
+        recording_.changes_meshes = changed_ && !askew_;
     }
 
   private:
@@ -171,10 +173,36 @@ Recording read_recording(std::string bytes, const std::string& path) {
     return recording;
 }
 
-Scene scene_of_recording(const std::string& path) {
+Scene scene_of_recording(const std::string& path, const std::string& frames) {
     Recording recording = read_recording(path);
+    if (recording.changes_meshes) {
+        std::vector<int> wanted = {recording.scene.default_frame};
+        if (frames == auto_frames && !recording.pairs.empty())
+            wanted = {recording.pairs.front().fullest};
+        else if (!frames.empty() && frames != auto_frames)
+            wanted = frames_among(recording.summary.frames, frames, path, "a recording may have");
+        if (wanted.size() == 1) return scene_at(recording, wanted[0]);
+    }
     if (!recording.refusal.empty()) throw InputError(recording.refusal);
     return std::move(recording.scene);
+}
+
+Scene scene_at(const Recording& recording, int frame) {
+    Scene scene = recording.scene;
+    scene.default_frame = frame;
+    RecordedQueries queries(recording.bytes, recording.path, recording.summary);
+    // As of the poses: at the first query of the frame or, where that has none, at its end.
+    for (Step step = queries.next(); step != Step::end; step = queries.next())
+        if (queries.frame() == frame) break;
+    for (const auto& [number, body] : queries.bodies()) {
+        Body& of_scene = scene.bodies[recording.bodies.at(number)];
+        const NamedMesh named = {scene.meshes[of_scene.mesh].name, *mesh_of(queries, body.tree),
+                                 recording.path};
+        // Bodies may have shared one that is no longer theirs.
+        of_scene.mesh = scene.meshes.size();
+        scene.meshes.push_back(named);
+    }
+    return scene;
 }
 
 std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {

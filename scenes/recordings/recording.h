@@ -34,6 +34,7 @@ struct Recording {
     std::vector<QueriedPair> pairs;               ///< in the order of their first queries
     /// Why hierarchies of this project cannot be made of the scene, a sentence; empty: they can.
     std::string refusal;
+    bool changes_meshes = false;  ///< that is why: of one frame they can, see scene_at
 };
 
 /// Throws InputError as RecordedQueries does, and where it has no tree.
@@ -41,9 +42,13 @@ Recording read_recording(const std::string& path);
 /// The same of bytes that are the file's.
 Recording read_recording(std::string bytes, const std::string& path);
 
-/// The scene, for hierarchies of this project, which are of one mesh and have rigid poses. Throws
-/// InputError also where a mesh changes or a pose is not rigid.
-Scene scene_of_recording(const std::string& path);
+/// The scene, for hierarchies of this project, which are of one mesh and have rigid poses: of
+/// meshes that change as they are at the one frame that `frames` names: the first where it is empty,
+/// that with the most pairs of auto_frames. Throws InputError also where it names several and a mesh
+/// changes, or a pose is not rigid.
+Scene scene_of_recording(const std::string& path, const std::string& frames);
+/// The scene with its meshes as they are at that frame, which is its default one.
+Scene scene_at(const Recording& recording, int frame);
 
 /// Where a tree has no mesh, its items are objects: one mesh without triangles stands for all.
 std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree);
