@@ -28,6 +28,7 @@ const std::map<std::string, Floors> rooms = {
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",
      {{"cli"},
+      {"shards"},
       {"query", "reference"},
       {"pictures", "config"},
       {"timing", "explain"},
