@@ -20,6 +20,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// That of a shard. Throws InputError where it has another size.
+render::Image picture_of(const std::filesystem::path& file, int width, int height) {
+    render::Image image = render::read_png(file);
+    if (image.width != width || image.height != height)
+        throw InputError(file.string() +
+                         ": the picture is of another size than the shard's; make "
+                         "this shard again.");
+    return image;
+}
+
 }  // namespace
 
 PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
@@ -43,12 +53,12 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
                                         options.video.rate(), options.theme()->background);
 }
 
-void PictureRun::plan(std::size_t parts) {
+void PictureRun::plan(std::size_t parts, const Json& subject) {
     const render::GlInfo info = context_.info();
     Json versions = versions_json(&info);
     // It also tells the processor's vector instructions, which change no picture.
     versions.erase("gl");
-    parts_ = Parts(options_.shards, parts, std::move(versions), folder_);
+    parts_ = Parts(options_.shards, parts, std::move(versions), subject, folder_);
     if (is_shard()) make_shards_folder(folder_);
 }
 
@@ -86,10 +96,12 @@ void PictureRun::take_picture(const Json& picture, const std::filesystem::path& 
         take_file(name, from / name);
     }
     const std::string name = entry.at("file").get<std::string>();
-    if (video_) video_->push(render::read_png(from / name));
+    if (video_) video_->push(picture_of(from / name, options_.width(), options_.height()));
     if (sheet_) {
+        const render::FrameSheetLayout& layout = sheet_->sheet.layout;
         sheet_->explain(picture.at("explanation"));
-        sheet_->add(render::read_png(shards_folder(from) / name), entry);
+        sheet_->add(picture_of(shards_folder(from) / name, layout.view_width, layout.view_height),
+                    entry);
     }
     files_.push_back(entry);
 }
@@ -104,11 +116,6 @@ void PictureRun::take_file(const std::string& name, const std::filesystem::path&
 
 void PictureRun::explain(const std::string& title, const std::vector<render::PanelItem>& panel) {
     if (!sheet_) return;
-    if (is_shard()) {
-        // Each picture's own; what several have in common is seen where they are joined.
-        sheet_->sheet.keys.clear();
-        sheet_->sheet.scale.reset();
-    }
     sheet_->explain(title, panel);
 }
 
@@ -137,7 +144,12 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
         sheet_view_.reset();
         if (is_shard()) {
             picture_of_shard["explanation"] = sheet_->explanation();
-            queue_.push(shards_folder(folder_) / (name + ".png"), std::move(view));
+            // Each picture's own; what several have in common is seen where they are joined.
+            sheet_->sheet.keys.clear();
+            sheet_->sheet.scale.reset();
+            const std::filesystem::path cell = shards_folder("") / (name + ".png");
+            queue_.push(folder_ / cell, std::move(view));
+            cells_.push_back(cell.string());
         } else {
             sheet_->add(std::move(view), entry);
         }
@@ -232,7 +244,9 @@ void PictureRun::show(const Console& console) const {
 
 void PictureRun::finish_shard() {
     queue_.finish();
-    const std::filesystem::path file = parts_.write();
+    std::vector<std::string> files = written_;
+    files.insert(files.end(), cells_.begin(), cells_.end());
+    const std::filesystem::path file = parts_.write(files);
     print_result(written_list() + file.string() + "\n");
 }
 

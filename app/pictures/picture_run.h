@@ -36,8 +36,9 @@ class PictureRun {
     const render::Context& context() const { return context_; }
     render::Overlay& overlay() { return overlay_; }
 
-    /// Says how many parts() there will be, which shards of the run share. Throws as Parts does.
-    void plan(std::size_t parts);
+    /// Says how many parts() there will be, which shards of the run share, and what tells the scene
+    /// from others. Throws as Parts does.
+    void plan(std::size_t parts, const nlohmann::ordered_json& subject);
     /// Whether this run makes only some parts: their pictures and nothing that is of all of them.
     bool is_shard() const { return parts_.are_of_shard(); }
     /// The next part. `draw` draws its pictures and returns what the run needs of it in the end, or
@@ -122,6 +123,7 @@ class PictureRun {
     Parts parts_{0};
     std::size_t next_part_ = 0;
     nlohmann::ordered_json pictures_ = nlohmann::ordered_json::array();  ///< of a shard's part
+    std::vector<std::string> cells_;  ///< files with a shard's views for the sheet
 };
 
 }  // namespace scb::app

@@ -72,7 +72,11 @@ int run(const LevelOptions& options, const Console& console) {
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();
     std::size_t done = 0;
-    pictures.plan(total);
+    std::vector<std::string> names;
+    for (const LevelTrees& each : trees) names.push_back(each.name);
+    const Json head = level_head(options, scene, names, frame, levels,
+                                 exact_camera_view(wish, common.camera, common.center));
+    pictures.plan(total, head);
     for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
             const std::string name = level_name(named, scene, trees[k].name, level, frame);
@@ -132,11 +136,7 @@ int run(const LevelOptions& options, const Console& console) {
             render::compose(sheet, options.picture.samples, pictures.overlay());
         pictures.draw(sheet_name(named, options, scene, frame), picture, {{"sheet", true}}, false);
     }
-    std::vector<std::string> names;
-    for (const LevelTrees& each : trees) names.push_back(each.name);
-    pictures.finish(level_head(options, scene, names, frame, levels,
-                               exact_camera_view(wish, common.camera, common.center)),
-                    console);
+    pictures.finish(head, console);
     return exit_done;
 }
 

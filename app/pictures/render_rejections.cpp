@@ -248,7 +248,7 @@ int run(RejectionsOptions& options, const Console& console) {
             },
             take, head);
     // Each step is a part.
-    pictures.plan(picture_count(sources.front(), options.steps));
+    pictures.plan(picture_count(sources.front(), options.steps), subject_of(sources));
     return make_frames(
         sources, pictures, console,
         [&](int frame, const InterruptWatch& watch) {

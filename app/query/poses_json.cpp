@@ -14,9 +14,13 @@ using Json = nlohmann::ordered_json;
 Json pose_json(const Pose& pose) { return scenes::rows_of(pose); }
 
 Json poses_json(const scenes::Scene& scene, const std::vector<int>& frames) {
+    if (frames.empty()) return Json::object();
+    return all_poses_json(scene, {frames.front(), frames.back()});
+}
+
+Json all_poses_json(const scenes::Scene& scene, const std::vector<int>& frames) {
     Json poses = Json::object();
-    if (frames.empty()) return poses;
-    for (const int frame : {frames.front(), frames.back()})
+    for (const int frame : frames)
         for (const scenes::Body& body : scene.bodies)
             poses[std::to_string(frame)][body.name] =
                 pose_json(scenes::pose_at(body.motion, frame));

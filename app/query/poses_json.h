@@ -14,4 +14,7 @@ nlohmann::ordered_json pose_json(const Pose& pose);
 /// all between follows from the scene. {"0": {"A": [12 numbers], "B": [...]}, "490": {...}}
 nlohmann::ordered_json poses_json(const scenes::Scene& scene, const std::vector<int>& frames);
 
+/// The same at each of these frames.
+nlohmann::ordered_json all_poses_json(const scenes::Scene& scene, const std::vector<int>& frames);
+
 }  // namespace scb::app

@@ -1,7 +1,10 @@
 #include "app/query/query_sources.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "app/query/poses_json.h"
+#include "app/query/trace_report.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
@@ -165,6 +168,14 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, console);
     }
     return sources;
+}
+
+nlohmann::ordered_json subject_of(const QuerySources& sources) {
+    nlohmann::ordered_json subject;
+    for (const QuerySource& source : sources)
+        subject.push_back(
+            {trace_header_json(source.header()), all_poses_json(source.scene(), source.frames())});
+    return subject;
 }
 
 std::array<QueryLabel, 2> query_labels(const TraceHeader& a, const TraceHeader& b) {

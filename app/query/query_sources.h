@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct CompareOptions {
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                           const QueryOptions& query, const QueryLimits& limits,
                           const CompareOptions& compare, const Console& console);
+
+/// What tells the scenes of queries, with the poses of their frames, from others.
+nlohmann::ordered_json subject_of(const QuerySources& sources);
 
 /// What two queries are called where they are compared: by what was asked differently.
 struct QueryLabel {

@@ -38,6 +38,12 @@ std::vector<std::string> merging_words(const MergeOptions& options, const Consol
         for (fs::path& file : files_of(name)) files.push_back(std::move(file));
     const std::vector<std::string> of_shards = read_shards(files).front().words;
     console.note("scb: joins the shards of " + shard_command(of_shards, "K/N"));
+    for (const fs::path& file : files) {
+        std::error_code ignored;
+        if (fs::equivalent(file.parent_path(), options.output, ignored))
+            throw InputError("-o " + options.output +
+                             ": this folder keeps the shards; name the one above it, or another.");
+    }
     // Its shards have what configuration files say.
     std::vector<std::string> words = {"--no-config"};
     if (console.quiet) words.emplace_back("--quiet");

@@ -1,6 +1,7 @@
 #include "app/shards/parts.h"
 
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 
@@ -8,16 +9,34 @@ namespace scb::app {
 
 using Json = nlohmann::ordered_json;
 
-Parts::Parts(const ShardOptions& options, std::size_t total, Json versions,
+namespace {
+
+/// Whether the file is a shard of the run with these words.
+bool is_of_run(const std::filesystem::path& file, const std::vector<std::string>& words) {
+    try {
+        return read_shard_file(file).words == words;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+Parts::Parts(const ShardOptions& options, std::size_t total, Json versions, const Json& subject,
              std::filesystem::path folder)
     : total_(total), folder_(std::move(folder)) {
+    const std::string hash =
+        short_hash(subject.dump(-1, ' ', false, Json::error_handler_t::replace));
     if (const std::optional<scenes::Shard> shard = options.asked()) {
-        kept_ = ShardFile{*shard, options.words(), std::move(versions), total, {}};
+        kept_ = ShardFile{*shard, options.words(), std::move(versions), hash, total, {}, {}};
         const std::filesystem::path file = shard_path(folder_, *shard);
-        if (render::is_there(file) && read_shard_file(file).words != kept_->words)
+        if (!render::is_there(file)) return;
+        if (!is_of_run(file, kept_->words))
             throw InputError(file.string() +
-                             " is the shard of another run; remove it, or name another folder "
-                             "with -o.");
+                             ": this is the shard of another run, or a damaged one; remove it, or "
+                             "name another folder with -o.");
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
     } else if (options.is_merge()) {
         files_.assign(options.merged.begin(), options.merged.end());
         merged_ = read_shards(files_);
@@ -26,10 +45,10 @@ Parts::Parts(const ShardOptions& options, std::size_t total, Json versions,
             throw InputError(files_.front().string() + " was made by other versions, " +
                              first.versions.dump() + ", than these, " + versions.dump() +
                              "; merge where it was made.");
-        if (first.total != total || first.words != options.words())
-            throw InputError(files_.front().string() + " has " + std::to_string(first.total) +
-                             " parts, and the run has " + std::to_string(total) +
-                             "; its scene has changed since: make all shards again.");
+        if (first.total != total || first.subject != hash)
+            throw InputError(files_.front().string() +
+                             ": the scene has changed since this was made, a mesh, a pose or the "
+                             "frames; make all shards again.");
     }
 }
 
@@ -55,13 +74,14 @@ void Parts::read(std::size_t k, const Read& use) const {
 
 void Parts::keep(std::size_t k, Json made) { kept_->parts[k] = std::move(made); }
 
-std::filesystem::path Parts::write() const {
+std::filesystem::path Parts::write(const std::vector<std::string>& files) {
+    for (const std::string& name : files) kept_->files[name] = file_hash(folder_ / name);
     const std::filesystem::path file = shard_path(folder_, kept_->shard);
     write_shard_file(file, *kept_);
     return file;
 }
 
-int finish_shard(const Parts& parts, const InterruptWatch& watch, const Console& console) {
+int finish_shard(Parts& parts, const InterruptWatch& watch, const Console& console) {
     if (watch.signal() == 0) {
         print_result(parts.write().string() + "\n");
         return exit_done;

@@ -19,10 +19,11 @@ class Parts {
   public:
     /// A run that makes all of its parts.
     explicit Parts(std::size_t total) : total_(total) {}
-    /// `versions` of what makes them here. Throws InputError for shards of another run, or where a
-    /// file of another run is in the way in `folder`.
+    /// `versions` of what makes them here; `subject` tells the scene, with its poses, from others.
+    /// A file of the same shard in `folder` is removed: it says nothing of what is made now. Throws
+    /// InputError for shards of another run, or where a file of one is in the way.
     Parts(const ShardOptions& options, std::size_t total, nlohmann::ordered_json versions,
-          std::filesystem::path folder);
+          const nlohmann::ordered_json& subject, std::filesystem::path folder);
 
     bool are_of_shard() const { return kept_.has_value(); }
     bool are_merged() const { return !merged_.empty(); }
@@ -38,8 +39,9 @@ class Parts {
 
     /// Keeps what was made here of a part of a shard.
     void keep(std::size_t k, nlohmann::ordered_json made);
-    /// Writes what was kept, to be called when all parts are made. Returns the file.
-    std::filesystem::path write() const;
+    /// Writes what was kept, to be called when all parts are made, and `files` in the folder that
+    /// belong to it. Returns the file.
+    std::filesystem::path write(const std::vector<std::string>& files = {});
 
   private:
     std::size_t total_;
@@ -50,6 +52,6 @@ class Parts {
 };
 
 /// Writes the shard and prints its name, unless a signal came. Returns the exit status.
-int finish_shard(const Parts& parts, const InterruptWatch& watch, const Console& console);
+int finish_shard(Parts& parts, const InterruptWatch& watch, const Console& console);
 
 }  // namespace scb::app

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "core/base/text_format.h"
 #include "golden/suite/shell_word.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
+#include "scenes/text/file_bytes.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::app {
@@ -20,11 +23,26 @@ std::string text_of(const scenes::Shard& shard) {
     return std::to_string(shard.k) + "/" + std::to_string(shard.n);
 }
 
+/// Nobody else's words are run.
+bool can_be_shared(const std::string& command) {
+    return command == "render" || command == "inspect" || command == "bench";
+}
+
+/// The sentence of an error as a clause.
+std::string clause(std::string sentence) {
+    if (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
+}
+
 ShardFile shard_of(const Json& json) {
     ShardFile file;
     file.shard = scenes::parse_shard(json.at("shard").get_ref<const std::string&>());
     file.words = json.at("command").get<std::vector<std::string>>();
+    if (file.words.empty() || !can_be_shared(file.words.front()))
+        throw InputError("no command that can be shared made it");
     file.versions = json.at("versions");
+    json.at("subject").get_to(file.subject);
+    json.at("files").get_to(file.files);
     file.total = json.at("total").get<std::size_t>();
     for (const Json& part : json.at("parts")) {
         const auto number = part.at("number").get<std::size_t>();
@@ -47,13 +65,23 @@ std::string shard_command(const std::vector<std::string>& words, const std::stri
 
 namespace {
 
+/// Each machine may have its meshes somewhere else.
+std::vector<std::string> with_models_anywhere(std::vector<std::string> words) {
+    std::erase_if(words, [](const std::string& word) { return word.starts_with("--models="); });
+    return words;
+}
+
 /// Refuses what is not of the run of the first one.
 void check_same_run(const ShardFile& first, const fs::path& first_path, const ShardFile& other,
                     const fs::path& path) {
     const std::string both = first_path.string() + " and " + path.string() + " are ";
-    if (first.words != other.words || first.total != other.total)
+    if (with_models_anywhere(first.words) != with_models_anywhere(other.words))
         throw InputError(both + "of different runs: `" + shard_command(first.words, "K/N") +
                          "` and `" + shard_command(other.words, "K/N") + "`; name those of one.");
+    if (first.total != other.total || first.subject != other.subject)
+        throw InputError(both +
+                         "of different scenes: a mesh, a pose or the frames changed in "
+                         "between; make both again.");
     if (first.shard.n != other.shard.n)
         throw InputError(both + "shards " + text_of(first.shard) + " and " + text_of(other.shard) +
                          "; name those of one division.");
@@ -73,6 +101,7 @@ fs::path shard_path(const fs::path& folder, const scenes::Shard& shard) {
 
 ShardFile read_shard_file(const fs::path& path) {
     const std::string name = path.string();
+    scenes::note_input(path);
     const Json json = scenes::parse_ordered_json(scenes::read_text_file(name, largest_file), name);
     if (json.is_object() && json.contains("cases"))
         throw InputError(name +
@@ -84,7 +113,7 @@ ShardFile read_shard_file(const fs::path& path) {
     } catch (const Json::exception&) {
         reason = "this is no file of a shard";
     } catch (const InputError& error) {
-        reason = error.what();
+        reason = clause(error.what());
     }
     throw InputError(name + ": " + reason + "; give what `--shard` has written.");
 }
@@ -103,13 +132,16 @@ void write_shard_file(const fs::path& path, const ShardFile& shard) {
     Json parts = Json::array();
     for (const auto& [number, made] : shard.parts)
         parts.push_back({{"number", number}, {"made", made}});
-    const Json json = {{"shard", text_of(shard.shard)},
-                       {"command", shard.words},
-                       {"versions", shard.versions},
-                       {"total", shard.total},
-                       {"parts", std::move(parts)}};
+    const Json json = {{"shard", text_of(shard.shard)}, {"command", shard.words},
+                       {"versions", shard.versions},    {"subject", shard.subject},
+                       {"total", shard.total},          {"parts", std::move(parts)},
+                       {"files", shard.files}};
     make_shards_folder(path.parent_path().parent_path());
     render::write_file_whole(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string file_hash(const fs::path& file) {
+    return short_hash(scenes::file_bytes(file.string()));
 }
 
 std::vector<ShardFile> read_shards(std::vector<fs::path>& paths) {
@@ -135,6 +167,14 @@ std::vector<ShardFile> read_shards(std::vector<fs::path>& paths) {
         if (k > ordered.size() || ordered[k - 1].shard.k != k)
             throw InputError("shard " + text_of({k, n}) + " is missing; make it: " +
                              shard_command(ordered.front().words, text_of({k, n})));
+    for (std::size_t i = 0; i < n; ++i)
+        for (const auto& [file, hash] : ordered[i].files) {
+            const fs::path path = paths[i].parent_path().parent_path() / file;
+            if (!render::is_there(path) || file_hash(path) != hash)
+                throw InputError(path.string() + ": the file is not as shard " +
+                                 text_of(ordered[i].shard) + " made it; make this shard again: " +
+                                 shard_command(ordered[i].words, text_of(ordered[i].shard)));
+        }
     return ordered;
 }
 

@@ -16,8 +16,10 @@ struct ShardFile {
     scenes::Shard shard;
     std::vector<std::string> words;   ///< of the command line, the same in all shards
     nlohmann::ordered_json versions;  ///< of what made it; other versions may draw otherwise
+    std::string subject;              ///< a hash of the scene, see Parts
     std::size_t total = 0;            ///< parts of the whole run
     std::map<std::size_t, nlohmann::ordered_json> parts;  ///< by their numbers, from 0
+    std::map<std::string, std::string> files;  ///< those that it made: by name, in DIR, a hash
 };
 
 /// The command line that makes a shard of the run of these words: "scb render pairs spheres-l1
@@ -37,8 +39,12 @@ void make_shards_folder(const std::filesystem::path& folder);
 /// Makes its folder too. Throws OutputError.
 void write_shard_file(const std::filesystem::path& path, const ShardFile& shard);
 
-/// All shards of one run, in their order. Throws InputError where some are missing or are of other
-/// runs, and says how the missing ones are made.
+/// A hash of what is in a file of a shard. Throws InputError where it cannot be read.
+std::string file_hash(const std::filesystem::path& file);
+
+/// All shards of one run, in their order; `paths` get that order too. Throws InputError where some
+/// are missing or are of other runs, and says how the missing ones are made; also where a file that
+/// one made is not as it was.
 std::vector<ShardFile> read_shards(std::vector<std::filesystem::path>& paths);
 
 }  // namespace scb::app

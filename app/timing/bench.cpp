@@ -12,6 +12,7 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/plot_file.h"
 #include "app/query/layout_options.h"
+#include "app/query/poses_json.h"
 #include "app/shards/parts.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"
@@ -138,6 +139,18 @@ std::size_t first_part(const std::vector<Entry>& all, std::size_t scene) {
     return first;
 }
 
+/// What tells the scenes, with their poses, from others.
+Json subject_of(const std::vector<Entry>& all) {
+    Json subject;
+    for (const Entry& entry : all) {
+        for (const std::size_t body : {entry.a, entry.b})
+            subject.push_back(hash_text(
+                fingerprint(entry.scene.meshes[entry.scene.bodies[body].mesh].mesh).hash));
+        subject.push_back(all_poses_json(entry.scene, entry.frames));
+    }
+    return subject;
+}
+
 int run(const BenchCommandOptions& options, const Console& console) {
     BenchOptions bench_options;
     bench_options.subjects = subjects(options);
@@ -171,7 +184,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
 
     const ShardOptions& shards = options.picture.shards;
     shards.check_folder(options.picture.output);
-    Parts parts(shards, first_part(all, all.size()), versions_json(nullptr),
+    Parts parts(shards, first_part(all, all.size()), versions_json(nullptr), subject_of(all),
                 options.picture.output);
     const bool writes = !options.picture.output.empty() && !parts.are_of_shard();
     const BenchFiles files(options);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/text_format.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -72,6 +73,7 @@ TEST_F(Shards, OfPicturesGiveTheBytesOfOneRun) {
     for (const char* arguments : {
              "render rejections spheres-l1 --frames 0:499:100 --sheet",
              "render pairs knots-l1 --frames 0,40,80 --compare scb,ball --sheet --ids",
+             "render rejections spheres-l1 --frames 0:60:15 --compare scb,obb --sheet",
              "render pairs spheres-l1 --frames 150:250:50 --heat volumes --sheet --svg",
              "render traversal spheres-l1 --frames 100,200,300 --by share",
              "render levels knots-l1 --volume scb,obb --levels 0:4 --ids",
@@ -203,19 +205,54 @@ TEST_F(BadShards, DamagedOnesAreRefused) {
     refused([&](json& shard) { first_picture(shard)["file"] = "../../stolen.png"; },
             "a picture has the name of a file alone");
     refused([&](json& shard) { first_picture(shard)["file"] = "gone.png"; }, "gone.png");
+    refused([](json& shard) { shard["files"].begin().value() = "00000000"; },
+            "the file is not as shard 1/2 made it; make this shard again: scb render pairs");
     refused([](json& shard) { shard = {{"cases", json::array()}}; }, "scb golden report");
-    refused([](json& shard) { shard["command"] = {"golden", "update"}; }, "of different runs");
+    refused(
+        [](json& shard) {
+            shard["command"] = {"golden", "update"};
+        },
+        "no command that can be shared made it");
     for (const std::size_t bytes : {std::size_t{0}, good.size() / 2, good.size() - 3}) {
         write_text(file, good.substr(0, bytes));
         expect_refused("merge " + parts + " -o " + merged, "not valid JSON");
     }
-    // What no shard can be of is not run.
+}
+
+// A view for the sheet of another size would be copied beyond its cell.
+TEST_F(BadShards, PicturesThatWereChangedAreRefused) {
+    make_shards(arguments + " --sheet", 2);
+    for (const fs::directory_entry& entry : fs::directory_iterator(parts))
+        if (entry.is_regular_file())
+            write_text(parts + "/shards/" + entry.path().filename().string(),
+                       file_text(entry.path()));
+    expect_refused("merge " + parts + " -o " + merged, "the file is not as shard 1/2 made it");
+    // Even by one who knows how to vouch for them.
     for (const char* name : {"1-of-2.json", "2-of-2.json"})
-        change(name == std::string("1-of-2.json") ? (write_text(file, good), name) : name,
-               [](json& shard) {
-                   shard["command"] = {"golden", "update"};
-               });
-    expect_refused("merge " + parts + " -o " + merged, "--merged");
+        change(name, [&](json& shard) {
+            for (auto& [file, hash] : shard["files"].items())
+                hash = short_hash(file_text(parts + "/" + file));
+        });
+    expect_refused("merge " + parts + " -o " + merged, "of another size than the shard's");
+    expect_refused("merge " + parts + " -o " + parts + "/shards", "this folder keeps the shards");
+}
+
+TEST_F(BadShards, OfASceneThatHasChangedAreRefused) {
+    const std::string scene = folder / "scene.json", before = endless_scene;
+    std::string after = before;
+    after.replace(after.find("1.98"), 4, "1.97");
+    for (const std::string command : {"render pairs ", "inspect ", "bench --repeat 1 "}) {
+        const std::string asked = command + scene + " --frames 0,1,2";
+        fs::remove_all(parts);
+        write_text(scene, before);
+        EXPECT_EQ(shard(asked, 1, 2, parts).status, 0);
+        write_text(scene, after);
+        EXPECT_EQ(shard(asked, 2, 2, parts).status, 0);
+        expect_refused("merge " + parts + " -o " + merged, "of different scenes");
+        EXPECT_EQ(shard(asked, 1, 2, parts).status, 0);
+        write_text(scene, before);
+        expect_refused("merge " + parts + " -o " + merged, "the scene has changed since");
+    }
 }
 
 TEST_F(BadShards, NumbersOfAnotherQueryAreRefused) {
