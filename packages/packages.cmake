@@ -1,4 +1,4 @@
-# Packages of what is installed, with CPack: scb, libscb0, libscb-dev and python3-scb for Debian, and an archive for other systems.
+# Packages of what is installed, with CPack: scb, libscb1, libscb-dev and python3-scb for Debian, and an archive for other systems.
 # packages/run builds them.
 set(CPACK_PACKAGE_VENDOR "The scb authors")
 set(CPACK_PACKAGE_CONTACT "The scb authors <scb@example.invalid>")
@@ -49,6 +49,9 @@ set(of_python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_min
 scb_package(python python3-scb python "${of_python}, python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/python/postinst ${PROJECT_SOURCE_DIR}/packages/python/prerm)
+# Shared objects and programs are stripped of what packages/abi reads, archives are not.
+install(CODE "execute_process(COMMAND ${CMAKE_OBJCOPY} --strip-debug
+    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libscb.a COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
 # For packages of programs that use the library.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")

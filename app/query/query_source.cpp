@@ -108,6 +108,15 @@ scenes::BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
             scenes::pose_at(body.motion, frame)};
 }
 
+namespace {
+
+/// "1.2" of "1.2.3": with a change of these, hierarchies may have other nodes.
+std::string minor_version(const std::string& version) {
+    return version.substr(0, version.find('.', version.find('.') + 1));
+}
+
+}  // namespace
+
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
     std::vector<int> wanted =
@@ -116,7 +125,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     trace_ = std::make_unique<scenes::TraceInput>(path);
     trace_path_ = path;
     header_ = trace_->reader.header();
-    if (header_.scb_version != SCB_VERSION)
+    if (minor_version(header_.scb_version) != minor_version(SCB_VERSION))
         throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
                          SCB_VERSION + ", whose nodes may be others; " + record_again + ".");
     RecordedOptions recorded = recorded_options(header_, scene);
