@@ -84,7 +84,10 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     }
     if (test.parent) {
         result["parent"] = nodes(*test.parent);
-        result["parent"]["divided"] = bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
+        result["parent"]["divided"] =
+            test.parent_outcome == Outcome::divided_both
+                ? "both"
+                : bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
     }
     return result;
 }

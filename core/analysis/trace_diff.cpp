@@ -146,8 +146,7 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
     for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
         const Outcome outcome = other_tree.outcomes[i];
         const IndexPair nodes = other.events.volume_tests[i].nodes;
-        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b ||
-            !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
+        if (is_divided(outcome) || !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
             continue;
         lost.lost_at = traced_test(other_header, other, other_tree, i);
         lost.test = i;

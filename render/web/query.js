@@ -84,6 +84,15 @@ class Query {
   endingOf(frame, test) {
     return frame.outcomes[test] < 2 ? 'passed' : this.told.groups[frame.outcomes[test] - 2].label;
   }
+  // Whether the tests that followed are of children of both nodes: other engines go into both at once. Needs what Icicle.follow knows.
+  dividesBoth(frame, test) {
+    let [a, b] = [false, false];
+    for (let i = frame.first[test]; i >= 0; i = frame.next[i]) {
+      a ||= frame.a[i] !== frame.a[test];
+      b ||= frame.b[i] !== frame.b[test];
+    }
+    return a && b;
+  }
   pairText(frame, test) {
     return `${this.trees[0].order[frame.a[test]]},${this.trees[1].order[frame.b[test]]}`;
   }

@@ -136,7 +136,7 @@ class QueryPanel {
     const rows = [
       ['test', counted(i)],
       ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
-      ['how it ended', group ? group.label : `passed: ${bodies[frame.outcomes[i]].name} was divided`],
+      ['how it ended', group ? group.label : `passed: ${query.dividesBoth(frame, i) ? 'both were' : `${bodies[frame.outcomes[i]].name} was`} divided`],
       ...(verdict ? [['worth', word(verdict.label)]] : []),
       ['tests that follow', counted(frame.sizes[i] - 1)],
     ];

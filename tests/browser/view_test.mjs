@@ -554,6 +554,18 @@ test('another engine\'s recording is a page like any other', async () => {
   assert.deepEqual(overlaps[0], overlaps[1]);
 });
 
+test('an engine may go into both nodes at once', async () => {
+  const box = (from, to) => ['aabb', from, 0, 0, to, 1, 1], file = join(folder, 'both.jsonl');
+  const tree = (number) => [{ tree: number, name: '', of_mesh: null, directions: [] }, { node: 10, in_tree: number, parent: null, children: [11, 12], items: [], volume: box(0, 2) },
+    { node: 11, in_tree: number, parent: 10, children: [], items: [0], volume: box(0, 1) }, { node: 12, in_tree: number, parent: 10, children: [], items: [1], volume: box(1, 2) }];
+  const lines = [...tree(0), ...tree(1), { body: 0, name: 'A', of_tree: 0 }, { body: 1, name: 'B', of_tree: 1 }, { frame: 0 }, { query: [0, 1] },
+    { tests: [[0, 10, 10], [0, 11, 11], [1, 11, 12], [1, 12, 11], [0, 12, 12], ['pair', 0, 0], ['pair', 1, 1]] }, { complete: true, nanoseconds: 0 }, { end: true }];
+  writeFileSync(file, lines.map((line) => JSON.stringify(line)).join('\n'));
+  await onPage(page_of(file), { hash: '#show=traversal&test=0' }, async (page) => {
+    assert.match(await page.locator('#panel').innerText(), /passed: both were divided/);
+  });
+});
+
 test('keys do all of it', async () => {
   await onPage(page_of('spheres-l1', '--level', '5'), {}, async (page) => {
     await press(page, ']', ']', '[');
