@@ -132,7 +132,8 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
                    IndexPair pair) {
     const auto& [finder_header, finder, finder_tree] = found;
     const auto& [other_header, other, other_tree] = lost_by;
-    LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
+    const IndexPair told = d.of_nodes ? numbers_of(finder, pair) : pair;
+    LostPair lost{finder.frame, told, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
     const std::optional<std::size_t> from = test_of(finder, finder_tree, d.of_nodes, pair);
     if (!from) return lost;
@@ -209,7 +210,12 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
                        const TraversalTree& tree, std::size_t index) {
     const Events& events = frame.events;
     TracedTest result;
-    result.test = events.volume_tests[index];
+    const auto numbered = [&](std::size_t i) {
+        VolumeTest test = events.volume_tests[i];
+        test.nodes = numbers_of(frame, test.nodes);
+        return test;
+    };
+    result.test = numbered(index);
     result.outcome = tree.outcomes[index];
     result.stage = stage_words(header, result.test.stage);
     const auto triangles =
@@ -218,7 +224,7 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
     if (triangles != events.triangle_tests.end() && triangles->after == index)
         result.triangles = *triangles;
     if (const std::uint32_t parent = tree.parents[index]; parent != TraversalTree::no_parent) {
-        result.parent = events.volume_tests[parent];
+        result.parent = numbered(parent);
         result.parent_outcome = tree.outcomes[parent];
     }
     return result;

@@ -32,7 +32,7 @@ struct FrameDifference {
     TraceCounts a, b;
 };
 
-/// A volume test and what it belongs to.
+/// A volume test and what it belongs to, for users: nodes are the numbers that numbers_of has.
 struct TracedTest {
     VolumeTest test;
     Outcome outcome{};
@@ -54,7 +54,7 @@ struct Parting {
 /// A pair that one of two queries found and the other did not.
 struct LostPair {
     int frame = 0;
-    IndexPair pair;
+    IndexPair pair;            ///< one of nodes by their numbers, as who found it has them
     bool found_by_a = false;   ///< else by B
     bool other_ended = false;  ///< the other query had its pairs before it was through
     /// The test by which the other query left it out, and its number: what that test was about

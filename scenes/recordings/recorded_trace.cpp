@@ -158,6 +158,7 @@ const TraceFrame& RecordedTrace::frame(int number) {
         if (step == Step::query && queries_->frame() == number && is_wanted(*queries_)) break;
     }
     frame_ = trace_frame(queries_->query(), stages_);
+    for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, number).tree;
     return frame_;
 }
 

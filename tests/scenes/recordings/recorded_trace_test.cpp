@@ -230,6 +230,32 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
 }
 
+TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", broadphase());
+    RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    for (const auto& [number, first] : {std::pair{5, 10u}, {6, 70u}}) {
+        const TraceFrame& frame = recorded.frame(number);
+        EXPECT_EQ(numbers_of(frame, {0, 3}), (IndexPair{first, first + 3}));
+        EXPECT_EQ(nodes_of(frame, {first, first + 3}), (IndexPair{0, 3}));
+        EXPECT_EQ(nodes_of(frame, {first, 3}), std::nullopt);
+        const VolumeTree& tree = *recorded.body(1, number).tree;
+        EXPECT_TRUE(tree.has_own_numbers());
+        EXPECT_EQ(tree.number(2), first + 2);
+        EXPECT_EQ(tree.node_of(first + 2), 2u);
+        EXPECT_EQ(tree.node_of(2), no_index);
+        EXPECT_EQ(tree.node_words(2), "node " + std::to_string(first + 2));
+        EXPECT_EQ(tree.node_words(3), "node " + std::to_string(first + 3) + " \"wheel\"");
+    }
+    // Its own hierarchies have indices for numbers.
+    const std::unique_ptr<VolumeTree> own = volume_tree(body_b().hierarchies[0]);
+    EXPECT_FALSE(own->has_own_numbers());
+    EXPECT_EQ(own->node_words(2), "node 2");
+    const TraceFrame none;
+    EXPECT_EQ(numbers_of(none, {4, 5}), (IndexPair{4, 5}));
+    EXPECT_EQ(nodes_of(none, {4, 5}), (IndexPair{4, 5}));
+}
+
 TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
     const TemporaryFolder folder;
     folder.write("objects.scbrec", broadphase());
@@ -252,6 +278,37 @@ TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
               "overlap, passed on to the children of robot's node; reached from the nodes (70, 70) "
               "at depths (0, 0), where world's node was divided");
     EXPECT_EQ(outcome_name(Outcome::divided_both), "divided both");
+}
+
+/// What another engine's trace says of pairs that are nodes.
+TEST(RecordedTrace, ComparesPairsOfNodesByTheirNumbers) {
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", broadphase());
+    TestInput a(folder / "objects.scbrec", "5"), b(folder / "objects.scbrec", "5");
+    const TraceDiff same = diff(
+        a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
+    EXPECT_TRUE(same.frames.empty());
+    // The query of frame 6 as one of frame 5 in the eyes of the other.
+    TestInput c(folder / "objects.scbrec", "5"), d(folder / "objects.scbrec", "6");
+    TraceHeader later = d.header();
+    later.engine->trees = c.header().engine->trees;
+    TraceFrame moved;
+    const TraceDiff other = diff(
+        c.header(), [&] { return c.next(); }, later,
+        [&]() -> const TraceFrame* {
+            const TraceFrame* frame = d.next();
+            if (frame == nullptr) return nullptr;
+            moved = *frame;
+            moved.frame = 5;
+            return &moved;
+        });
+    ASSERT_TRUE(other.pairs_comparable);
+    ASSERT_EQ(other.lost.size(), 2u);
+    EXPECT_EQ(other.lost[0].pair, (IndexPair{11, 11}));
+    EXPECT_EQ(other.lost[1].pair, (IndexPair{72, 73}));
+    ASSERT_TRUE(other.first);
+    EXPECT_EQ(other.first->a->test.nodes, (IndexPair{10, 10}));
+    EXPECT_EQ(other.first->b->test.nodes, (IndexPair{70, 70}));
 }
 
 TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
