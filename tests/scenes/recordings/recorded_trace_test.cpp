@@ -234,6 +234,7 @@ TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
     const TemporaryFolder folder;
     folder.write("objects.scbrec", broadphase());
     RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    EXPECT_EQ(recorded.all_frames(), (std::vector{5, 6}));
     for (const auto& [number, first] : {std::pair{5, 10u}, {6, 70u}}) {
         const TraceFrame& frame = recorded.frame(number);
         EXPECT_EQ(numbers_of(frame, {0, 3}), (IndexPair{first, first + 3}));
