@@ -54,10 +54,11 @@ Json body_json(const TraceBody& body) {
 Json trace_header_json(const TraceHeader& header) {
     Json bodies = Json::array();
     for (const TraceBody& body : header.bodies) bodies.push_back(body_json(body));
-    Json result = {{"version", header.scb_version},
-                   {"source", header.source},
-                   {"scene", header.scene},
-                   {"bodies", bodies}};
+    Json result;
+    if (!header.engine) result["version"] = header.scb_version;
+    result["source"] = header.source;
+    result["scene"] = header.scene;
+    result["bodies"] = bodies;
     if (header.engine) {
         result["engine"] = header.engine->name;
         result["volume"] = header.engine->volumes;

@@ -107,6 +107,9 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     const json of_trace = printed("trace --json --events " + trace),
                of_recording = printed("trace --json --events " + file);
     ASSERT_EQ(of_recording["frames"].size(), 2u);
+    EXPECT_EQ(of_trace["volume"], "obb");
+    EXPECT_TRUE(of_trace.contains("version"));
+    EXPECT_FALSE(of_recording.contains("version")) << "it is no trace of this program's";
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(of_recording["frames"][i]["tests"], of_trace["frames"][i]["tests"]);
         EXPECT_EQ(of_recording["frames"][i]["stages"], of_trace["frames"][i]["stages"]);
