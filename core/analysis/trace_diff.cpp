@@ -237,6 +237,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.stages = stage_order(a, b);
     result.nodes_comparable = same_meshes(a, b);
     result.meshes_differ = !result.nodes_comparable;
+    result.of_engines = a.engine || b.engine;
     result.nodes_comparable &= same_nodes(a, b);
     result.bodies = body_names(a);
     result.of_nodes = pairs_are_nodes(a);

@@ -78,6 +78,7 @@ struct TraceDiff {
     std::vector<std::string> stages;        ///< all names of these, in order
     bool nodes_comparable = true;           ///< false where the meshes or the splits differ
     bool meshes_differ = false;
+    bool of_engines = false;       ///< whether another engine made one of them
     std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
     bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
     bool pairs_comparable = true;  ///< false where meshes, or levels to stop at, or the nodes that

@@ -131,6 +131,28 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     EXPECT_EQ(differences["pairs_only_in_a"], 0);
     EXPECT_EQ(differences["pairs_only_in_b"], 0);
     EXPECT_EQ(differences["nodes_comparable"], false);
+    const std::string text = run_scb("diff " + file + " " + trace).out;
+    EXPECT_NE(text.find("\n\nBoth found the same pairs.\n\nasked "), std::string::npos) << text;
+    EXPECT_NE(text.find("\n2 frames in both, with equal poses and counts\n"), std::string::npos)
+        << text;
+    // Of other volumes the tests are others.
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume scb2 -o " + trace).status, 0);
+    EXPECT_NE(run_scb("diff " + file + " " + trace)
+                  .out.find("\n2 frames in both, 2 differ otherwise (frames 60, 100)\n"),
+              std::string::npos);
+}
+
+TEST_F(RecordingCommands, DiffSaysFirstWhichPairsWereMissed) {
+    record("line-8 --frames 40 --test printed");
+    const std::string trace = folder / "own.scbtrace";
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 -o " + trace).status, 0);
+    const ProgramRun run = run_scb("diff " + file + " " + trace);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.out.find("\n\n0 pairs only in the first, 30 pairs only in the second.\n\nasked "),
+              std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("\n1 frame in both, 1 differs (frame 40)\n"), std::string::npos);
+    EXPECT_NE(run.out.find("; 5 of them:\n  frame 40, the triangles "), std::string::npos);
 }
 
 TEST_F(RecordingCommands, WhatIsAboutOwnHierarchiesAsksForTheirVolume) {

@@ -288,6 +288,7 @@ TEST(RecordedTrace, ComparesPairsOfNodesByTheirNumbers) {
     TestInput a(folder / "objects.scbrec", "5"), b(folder / "objects.scbrec", "5");
     const TraceDiff same = diff(
         a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
+    EXPECT_TRUE(same.of_engines);
     EXPECT_TRUE(same.frames.empty());
     // The query of frame 6 as one of frame 5 in the eyes of the other.
     TestInput c(folder / "objects.scbrec", "5"), d(folder / "objects.scbrec", "6");
