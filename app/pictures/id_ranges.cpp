@@ -48,6 +48,13 @@ IdRanges id_ranges(const QuerySources& sources) {
     return ids;
 }
 
+std::vector<std::uint32_t> numbers_by_id(const VolumeTree& tree) {
+    std::vector<std::uint32_t> numbers;
+    if (!tree.has_own_numbers()) return numbers;
+    for (std::uint32_t node = 0; node < tree.size(); ++node) numbers.push_back(tree.number(node));
+    return numbers;
+}
+
 std::vector<IdRange> pair_id_ranges(const IdRanges& ids, const QueryFrames& frames) {
     std::vector<IdRange> ranges;
     std::uint32_t first = ids.first_free;

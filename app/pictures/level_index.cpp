@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/id_ranges.h"
 #include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
 #include "core/hierarchy/level_statistics.h"
@@ -16,7 +17,7 @@ Json level_json(int level) { return level == leaf_level ? Json("leaves") : Json(
 }  // namespace
 
 Json level_entry(const std::string& volumes, int level, int frame,
-                 const std::vector<render::LevelBody>& bodies) {
+                 const std::vector<render::LevelBody>& bodies, bool ids) {
     const render::LevelNumbers numbers = render::level_numbers(bodies, level);
     Json list = Json::array();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -29,6 +30,9 @@ Json level_entry(const std::string& volumes, int level, int frame,
                         {"mean_thickness", s.mean_thickness()},
                         {"area", s.area},
                         {"volume", s.volume}});
+        if (!ids) continue;
+        if (std::vector<std::uint32_t> by_id = numbers_by_id(*bodies[b].tree); !by_id.empty())
+            list.back()["node_numbers"] = std::move(by_id);
     }
     return {{"volume", volumes},
             {"level", level_json(level)},

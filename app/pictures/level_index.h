@@ -9,9 +9,10 @@
 
 namespace scb::app {
 
-/// What index.json says of a picture of a level: the counts that it shows.
+/// What index.json says of a picture of a level: the counts that it shows; and, of one with `ids`,
+/// what numbers_by_id says.
 nlohmann::ordered_json level_entry(const std::string& volumes, int level, int frame,
-                                   const std::vector<render::LevelBody>& bodies);
+                                   const std::vector<render::LevelBody>& bodies, bool ids);
 
 /// What it says of a run of `scb render levels`: the options and the camera.
 /// `volumes` are the names of what is drawn.

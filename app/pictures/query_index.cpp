@@ -21,6 +21,18 @@ void add_ids(Json& list, const QueryView& view, const char* what,
                         {"count", ranges[side].count}});
 }
 
+/// What the ids of nodes stand for where they are another engine's.
+void add_node_numbers(Json& entry, const TraceFrame& frame) {
+    Json numbers = Json::array();
+    bool own = false;
+    for (const std::shared_ptr<const VolumeTree>& tree : frame.trees) {
+        if (!tree) return;
+        own |= tree->has_own_numbers();
+        numbers.push_back(numbers_by_id(*tree));
+    }
+    if (own) entry["node_numbers"] = std::move(numbers);
+}
+
 }  // namespace
 
 Json query_index_head(const QueryView& view, const std::string& command) {
@@ -69,6 +81,8 @@ Json query_index_entry(const QueryView& view, const QueryFrames& frames) {
 Json query_index_entry(const QueryView& view, const QueryFrames& frames,
                        const render::Camera& camera) {
     Json entry = query_index_entry(view, frames);
+    for (std::size_t i = 0; i < frames.size() && view.options().picture.ids; ++i)
+        add_node_numbers(view.compares() ? entry["queries"][i] : entry, *frames[i]);
     if (view.follows_contact()) entry["camera"] = scenes::camera_json(view.camera_view(camera));
     return entry;
 }

@@ -85,7 +85,8 @@ int run(const LevelOptions& options, const Console& console) {
                     render::compose(figures.figure(k, level), width, height,
                                     options.picture.samples, pictures.overlay());
                 pictures.draw(name, picture,
-                              level_entry(trees[k].name, level, frame, figures.bodies(k)));
+                              level_entry(trees[k].name, level, frame, figures.bodies(k),
+                                          options.picture.ids));
                 return Json();
             };
             pictures.part(draw, take_nothing);

@@ -129,7 +129,8 @@ struct Shot {
         const std::size_t last = frame.events.volume_tests.size() - 1;
         const TracedTest test = traced_test(source.header(), frame, tree, last);
         for (std::size_t side = 0; side < 2; ++side) {
-            const std::uint32_t node = side == 0 ? test.test.nodes.a : test.test.nodes.b;
+            const IndexPair nodes = frame.events.volume_tests[last].nodes;
+            const std::uint32_t node = side == 0 ? nodes.a : nodes.b;
             if (!bodies[side].tree->has_volume(node)) continue;
             figure.markers.push_back({center(render::volume_of(bodies[side], node)),
                                       bodies[side].tree->lengths(node).diameter / 2});

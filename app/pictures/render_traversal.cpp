@@ -28,11 +28,16 @@ struct TraversalOptions : QueryViewOptions {
 /// So many of a query's largest parts are in index.json.
 constexpr std::size_t most_parts = 8;
 
-std::string nodes_text(IndexPair nodes) {
-    return std::to_string(nodes.a) + "," + std::to_string(nodes.b);
+std::string pair_text(IndexPair numbers) {
+    return std::to_string(numbers.a) + "," + std::to_string(numbers.b);
 }
 
-/// "I,J".
+/// The numbers of the nodes of a test: "5,7".
+std::string nodes_text(const TraceFrame& frame, std::uint32_t test) {
+    return pair_text(numbers_of(frame, frame.events.volume_tests[test].nodes));
+}
+
+/// "I,J": two numbers.
 std::optional<IndexPair> root_of(const TraversalOptions& options) {
     if (options.root.empty()) return std::nullopt;
     const std::string option = "--root " + options.root;
@@ -40,8 +45,9 @@ std::optional<IndexPair> root_of(const TraversalOptions& options) {
     const std::vector<std::string> parts = scenes::split_list(options.root);
     if (parts.size() != 2) throw InputError(option + ": this is not a pair of nodes" + hint);
     const auto node = [&](const std::string& text) {
-        const int number = scenes::whole_number(text, option, hint);
+        const std::int64_t number = scenes::large_number(text, option, hint);
         if (number < 0) throw InputError(option + ": nodes are counted from 0" + hint);
+        if (number >= no_index) throw InputError(option + ": no node has such a number" + hint);
         return static_cast<std::uint32_t>(number);
     };
     return IndexPair{node(parts[0]), node(parts[1])};
@@ -50,18 +56,19 @@ std::optional<IndexPair> root_of(const TraversalOptions& options) {
 std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>& parts) {
     std::string text;
     for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 3); ++i)
-        text += (i == 0 ? "" : " or ") + nodes_text(frame.events.volume_tests[parts[i]].nodes);
+        text += (i == 0 ? "" : " or ") + nodes_text(frame, parts[i]);
     return text;
 }
 
 /// The part of the frame that begins with the test of these nodes.
 TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
                    IndexPair root) {
-    if (const std::optional<std::uint32_t> test = test_of(frame.events, root))
-        return traversal_part(header, frame, tree, *test);
+    if (const std::optional<IndexPair> nodes = nodes_of(frame, root))
+        if (const std::optional<std::uint32_t> test = test_of(frame.events, *nodes))
+            return traversal_part(header, frame, tree, *test);
     const std::string parts = parts_text(frame, largest_parts(tree, most_parts));
     throw InputError(
-        "--root " + nodes_text(root) + ": frame " + std::to_string(frame.frame) +
+        "--root " + pair_text(root) + ": frame " + std::to_string(frame.frame) +
         " has no test of these nodes; " +
         (parts.empty() ? "leave out --root." : "try " + parts + ", its largest parts."));
 }
@@ -71,7 +78,7 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& 
     const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const std::uint32_t part : largest_parts(tree, most_parts))
-        json[nodes_text(frame.events.volume_tests[part].nodes)] = sizes[part];
+        json[nodes_text(frame, part)] = sizes[part];
     return json;
 }
 
@@ -123,7 +130,7 @@ int run(TraversalOptions& options, const Console& console) {
             if (root)
                 figure.subtitle +=
                     (figure.subtitle.empty() ? "only below nodes " : ", only below nodes ") +
-                    nodes_text(*root) + ": " +
+                    pair_text(*root) + ": " +
                     render::share_text(static_cast<double>(frame.found.n_v),
                                        static_cast<double>(whole.found.n_v)) +
                     " of the tests";

@@ -92,6 +92,12 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
     header_ = trace_header(scene, query_);
 }
 
+std::vector<int> QuerySource::all_frames() const {
+    return recorded_ ? recorded_->all_frames()
+           : trace_  ? scenes::frames_in_trace(trace_path_, "all")
+                     : query_.frames;
+}
+
 std::size_t QuerySource::body_index(std::size_t side) const {
     return recorded_ ? recorded_->sides()[side] : side == 0 ? query_.a : query_.b;
 }

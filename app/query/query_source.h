@@ -32,6 +32,9 @@ class QuerySource {
     const std::vector<int>& frames() const {
         return recorded_ ? recorded_->frames() : query_.frames;
     }
+    /// All that the trace or the recording has of these bodies; of a scene those that were asked
+    /// for.
+    std::vector<int> all_frames() const;
 
     /// How many tests of volumes the query of a frame has; made, or read, for this alone.
     std::uint64_t test_count(int frame) const;

@@ -1,6 +1,8 @@
 #include "app/query/query_sources.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/query/poses_json.h"
@@ -74,6 +76,31 @@ void check_comparable(const QuerySources& sources) {
             "the traces have other frames; name frames that are in both with --frames.");
 }
 
+/// Where each of two files has another frame to show by default, both show one that both have: that
+/// of a recording, which is the one with the most pairs, if it can be.
+void show_one_frame(QuerySources& sources,
+                    const std::function<QuerySource(std::size_t, const std::string&)>& open) {
+    if (sources[0].frames() == sources[1].frames()) return;
+    const std::vector<int> of_a = sources[0].all_frames(), of_b = sources[1].all_frames();
+    std::vector<int> both;
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::back_inserter(both));
+    if (both.empty()) return;
+    int shown = both.front();
+    bool chosen = false;
+    for (const bool recorded : {true, false})
+        for (const QuerySource& source : sources) {
+            const int own = source.frames().front();
+            if (chosen || source.is_recording() != recorded ||
+                !std::binary_search(both.begin(), both.end(), own))
+                continue;
+            shown = own;
+            chosen = true;
+        }
+    for (std::size_t i = 0; i < 2; ++i)
+        if (sources[i].frames() != std::vector{shown}) sources[i] = open(i, std::to_string(shown));
+}
+
 /// Letters, digits, points and hyphens of a text.
 std::string file_name_part(const std::string& text) {
     std::string part;
@@ -141,11 +168,15 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         if (!compare.names.empty())
             throw InputError("--compare " + compare.names +
                              ": these are two queries already; leave it out.");
-        for (const std::string& name : scene.names) {
+        const auto open = [&](std::size_t i, const std::string& frames) {
             SceneOptions one = scene;
-            one.names = {name};
-            sources.emplace_back(one, hierarchy, query, limits, true);
-        }
+            one.names = {scene.names[i]};
+            QueryOptions of_one = query;
+            of_one.frames = frames;
+            return QuerySource(one, hierarchy, of_one, limits, true);
+        };
+        for (std::size_t i = 0; i < 2; ++i) sources.push_back(open(i, query.frames));
+        if (query.frames == scenes::auto_frames) show_one_frame(sources, open);
         check_comparable(sources);
         for (const QuerySource& source : sources) {
             if (source.is_recording()) continue;

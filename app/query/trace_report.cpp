@@ -1,5 +1,6 @@
 #include "app/query/trace_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/console.h"
@@ -19,6 +20,15 @@ void print_block(std::string& text) {
     if (text.size() < block) return;
     print_result(text);
     text.clear();
+}
+
+/// Of the columns of nodes: engines may have large numbers.
+int number_width(const TraceFrame& frame) {
+    std::uint32_t most = 0;
+    for (const std::shared_ptr<const VolumeTree>& tree : frame.trees)
+        for (std::uint32_t node = 0; tree && node < tree->size(); ++node)
+            most = std::max(most, tree->number(node));
+    return std::max(8, static_cast<int>(std::to_string(most).size()));
 }
 
 }  // namespace
@@ -44,10 +54,11 @@ Json body_json(const TraceBody& body) {
 Json trace_header_json(const TraceHeader& header) {
     Json bodies = Json::array();
     for (const TraceBody& body : header.bodies) bodies.push_back(body_json(body));
-    Json result = {{"version", header.scb_version},
-                   {"source", header.source},
-                   {"scene", header.scene},
-                   {"bodies", bodies}};
+    Json result;
+    if (!header.engine) result["version"] = header.scb_version;
+    result["source"] = header.source;
+    result["scene"] = header.scene;
+    result["bodies"] = bodies;
     if (header.engine) {
         result["engine"] = header.engine->name;
         result["volume"] = header.engine->volumes;
@@ -84,7 +95,10 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     }
     if (test.parent) {
         result["parent"] = nodes(*test.parent);
-        result["parent"]["divided"] = bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
+        result["parent"]["divided"] =
+            test.parent_outcome == Outcome::divided_both
+                ? "both"
+                : bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
     }
     return result;
 }
@@ -93,13 +107,15 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
     const TraversalTree tree = traversal_tree(header, frame);
     const BodyNames names = body_names(header),
                     bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
-    std::string text = "   test  parent   node A   node B  depths  outcome\n";
+    const int width = number_width(frame);
+    std::string text =
+        format("   test  parent %*s %*s  depths  outcome\n", width, "node A", width, "node B");
     for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
         const TracedTest test = traced_test(header, frame, tree, i);
         const std::string parent =
             tree.parents[i] == TraversalTree::no_parent ? "-" : std::to_string(tree.parents[i]);
-        text += format("%7zu %7s %8u %8u %3d %3d  ", i, parent.c_str(), test.test.nodes.a,
-                       test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
+        text += format("%7zu %7s %*u %*u %3d %3d  ", i, parent.c_str(), width, test.test.nodes.a,
+                       width, test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
                 words_of(test, bodies) + "\n";
         print_block(text);
     }

@@ -29,7 +29,7 @@ struct ViewSubject {
     std::vector<int> frames;  ///< that all columns have poses at
     int frame = 0;            ///< of these, the one that is shown first
     int deepest = 0;          ///< level of all trees
-    bool same_nodes = true;   ///< whether a node's number means the same in all columns
+    bool same_nodes = true;   ///< whether a node's index means the same in all columns
     // What the columns refer to.
     std::vector<std::unique_ptr<LevelSubject>> levels;
     std::vector<std::unique_ptr<QuerySources>> sources;

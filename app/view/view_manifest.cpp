@@ -71,6 +71,15 @@ double reach_of(const VolumeTree& tree, const Vec3& center) {
     return most;
 }
 
+/// The names of the nodes that have one, by their indices.
+Json names_json(const VolumeTree& tree) {
+    Json names = Json::object();
+    for (std::uint32_t node = 0; node < tree.size(); ++node)
+        if (const std::string name = tree.name(node); !name.empty())
+            names[std::to_string(node)] = scenes::printable(name);
+    return names;
+}
+
 Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::size_t body,
                render::BlockStore& store) {
     std::vector<std::uint8_t> subtrees;
@@ -95,16 +104,20 @@ Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::siz
     for (const VolumeStatistics& level : cover_statistics(tree))
         levels.push_back({level.volumes, level.mean_diameter(), level.mean_thickness(), level.area,
                           level.volume});
-    return {{"center", json_of(blocks.center)},
-            {"radius", reach_of(tree, blocks.center)},
-            {"levels", std::move(levels)},
-            {"nodes", tree.size()},
-            {"order", blocks.order},
-            {"children", blocks.children},
-            {"item_counts", blocks.item_counts},
-            {"items", blocks.items},
-            {"counts", blocks.counts},
-            {"parts", std::move(parts)}};
+    Json told = {{"center", json_of(blocks.center)},
+                 {"radius", reach_of(tree, blocks.center)},
+                 {"levels", std::move(levels)},
+                 {"nodes", tree.size()},
+                 {"order", blocks.order},
+                 {"children", blocks.children},
+                 {"item_counts", blocks.item_counts},
+                 {"items", blocks.items},
+                 {"counts", blocks.counts},
+                 {"parts", std::move(parts)}};
+    if (blocks.numbers) told["numbers"] = *blocks.numbers;
+    if (const Json names = names_json(tree); !names.empty())
+        told["names"] = store.add(std::string_view(names.dump()));
+    return told;
 }
 
 /// What the columns have in common is in the page once.

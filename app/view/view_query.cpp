@@ -80,15 +80,19 @@ struct Worst {
         wrong.add(frame, attribution);
     }
 
-    /// By the index of the worth.
-    Json json() const {
+    /// By the index of the worth; nodes by their numbers.
+    Json json(const QuerySource& source) const {
+        const auto numbers = [&source](int frame, IndexPair nodes) -> Json {
+            return {source.body(0, frame).tree->number(nodes.a),
+                    source.body(1, frame).tree->number(nodes.b)};
+        };
         Json worst = Json::array();
         for (const WorstPairs* pairs : {&fits, &tests}) {
             Json list = Json::array();
             for (const FalsePair& pair : pairs->pairs())
                 list.push_back({{"frame", pair.frame},
                                 {"test", pair.pair.test},
-                                {"nodes", {pair.test.nodes.a, pair.test.nodes.b}},
+                                {"nodes", numbers(pair.frame, pair.test.nodes)},
                                 {"n_v", pair.pair.below.volume_tests},
                                 {"n_p", pair.pair.below.triangle_tests}});
             worst.push_back(std::move(list));
@@ -97,7 +101,7 @@ struct Worst {
         for (const WronglyRejectedPair& pair : wrong.pairs())
             list.push_back({{"frame", pair.frame},
                             {"test", pair.rejection.test},
-                            {"nodes", {pair.test.nodes.a, pair.test.nodes.b}},
+                            {"nodes", numbers(pair.frame, pair.test.nodes)},
                             {"missed", pair.rejection.missed}});
         worst.push_back(std::move(list));
         return worst;
@@ -162,12 +166,9 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
         for (const std::string_view line :
              render::symbol_lines(header.volume, header.options.overlap))
             symbols.push_back(line);
-    return {{"objects", pairs_are_nodes(header)},
-            {"symbols", std::move(symbols)},
-            {"groups", groups_json(header)},
-            {"worths", worths_json()},
-            {"worst", worst.json()},
-            {"frames", std::move(frames)}};
+    return {{"objects", pairs_are_nodes(header)}, {"symbols", std::move(symbols)},
+            {"groups", groups_json(header)},      {"worths", worths_json()},
+            {"worst", worst.json(source)},        {"frames", std::move(frames)}};
 }
 
 }  // namespace scb::app

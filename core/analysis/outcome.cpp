@@ -16,6 +16,8 @@ std::string_view outcome_name(Outcome outcome) {
             return "divided a";
         case Outcome::divided_b:
             return "divided b";
+        case Outcome::divided_both:
+            return "divided both";
     }
     return stage_name(static_cast<Stage>(outcome));
 }

@@ -9,14 +9,15 @@ namespace scb {
 
 /// What became of a pair of nodes whose volumes were tested. Values from 1 to stage_count - 1
 /// are the stages at which the test rejected the pair, see rejected_at. A path of the traversal
-/// ends with every outcome but the last two.
+/// ends with every outcome but the last three, see is_divided.
 enum class Outcome : std::uint8_t {
     triangles_apart = stage_count,  ///< two leaves that overlap, whose triangles do not intersect
     triangles_meet,                 ///< two leaves that overlap, whose triangles intersect
     found,                          ///< nodes that overlap at the level where the query stopped
-    left_over,  ///< they overlap, but the query had its pairs before it came to divide them
-    divided_a,  ///< they overlap; the children of A's node were tested next
-    divided_b,  ///< they overlap; the children of B's node were tested next
+    left_over,     ///< they overlap, but the query had its pairs before it came to divide them
+    divided_a,     ///< they overlap; the children of A's node were tested next
+    divided_b,     ///< they overlap; the children of B's node were tested next
+    divided_both,  ///< they overlap; the children of both were: other engines do so
 };
 /// How many outcomes end a path, and indices below which they are: but for foreign stages.
 inline constexpr std::size_t ending_count = stage_count + 4;
@@ -28,13 +29,16 @@ constexpr bool is_rejection(Outcome outcome) {
     return (outcome != Outcome{} && static_cast<std::size_t>(outcome) < stage_count) ||
            is_foreign(static_cast<Stage>(outcome));
 }
+constexpr bool is_divided(Outcome outcome) {
+    return outcome >= Outcome::divided_a && outcome <= Outcome::divided_both;
+}
 constexpr bool is_ending(Outcome outcome) {
     return static_cast<std::size_t>(outcome) < ending_count ||
            is_foreign(static_cast<Stage>(outcome));
 }
 
 /// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
-/// "divided a", "divided b". Foreign stages have no name, see stage_words.
+/// "divided a", "divided b", "divided both". Foreign stages have no name, see stage_words.
 std::string_view outcome_name(Outcome outcome);
 
 }  // namespace scb

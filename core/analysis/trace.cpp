@@ -65,6 +65,19 @@ TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame)
                          : traversal_tree(frame.events, nodes);
 }
 
+IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes) {
+    const auto& [a, b] = frame.trees;
+    return {a ? a->number(nodes.a) : nodes.a, b ? b->number(nodes.b) : nodes.b};
+}
+
+std::optional<IndexPair> nodes_of(const TraceFrame& frame, IndexPair numbers) {
+    const auto& [a, b] = frame.trees;
+    const IndexPair nodes{a ? a->node_of(numbers.a) : numbers.a,
+                          b ? b->node_of(numbers.b) : numbers.b};
+    if (nodes.a == no_index || nodes.b == no_index) return std::nullopt;
+    return nodes;
+}
+
 bool same_meshes(const TraceHeader& a, const TraceHeader& b) {
     const bool roughly = a.engine || b.engine;
     for (std::size_t side = 0; side < 2; ++side) {

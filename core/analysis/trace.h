@@ -2,11 +2,13 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/analysis/traversal_tree.h"
+#include "core/hierarchy/volume_tree.h"
 #include "scb/any_collide.h"
 
 namespace scb {
@@ -89,7 +91,16 @@ struct TraceFrame {
     /// Per volume test the one that led to it, or TraversalTree::no_parent; empty where the tests
     /// are those of one call of collide, of which their order tells it.
     std::vector<std::uint32_t> parents{};
+    /// Of A and B where they are another engine's, which has numbers of its own for their nodes;
+    /// null where numbers are indices.
+    std::array<std::shared_ptr<const VolumeTree>, 2> trees{};
 };
+
+/// The numbers of two nodes, as whoever made the query calls them: these are for users, and the
+/// indices in a frame are not.
+IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes);
+/// The nodes of two such numbers; nothing where there is no such node.
+std::optional<IndexPair> nodes_of(const TraceFrame& frame, IndexPair numbers);
 
 /// Queries of one scene, frame by frame, with all that they did.
 struct Trace {
@@ -107,7 +118,7 @@ bool same_meshes(const TraceHeader& a, const TraceHeader& b);
 /// The first frame that both have at which an engine's tree of A (side 0) or B (1) is another than
 /// the other engine's.
 std::optional<int> other_tree_at(const TraceEngine& a, const TraceEngine& b, std::size_t side);
-/// Whether the number of a node means the same in both: not where splits, or the trees of two
+/// Whether the index of a node means the same in both: not where splits, or the trees of two
 /// engines at a frame that both have, are others.
 bool same_nodes(const TraceHeader& a, const TraceHeader& b);
 

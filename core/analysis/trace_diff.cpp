@@ -132,7 +132,8 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
                    IndexPair pair) {
     const auto& [finder_header, finder, finder_tree] = found;
     const auto& [other_header, other, other_tree] = lost_by;
-    LostPair lost{finder.frame, pair, false, !other.found.complete, std::nullopt, 0};
+    const IndexPair told = d.of_nodes ? numbers_of(finder, pair) : pair;
+    LostPair lost{finder.frame, told, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
     const std::optional<std::size_t> from = test_of(finder, finder_tree, d.of_nodes, pair);
     if (!from) return lost;
@@ -146,8 +147,7 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
     for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
         const Outcome outcome = other_tree.outcomes[i];
         const IndexPair nodes = other.events.volume_tests[i].nodes;
-        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b ||
-            !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
+        if (is_divided(outcome) || !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
             continue;
         lost.lost_at = traced_test(other_header, other, other_tree, i);
         lost.test = i;
@@ -210,7 +210,12 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
                        const TraversalTree& tree, std::size_t index) {
     const Events& events = frame.events;
     TracedTest result;
-    result.test = events.volume_tests[index];
+    const auto numbered = [&](std::size_t i) {
+        VolumeTest test = events.volume_tests[i];
+        test.nodes = numbers_of(frame, test.nodes);
+        return test;
+    };
+    result.test = numbered(index);
     result.outcome = tree.outcomes[index];
     result.stage = stage_words(header, result.test.stage);
     const auto triangles =
@@ -219,7 +224,7 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
     if (triangles != events.triangle_tests.end() && triangles->after == index)
         result.triangles = *triangles;
     if (const std::uint32_t parent = tree.parents[index]; parent != TraversalTree::no_parent) {
-        result.parent = events.volume_tests[parent];
+        result.parent = numbered(parent);
         result.parent_outcome = tree.outcomes[parent];
     }
     return result;
@@ -232,6 +237,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.stages = stage_order(a, b);
     result.nodes_comparable = same_meshes(a, b);
     result.meshes_differ = !result.nodes_comparable;
+    result.of_engines = a.engine || b.engine;
     result.nodes_comparable &= same_nodes(a, b);
     result.bodies = body_names(a);
     result.of_nodes = pairs_are_nodes(a);

@@ -32,7 +32,7 @@ struct FrameDifference {
     TraceCounts a, b;
 };
 
-/// A volume test and what it belongs to.
+/// A volume test and what it belongs to, for users: nodes are the numbers that numbers_of has.
 struct TracedTest {
     VolumeTest test;
     Outcome outcome{};
@@ -54,7 +54,7 @@ struct Parting {
 /// A pair that one of two queries found and the other did not.
 struct LostPair {
     int frame = 0;
-    IndexPair pair;
+    IndexPair pair;            ///< one of nodes by their numbers, as who found it has them
     bool found_by_a = false;   ///< else by B
     bool other_ended = false;  ///< the other query had its pairs before it was through
     /// The test by which the other query left it out, and its number: what that test was about
@@ -78,6 +78,7 @@ struct TraceDiff {
     std::vector<std::string> stages;        ///< all names of these, in order
     bool nodes_comparable = true;           ///< false where the meshes or the splits differ
     bool meshes_differ = false;
+    bool of_engines = false;       ///< whether another engine made one of them
     std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
     bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
     bool pairs_comparable = true;  ///< false where meshes, or levels to stop at, or the nodes that

@@ -28,6 +28,8 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
             return "overlap, passed on to the children of " + bodies[0] + "'s node";
         case Outcome::divided_b:
             return "overlap, passed on to the children of " + bodies[1] + "'s node";
+        case Outcome::divided_both:
+            return "overlap, passed on to the children of both";
         case Outcome::triangles_apart:
             return "overlap; their triangles " + triangles + " do not intersect";
         case Outcome::triangles_meet:
@@ -42,8 +44,11 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
 
 std::string words_of_parent(const TracedTest& test, const BodyNames& bodies) {
     if (!test.parent) return "these are the roots";
-    return "reached from " + words_of(*test.parent) + ", where " +
-           bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was divided";
+    const std::string divided =
+        test.parent_outcome == Outcome::divided_both
+            ? "both nodes were"
+            : bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was";
+    return "reached from " + words_of(*test.parent) + ", where " + divided + " divided";
 }
 
 std::string words_of(const Parting& parting, const BodyNames& bodies, const TraceNames& names) {

@@ -18,8 +18,8 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies);
 /// "the nodes (12, 33) at depths (4, 5)".
 std::string words_of(const VolumeTest& test);
 
-/// "reached from the nodes (5, 33) at depths (3, 5), where arm's node was divided", or "these are
-/// the roots".
+/// "reached from the nodes (5, 33) at depths (3, 5), where arm's node was divided", or "both nodes
+/// were"; or "these are the roots".
 std::string words_of_parent(const TracedTest& test, const BodyNames& bodies);
 
 /// The same as three or four lines that end with line ends: the place, what the first trace did,

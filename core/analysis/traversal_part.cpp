@@ -7,6 +7,7 @@ namespace scb {
 TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
                       const std::vector<std::uint32_t>& chosen) {
     TraceFrame result{frame.frame, frame.b_to_a, {}, {}};
+    result.trees = frame.trees;
     const std::vector<TriangleTest>& triangle_tests = frame.events.triangle_tests;
     Collision& found = result.found;
     // Where the tests of another engine are now.

@@ -61,9 +61,13 @@ TraversalTree traversal_tree(const Events& events, std::span<const IndexPair> fo
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         if (parents[i] == TraversalTree::no_parent) continue;
         Outcome& parent = tree.outcomes[parents[i]];
-        if (parent == Outcome::left_over)
-            parent = tests[i].nodes.a != tests[parents[i]].nodes.a ? Outcome::divided_a
-                                                                   : Outcome::divided_b;
+        if (parent != Outcome::left_over && !is_divided(parent)) continue;
+        const IndexPair nodes = tests[i].nodes, above = tests[parents[i]].nodes;
+        const Outcome divided = nodes.a == above.a   ? Outcome::divided_b
+                                : nodes.b == above.b ? Outcome::divided_a
+                                                     : Outcome::divided_both;
+        parent =
+            parent == Outcome::left_over || parent == divided ? divided : Outcome::divided_both;
     }
     for (const TriangleTest& test : events.triangle_tests) {
         Outcome& leaves = tree.outcomes[test.after];

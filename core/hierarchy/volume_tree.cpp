@@ -45,7 +45,14 @@ class OwnTree final : public VolumeTree {
 }  // namespace
 
 std::string VolumeTree::node_words(std::uint32_t node) const {
-    return "node " + std::to_string(node);
+    const std::string words = "node " + std::to_string(number(node)), own = name(node);
+    return own.empty() ? words : words + " \"" + own + "\"";
+}
+
+bool VolumeTree::has_own_numbers() const {
+    for (std::uint32_t node = 0; node < size(); ++node)
+        if (number(node) != node) return true;
+    return false;
 }
 
 std::unique_ptr<VolumeTree> volume_tree(const AnyHierarchy& hierarchy) {

@@ -36,12 +36,18 @@ class VolumeTree {
     virtual VolumeFamily family() const = 0;
     /// The triangles, or objects, of the node itself.
     virtual std::span<const std::uint32_t> items(std::uint32_t node) const = 0;
-    /// The node of a number of its builder's; no_index where there is none.
+    /// The number by which its builder calls the node: users see it, and no index.
+    virtual std::uint32_t number(std::uint32_t node) const { return node; }
+    /// The node of such a number; no_index where there is none.
     virtual std::uint32_t node_of(std::uint32_t number) const {
         return number < size() ? number : no_index;
     }
-    /// What its builder calls the node: "node 412".
-    virtual std::string node_words(std::uint32_t node) const;
+    /// What its builder calls the node besides; mostly empty.
+    virtual std::string name(std::uint32_t) const { return {}; }
+    /// "node 412", with its name in quotes where it has one.
+    std::string node_words(std::uint32_t node) const;
+    /// Whether some node has another number than its index.
+    bool has_own_numbers() const;
 
   protected:
     VolumeTree(const VolumeTree&) = default;

@@ -56,8 +56,9 @@ class EngineTree final : public VolumeTree {
     std::span<const std::uint32_t> items(std::uint32_t node) const override {
         return tree_.items(node);
     }
+    std::uint32_t number(std::uint32_t node) const override { return tree_[node].number; }
     std::uint32_t node_of(std::uint32_t number) const override { return tree_.index_of(number); }
-    std::string node_words(std::uint32_t node) const override { return tree_.words(node); }
+    std::string name(std::uint32_t node) const override { return tree_.name_of(node); }
 
   private:
     template <class Measures, class Measure>

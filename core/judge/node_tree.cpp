@@ -36,10 +36,14 @@ std::span<const std::uint32_t> NodeTree::items(std::size_t index) const {
     return std::span(items_).subspan(nodes_[index].first_item, nodes_[index].item_count);
 }
 
-std::string NodeTree::words(std::size_t index) const {
-    const std::string number = "node " + std::to_string(nodes_[index].number);
+std::string NodeTree::name_of(std::size_t index) const {
     const auto found = names_.find(static_cast<std::uint32_t>(index));
-    return found == names_.end() ? number : number + " \"" + found->second + "\"";
+    return found == names_.end() ? std::string() : found->second;
+}
+
+std::string NodeTree::words(std::size_t index) const {
+    const std::string number = "node " + std::to_string(nodes_[index].number), own = name_of(index);
+    return own.empty() ? number : number + " \"" + own + "\"";
 }
 
 std::uint32_t NodeTree::parent(std::size_t index) const {

@@ -45,7 +45,9 @@ class NodeTree {
     /// The numbers of its children as it tells them.
     std::span<const std::uint32_t> children(std::size_t index) const;
     std::span<const std::uint32_t> items(std::size_t index) const;
-    /// "node 12", with the engine's own name in quotes where it has one.
+    /// The engine's own name of the node; empty where it has none.
+    std::string name_of(std::size_t index) const;
+    /// "node 12", with that name in quotes.
     std::string words(std::size_t index) const;
     /// The numbers of nodes that were told again, in that order.
     const std::vector<std::uint32_t>& told_twice() const { return told_twice_; }

@@ -18,6 +18,12 @@ const Element& first_of(const std::vector<Element>& elements, const Element& non
 FrameTests::FrameTests(const TraceHeader& header, const TraceFrame& frame)
     : all_([&] {
           auto all = std::make_shared<All>(All{header, frame, traversal_tree(header, frame), {}});
+          TraceFrame& told = all->frame;
+          for (VolumeTest& test : told.events.volume_tests)
+              test.nodes = numbers_of(frame, test.nodes);
+          if (pairs_are_nodes(header))
+              for (IndexPair& pair : told.found.pairs) pair = numbers_of(frame, pair);
+          told.trees = {};
           all->outcomes.insert(all->tree.outcomes.begin(), all->tree.outcomes.end());
           return all;
       }()) {}
@@ -100,8 +106,9 @@ which they were made; so have those of tests of triangles.)");
         .def_property_readonly(
             "pose", [](const FrameTests& f) { return matrix_of(f.frame().b_to_a); },
             "4 x 4 float64, from b's frame to a's.")
-        .def_property_readonly("node_a", &FrameTests::node_a, "uint32: the node of a.")
-        .def_property_readonly("node_b", &FrameTests::node_b, "uint32: the node of b.")
+        .def_property_readonly("node_a", &FrameTests::node_a,
+                               "uint32: the number of the node of a; of a recording, its engine's.")
+        .def_property_readonly("node_b", &FrameTests::node_b, "uint32: the same of b.")
         .def_property_readonly("depth_a", &FrameTests::depth_a, "uint16: the depth of node_a.")
         .def_property_readonly("depth_b", &FrameTests::depth_b, "uint16: the depth of node_b.")
         .def_property_readonly("outcome", &FrameTests::outcome,

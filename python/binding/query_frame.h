@@ -9,7 +9,8 @@
 
 namespace scb::python {
 
-/// One query with all its tests. Owns a copy: sources use their memory again.
+/// One query with all its tests, which name nodes by their numbers. Owns a copy: sources use their
+/// memory again.
 class FrameTests {
   public:
     FrameTests(const TraceHeader& header, const TraceFrame& frame);

@@ -27,6 +27,7 @@ struct PanelPainter {
     const std::vector<PanelItem>& items;
     int y;
     int kept_free;
+    std::size_t current = 0;                                    ///< the item that is drawn
     std::map<std::size_t, std::vector<int>> ends_by_columns{};  ///< see column_ends
 
     int line_height() const { return unit * 5 / 4; }
@@ -54,6 +55,17 @@ struct PanelPainter {
         for (; i < items.size() && !std::holds_alternative<PanelHeading>(items[i]); ++i)
             smallest = std::min(smallest, least(items[i]));
         return own + smallest;
+    }
+    /// The height of what stands below the item that is drawn, without notes, which may be left
+    /// out.
+    int least_of_rest() const {
+        int sum = kept_free;
+        for (std::size_t i = current + 1; i < items.size(); ++i) {
+            if (std::holds_alternative<PanelNote>(items[i])) continue;
+            if (std::holds_alternative<PanelHeading>(items[i])) sum += unit / 2 + unit / 4;
+            sum += least(items[i]);
+        }
+        return sum;
     }
     TextStyle note_style() const {
         return {small_size(unit), FontWeight::regular, theme.faint_text};
@@ -181,9 +193,28 @@ struct PanelPainter {
             box.width - indent - share - overlay.measure(row.count, value).width - unit / 2;
         while (text.size > small_size(unit) && overlay.measure(row.text, text).width > room)
             --text.size;
-        overlay.text(box.x + indent, y + (unit - text.size) / 2,
-                     fitted_text(overlay, row.text, text, room), text);
+        const int top = y + (unit - text.size) / 2, second_line = text.size * 5 / 4;
+        const std::string first = first_line(row.text, text, room);
         y += line_height();
+        if (first.size() == row.text.size() || !fits(second_line + least_of_rest())) {
+            overlay.text(box.x + indent, top, fitted_text(overlay, row.text, text, room), text);
+            return;
+        }
+        overlay.text(box.x + indent, top, first, text);
+        const std::string second = row.text.substr(first.size() + 1);
+        overlay.text(box.x + indent, top + second_line,
+                     fitted_text(overlay, second, text, box.width - indent), text);
+        y += second_line;
+    }
+
+    /// As many of the words as fit into a line; all where not even one does.
+    std::string first_line(const std::string& text, const TextStyle& style, int width) const {
+        if (overlay.measure(text, style).width <= width) return text;
+        for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
+             end = text.rfind(' ', end - 1))
+            if (overlay.measure(text.substr(0, end), style).width <= width)
+                return text.substr(0, end);
+        return text;
     }
 
     void draw(const PanelScale& scale) {
@@ -222,6 +253,7 @@ int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, 
         if (std::holds_alternative<PanelHeading>(items[i]) &&
             !painter.fits(painter.gap() + painter.least_below(i)))
             break;
+        painter.current = i;
         std::visit([&](const auto& item) { painter.draw(item); }, items[i]);
     }
     return painter.y;

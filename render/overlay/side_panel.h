@@ -28,7 +28,8 @@ struct PanelKey {
     std::string text;
 };
 
-/// A color, what it means, how many there are and what share that is, if that is said.
+/// A color, what it means, how many there are and what share that is, if that is said. A text that
+/// is too long has a second line where nothing of what follows has to give way, but for notes.
 struct PanelLegendRow {
     Rgba8 color;
     std::string text;

@@ -43,6 +43,7 @@ Look look_of(Outcome ending, const Theme& theme) {
             return {"left over", theme.left_over};
         case Outcome::divided_a:
         case Outcome::divided_b:
+        case Outcome::divided_both:
             break;
     }
     const auto stage = static_cast<Stage>(ending);

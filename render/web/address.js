@@ -38,7 +38,7 @@ class Address {
     if (selected) {
       if (selected.column > 0) words.set('of', selected.column);
       words.set('body', selected.body);
-      words.set('node', app.treeOf(selected.column, selected.body).order[selected.slot]);
+      words.set('node', app.treeOf(selected.column, selected.body).numberOf(selected.slot));
       if (selected.triangle !== null) words.set('triangle', selected.triangle);
     }
     if (state.pair) words.set('pair', state.pair.join());
@@ -92,7 +92,7 @@ class Address {
     // A link to two nodes: the test that was made of them.
     this.wanted = list('nodes', 2);
     const column = whole('of', 0, columns.length - 1), body = number('body') ?? 0;
-    const slot = number('node') !== null && columns[column].bodies[body] ? app.treeOf(column, body).slotOf(number('node')) : -1;
+    const slot = number('node') !== null && columns[column].bodies[body] ? app.treeOf(column, body).slotOfNumber(number('node')) : -1;
     const triangles = (one) => (one?.mesh == null ? 0 : manifest.meshes[one.mesh].triangles), isTriangle = (n, one) => Number.isInteger(n) && n >= 0 && n < triangles(one);
     const triangle = number('triangle');
     if (words.size > 0) state.selected = slot >= 0 ? { column, body, slot, triangle: isTriangle(triangle, columns[column].bodies[body]) ? triangle : null } : null;

@@ -93,7 +93,7 @@ class App {
     });
   }
 
-  // The slot of the node that is selected, in another column the one of the same number; -1: there is none.
+  // The slot of the node that is selected, in another column that of the same node; -1: there is none.
   selectedSlot(column) {
     const { selected } = this.state;
     if (!selected) return -1;
@@ -263,7 +263,7 @@ class App {
     const { manifest, state, columns } = this, commands = manifest.commands[state.mode] ?? [], words = [];
     if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
     const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
-    if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.trees.map((tree, side) => tree.order[(side === 0 ? frame.a : frame.b)[state.root]])}`);
+    if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.pairText(frame, state.root)}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     if (state.mode === 'rejections' && state.hidden.length > 0) {
       const { query } = columns.find((column) => column.query), shown = query.told.groups.filter(({ label }) => !state.hidden.includes(label));
@@ -285,7 +285,7 @@ class App {
   // The command that explains a test of a column.
   explain(column, test) {
     const { explain, query, several_frames } = this.columns[column], { frame } = this.scenes[column], { manifest, state } = this;
-    return explain && `${explain}${several_frames ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${query.trees[0].order[frame.a[test]]},${query.trees[1].order[frame.b[test]]}`;
+    return explain && `${explain}${several_frames ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${query.pairText(frame, test)}`;
   }
 
   // The column at a point of the canvas.
@@ -372,7 +372,7 @@ class App {
     const nodeOf = (bodies, words, otherwise) => {
       const at = words.lastIndexOf(':'), name = words.slice(0, Math.max(at, 0)).trim(), number = words.slice(at + 1).trim();
       const named = bodies.findIndex((one) => one.name === name), body = at < 0 ? otherwise : named >= 0 ? named : ['a', 'b'].indexOf(name.toLowerCase());
-      return { body, slot: /^\d+$/.test(number) ? bodies[body]?.tree.slotOf(Number(number)) ?? -1 : -1 };
+      return { body, slot: /^\d+$/.test(number) ? bodies[body]?.tree.slotOfNumber(Number(number)) ?? -1 : -1 };
     };
     for (const column of [first, ...this.columns.keys()]) {
       const { bodies, query } = this.columns[column], { body, slot } = nodeOf(bodies, text, 0);
@@ -439,10 +439,10 @@ class App {
     const corners = shown.length <= 300 ? 48 : shown.length <= 4000 ? 24 : 12;
     const colors = new Map(nodes.map((node) => [`${node.side} ${node.slot}`, state.mode === 'traversal' ? bodies[node.side].color : this.labelsOf(this.columns[k].query)[node.group][state.theme]]));
     const file = glbOf(shown.map(({ b, slot }) => {
-      const { name, tree } = bodies[b], volume = tree.volume(slot), node = tree.order[slot];
+      const { name, tree } = bodies[b], volume = tree.volume(slot), number = tree.numberOf(slot);
       return {
-        name: `${name} ${node}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot), corners), color: colors.get(`${b} ${slot}`) ?? volume.color,
-        opacity: state.mode === 'levels' ? Math.max(state.opacity, 0.05) : 1, pose: this.poseOf(k, b), center: tree.told.center, id: node, depth: tree.levelOf(slot),
+        name: `${name} ${number}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot), corners), color: colors.get(`${b} ${slot}`) ?? volume.color,
+        opacity: state.mode === 'levels' ? Math.max(state.opacity, 0.05) : 1, pose: this.poseOf(k, b), center: tree.told.center, id: number, depth: tree.levelOf(slot),
       };
     }), this.manifest.scene);
     if (file) this.offer(new Blob([file], { type: 'model/gltf-binary' }), 'glb');

@@ -27,14 +27,14 @@ class NodePanel {
 
   nodeParts({ column, body, slot, triangle }) {
     const { app } = this, tree = app.treeOf(column, body), chain = [], most = 12;
-    const link = (to) => button(String(tree.order[to]), `Choose this node, depth ${tree.levelOf(to)}`, () => app.select(column, body, to));
+    const link = (to) => button(String(tree.numberOf(to)), `Choose this node, depth ${tree.levelOf(to)}`, () => app.select(column, body, to));
     for (let at = tree.parent[slot]; at >= 0; at = tree.parent[at]) chain.unshift(at);
     const above = chain.length > most ? [link(chain[0]), element('span', { className: 'faint', textContent: `${chain.length - most} more \u2026` }), ...chain.slice(1 - most).map(link)] : chain.map(link);
     const children = Array.from({ length: Math.min(tree.children[slot], 8) }, (_, i) => tree.firstChild[slot] + i);
     const rows = [
       ['body', app.columns[column].bodies[body].name],
       ...(triangle === null ? [] : [['triangle', String(triangle)]]),
-      [triangle === null ? 'node' : 'in the leaf', String(tree.order[slot])],
+      [triangle === null ? 'node' : 'in the leaf', tree.wordsOf(slot)],
       ['depth', String(tree.levelOf(slot))],
     ];
     const parts = [table(rows), row(button('Go to it', 'A', () => app.approach()), button('Only what is below it', 'I', () => app.set({ isolated: !app.state.isolated }), app.state.isolated))];
@@ -59,8 +59,8 @@ class NodePanel {
     if (passed > 0) rows.push(['passed on', counted(passed)]);
     const tests = query.testsWith(frame, body, slot);
     const met = tests.slice(0, this.all ? 200 : most).map((test) => {
-      const node = query.trees[other].order[(other === 0 ? frame.a : frame.b)[test]], group = query.told.groups[frame.outcomes[test] - 2];
-      const made = button(String(node), `${query.endingOf(frame, test)}; ${counted(frame.sizes[test] - 1)} tests follow`, () => app.showTest(k, test));
+      const at = (other === 0 ? frame.a : frame.b)[test], number = query.trees[other].numberOf(at), group = query.told.groups[frame.outcomes[test] - 2];
+      const made = button(String(number), `${query.endingOf(frame, test)}; ${counted(frame.sizes[test] - 1)} tests follow`, () => app.showTest(k, test));
       made.prepend(swatch(group ? group[theme] : passedOn(app.theme)));
       return made;
     });
@@ -87,7 +87,7 @@ class NodePanel {
     const { app } = this, { bodies, query: own } = app.columns[k], slots = app.scenes.leaves;
     if (!app.scenes[k].frame || !slots) return [faint('The page has no query of this frame.')];
     const rows = [a, b].map((triangle, side) => [`triangle of ${bodies[side].name}`, button(String(triangle), 'Choose this triangle', () => app.selectTriangle(k, side, triangle))]);
-    const parts = [table([...rows, ['in the leaves', slots.map((slot, side) => own.trees[side].order[slot]).join()]])];
+    const parts = [table([...rows, ['in the leaves', slots.map((slot, side) => own.trees[side].numberOf(slot)).join()]])];
     app.columns.forEach(({ query, title }, at) => {
       const { frame } = app.scenes[at];
       if (!frame || (at !== k && !app.manifest.same_nodes)) return;

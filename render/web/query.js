@@ -84,8 +84,17 @@ class Query {
   endingOf(frame, test) {
     return frame.outcomes[test] < 2 ? 'passed' : this.told.groups[frame.outcomes[test] - 2].label;
   }
+  // Whether the tests that followed are of children of both nodes: other engines go into both at once. Needs what Icicle.follow knows.
+  dividesBoth(frame, test) {
+    let [a, b] = [false, false];
+    for (let i = frame.first[test]; i >= 0; i = frame.next[i]) {
+      a ||= frame.a[i] !== frame.a[test];
+      b ||= frame.b[i] !== frame.b[test];
+    }
+    return a && b;
+  }
   pairText(frame, test) {
-    return `${this.trees[0].order[frame.a[test]]},${this.trees[1].order[frame.b[test]]}`;
+    return `${this.trees[0].numberOf(frame.a[test])},${this.trees[1].numberOf(frame.b[test])}`;
   }
 
   // The test that rejected two slots, or nodes above them; -1: none did.
@@ -186,7 +195,7 @@ class Query {
       }
       for (const { slot } of found)
         for (let up = tree.parent[slot]; up >= 0 && !holds.has(up); up = tree.parent[up]) holds.add(up);
-      // In the order of their numbers, which decides between equal ones.
+      // In the order of their indices, which decides between equal ones.
       return found.filter(({ slot }) => !holds.has(slot)).sort((x, y) => tree.order[x.slot] - tree.order[y.slot]);
     });
     return { all, focus };
@@ -219,7 +228,7 @@ class Query {
       const n = counts.reduce((sum, count, group) => sum + (wanted(group) ? count : 0), 0);
       if (n > 0) rows.push([slot, n]);
     }
-    const { order } = this.trees[side];
-    return rows.sort((x, y) => y[1] - x[1] || order[x[0]] - order[y[0]]);
+    const { numbers } = this.trees[side];
+    return rows.sort((x, y) => y[1] - x[1] || numbers[x[0]] - numbers[y[0]]);
   }
 }

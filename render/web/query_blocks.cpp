@@ -75,8 +75,8 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
     std::vector<std::uint8_t> outcomes = worth_bits(tree, attribution);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const Outcome outcome = tree.outcomes[i];
-        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b) {
-            outcomes[i] |= outcome == Outcome::divided_a ? 0 : 1;
+        if (is_divided(outcome)) {
+            outcomes[i] |= outcome == Outcome::divided_b ? 1 : 0;
             continue;
         }
         const auto group =

@@ -12,10 +12,10 @@ namespace scb::render {
 /// The tests of a query, and what it found.
 struct QueryBlocks {
     /// Number of a block: of each test of volumes, in their order, u8. The lower six bits: 0 where
-    /// the children of A's node were tested next, 1 where those of B's node were, else 2 and the
-    /// index of its ending's group. Bit 6: it passed volumes that are disjoint, or rejected some
-    /// that overlap or hold triangles that intersect. Bit 7: triangles below it intersect, and no
-    /// test that followed says so.
+    /// the children of A's node were tested next, or those of both, 1 where those of B's node were,
+    /// else 2 and the index of its ending's group. Bit 6: it passed volumes that are disjoint, or
+    /// rejected some that overlap or hold triangles that intersect. Bit 7: triangles below it
+    /// intersect, and no test that followed says so.
     std::size_t outcomes = 0;
     /// A's and B's node of each test, and the test that led to it or 2^32 - 1, u32; nothing where
     /// they follow from the outcomes: first the

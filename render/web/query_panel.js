@@ -22,7 +22,7 @@ class QueryPanel {
     });
     if (state.mode === 'rejections' || state.mode === 'verdicts')
       parts.push(row(button('Large volumes too', 'Also those that are large for the few tests that ended at them', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
-    return state.isolated ? [faint(`Only tests of what is below node ${app.treeOf(state.selected.column, state.selected.body).order[state.selected.slot]} are shown and listed; counts at the top are of all.`), ...parts] : parts;
+    return state.isolated ? [faint(`Only tests of what is below node ${app.treeOf(state.selected.column, state.selected.body).numberOf(state.selected.slot)} are shown and listed; counts at the top are of all.`), ...parts] : parts;
   }
 
   counts(k) {
@@ -69,11 +69,15 @@ class QueryPanel {
   }
 
   pairParts(k) {
-    const { app } = this, { bodies } = app.columns[k], { meeting } = app.scenes[k], only = app.content.pairsOnlyHere(k), most = 12;
-    const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} triangles meet others`));
+    const { app } = this, { bodies, query } = app.columns[k], { frame, meeting } = app.scenes[k], { objects } = query.told, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
+    const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} ${what} meet others`));
     if (only.length === 0) return parts;
-    return [...parts, faint(`Pairs of triangles that only this one found${only.length > most ? `, the first ${most} of ${counted(only.length)}` : ''}`),
-      row(...only.slice(0, most).map((pair) => button(pair.join(), 'Choose this pair, and see where the other lost it', () => app.selectPair(k, pair))))];
+    const link = (pair) => {
+      if (!objects) return button(pair.join(), 'Choose this pair, and see where the other lost it', () => app.selectPair(k, pair));
+      const slots = pair.map((node, side) => query.trees[side].slotOf(node));
+      return button(slots.map((slot, side) => query.trees[side].numberOf(slot)).join(), 'Show their test', () => app.showTest(k, query.testOf(frame, ...slots)));
+    };
+    return [...parts, faint(`Pairs of ${what} that only this one found${only.length > most ? `, the first ${most} of ${counted(only.length)}` : ''}`), row(...only.slice(0, most).map(link))];
   }
 
   // How paths ended, or what tests were worth, to be chosen from.
@@ -99,7 +103,7 @@ class QueryPanel {
       if (all.length === 0) return [];
       const rest = all.length > most && all[most][1] === all[most - 1][1] ? `; ${counted(all.slice(most).filter(([, n]) => n === all[most - 1][1]).length)} more have as many as the last` : '';
       return [faint(`nodes of ${body.name} with the most ${verdicts ? 'of these' : 'rejections'}${rest}`),
-        row(...all.slice(0, most).map(([slot, n]) => button(`${query.trees[side].order[slot]}: ${counted(n)}`, 'Choose this node', () => app.select(k, side, slot))))];
+        row(...all.slice(0, most).map(([slot, n]) => button(`${query.trees[side].numberOf(slot)}: ${counted(n)}`, 'Choose this node', () => app.select(k, side, slot))))];
     });
   }
 
@@ -110,7 +114,7 @@ class QueryPanel {
       const own = differing.filter((node) => node.side === side);
       if (own.length === 0) return [];
       return [faint(`${counted(own.length)} nodes of ${body.name} that the other does not show, or shows otherwise; those with the most tests`),
-        row(...own.slice(0, most).map(({ slot, paths }) => button(`${query.trees[side].order[slot]}: ${counted(paths)}`, 'Choose this node', () => app.select(k, side, slot))))];
+        row(...own.slice(0, most).map(({ slot, paths }) => button(`${query.trees[side].numberOf(slot)}: ${counted(paths)}`, 'Choose this node', () => app.select(k, side, slot))))];
     });
   }
 
@@ -135,8 +139,8 @@ class QueryPanel {
     const cell = state.cell && frame.cells?.all.get(state.cell.join());
     const rows = [
       ['test', counted(i)],
-      ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].order[slots[side]]}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
-      ['how it ended', group ? group.label : `passed: ${bodies[frame.outcomes[i]].name} was divided`],
+      ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].wordsOf(slots[side])}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
+      ['how it ended', group ? group.label : `passed: ${query.dividesBoth(frame, i) ? 'both were' : `${bodies[frame.outcomes[i]].name} was`} divided`],
       ...(verdict ? [['worth', word(verdict.label)]] : []),
       ['tests that follow', counted(frame.sizes[i] - 1)],
     ];

@@ -3,7 +3,7 @@ const numbersOf = [0, 9, 14, 12, 4, 5];  // of WebShape, see tree_blocks.h
 const texelWidth = 2048;
 
 // A hierarchy. Its nodes are in the order of their levels; levels are unpacked when they are shown, small ones together. "Slot" is a node's place in this
-// order, "node" its number for the user.
+// order, "node" its index, by which pixels and queries name it, "number" what users call it: of another engine's tree, its own number.
 class Tree {
   constructor(gl, blocks, told) {
     Object.assign(this, { gl, blocks, told });
@@ -27,6 +27,8 @@ class Tree {
       for (let i = 0; i < this.children[slot]; ++i) this.parent[next++] = slot;
     }
     this.slots = new Map();
+    this.numbers = 'numbers' in this.told ? await this.blocks.get(this.told.numbers) : this.order;
+    this.names = 'names' in this.told ? JSON.parse(new TextDecoder().decode(await this.blocks.get(this.told.names))) : {};
   }
 
   // Which triangles, or objects, a node has itself.
@@ -44,8 +46,21 @@ class Tree {
   }
 
   slotOf(node) {
-    if (this.slots.size === 0) this.order.forEach((number, slot) => this.slots.set(number, slot));
+    if (this.slots.size === 0) this.order.forEach((of, slot) => this.slots.set(of, slot));
     return this.slots.get(node) ?? -1;
+  }
+  slotOfNumber(number) {
+    if (this.numbers === this.order) return this.slotOf(number);
+    this.numbered ??= new Map(Array.from(this.numbers, (of, slot) => [of, slot]));
+    return this.numbered.get(number) ?? -1;
+  }
+  numberOf(slot) {
+    return this.numbers[slot];
+  }
+  // The number, and the name in quotes where it has one.
+  wordsOf(slot) {
+    const name = this.names[this.order[slot]];
+    return name === undefined ? String(this.numbers[slot]) : `${this.numbers[slot]} "${name}"`;
   }
 
   levelOf(slot) {

@@ -159,6 +159,11 @@ TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::ui
     result.children = store.add(children);
     result.item_counts = store.add(item_counts);
     result.items = store.add(items);
+    if (tree.has_own_numbers()) {
+        std::vector<std::uint32_t> numbers;
+        for (const std::uint32_t node : order) numbers.push_back(tree.number(node));
+        result.numbers = store.add(numbers);
+    }
     return result;
 }
 

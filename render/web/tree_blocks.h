@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/hierarchy/volume_tree.h"
 #include "render/view/palette.h"
@@ -42,6 +43,8 @@ struct TreeBlocks {
     std::size_t children = 0;     ///< in this order how many children each has,
     std::size_t item_counts = 0;  ///< and how many triangles, or objects
     std::size_t items = 0;        ///< these, one node after the other
+    /// In this order, too, what users call each; nothing where these are the indices.
+    std::optional<std::size_t> numbers;
     std::vector<LevelBlocks> parts;
 };
 

@@ -65,6 +65,7 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
     numbers_ = chosen->bodies;
     for (std::size_t side = 0; side < 2; ++side)
         sides_[side] = recording_.bodies.at(numbers_[side]);
+    all_frames_ = chosen->frames;
     frames_ = frames == auto_frames
                   ? std::vector{chosen->fullest}
                   : frames_among(chosen->frames, frames, path, "a recording may have");
@@ -158,6 +159,7 @@ const TraceFrame& RecordedTrace::frame(int number) {
         if (step == Step::query && queries_->frame() == number && is_wanted(*queries_)) break;
     }
     frame_ = trace_frame(queries_->query(), stages_);
+    for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, number).tree;
     return frame_;
 }
 

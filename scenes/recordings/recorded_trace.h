@@ -31,6 +31,8 @@ class RecordedTrace {
     const std::array<std::size_t, 2>& sides() const { return sides_; }
     /// Ascending.
     const std::vector<int>& frames() const { return frames_; }
+    /// All that have a query of the two; those above are among them.
+    const std::vector<int>& all_frames() const { return all_frames_; }
     /// One of the two at one of these frames.
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether it tells of pairs, or of tests of items, anywhere.
@@ -62,7 +64,7 @@ class RecordedTrace {
     Recording recording_;
     std::array<std::size_t, 2> sides_{};
     std::array<std::uint32_t, 2> numbers_{};  ///< of the bodies in the recording
-    std::vector<int> frames_;
+    std::vector<int> frames_, all_frames_;
     TraceHeader header_;
     std::map<std::uint8_t, Stage> stages_;
     std::map<int, std::array<BodyAtFrame, 2>> bodies_;

@@ -6,6 +6,19 @@
 #include "scb/error.h"
 
 namespace scb::scenes {
+namespace {
+
+template <class Number>
+Number parsed_number(const std::string& text, const std::string& what, const std::string& hint) {
+    Number value = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (text.empty() || parsed.ec != std::errc() || parsed.ptr != end)
+        throw InputError(what + ": '" + text + "' is not a whole number" + hint);
+    return value;
+}
+
+}  // namespace
 
 std::vector<std::string> split_list(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
@@ -19,12 +32,12 @@ std::vector<std::string> split_list(const std::string& text, char separator) {
 }
 
 int whole_number(const std::string& text, const std::string& what, const std::string& hint) {
-    int value = 0;
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, value);
-    if (text.empty() || parsed.ec != std::errc() || parsed.ptr != end)
-        throw InputError(what + ": '" + text + "' is not a whole number" + hint);
-    return value;
+    return parsed_number<int>(text, what, hint);
+}
+
+std::int64_t large_number(const std::string& text, const std::string& what,
+                          const std::string& hint) {
+    return parsed_number<std::int64_t>(text, what, hint);
 }
 
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ std::vector<std::string> split_list(const std::string& text, char separator = ',
 /// An integer that is the whole text; throws InputError that starts with `what` and ends with
 /// `hint`.
 int whole_number(const std::string& text, const std::string& what, const std::string& hint = ".");
+/// The same up to 2^63.
+std::int64_t large_number(const std::string& text, const std::string& what,
+                          const std::string& hint = ".");
 
 /// What a list of numbers may hold.
 struct NumberRange {

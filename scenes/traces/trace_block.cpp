@@ -31,6 +31,7 @@ std::uint8_t symbol_of(Outcome outcome) {
             return leaves_meet;
         case Outcome::divided_a:
         case Outcome::divided_b:
+        case Outcome::divided_both:
         case Outcome::left_over:
             break;
     }

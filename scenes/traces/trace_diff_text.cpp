@@ -51,6 +51,18 @@ std::string missing_text(const std::vector<int>& frames, const std::string& owne
            ")\n";
 }
 
+bool has_same_pairs(const TraceDiff& d) { return d.pairs_only_in_a + d.pairs_only_in_b == 0; }
+
+/// Of another engine, whose tests are others anyway, pairs are what one asks for.
+bool says_pairs_first(const TraceDiff& d) {
+    return d.of_engines && d.pairs_comparable && d.common > 0;
+}
+
+std::string pairs_text(const TraceDiff& d, const TraceNames& names) {
+    if (!says_pairs_first(d)) return {};
+    return (has_same_pairs(d) ? "Both found the same pairs" : lost_pairs_text(d, names)) + ".\n\n";
+}
+
 std::string frames_text(const TraceDiff& d) {
     std::string text = plural(d.common, "frame") + " in both";
     if (d.common == 0) return text + "\n";
@@ -63,7 +75,8 @@ std::string frames_text(const TraceDiff& d) {
         if (f.poses_differ) moved.push_back(f.frame);
     }
     text += ", " + std::to_string(frames.size()) + (frames.size() == 1 ? " differs" : " differ") +
-            " (" + numbers_of(frames) + ")\n";
+            (says_pairs_first(d) && has_same_pairs(d) ? " otherwise (" : " (") +
+            numbers_of(frames) + ")\n";
     if (!moved.empty())
         text += plural(moved.size(), "frame") + " with other poses (" + numbers_of(moved) + ")\n";
     return text;
@@ -77,8 +90,10 @@ BodyNames printable_names(const BodyNames& names) {
 std::string lost_text(const TraceDiff& d, const TraceNames& names) {
     if (d.nodes_comparable && !d.pairs_comparable)
         return "\nThey stop at different levels, so their pairs cannot be compared.\n";
-    if (d.pairs_only_in_a + d.pairs_only_in_b == 0)
-        return d.pairs_comparable && !d.nodes_comparable ? "\nBoth found the same pairs.\n" : "";
+    if (has_same_pairs(d))
+        return d.pairs_comparable && !d.nodes_comparable && !says_pairs_first(d)
+                   ? "\nBoth found the same pairs.\n"
+                   : "";
     std::string text = "\n" + lost_pairs_text(d, names);
     const bool some = d.lost.size() < d.pairs_only_in_a + d.pairs_only_in_b;
     text += some ? format("; %zu of them:\n", d.lost.size()) : std::string(":\n");
@@ -112,7 +127,7 @@ std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names) {
 
 std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
     if (d.equal()) return "equal: " + plural(d.common, "frame") + "\n";
-    std::string text;
+    std::string text = pairs_text(d, names);
     if (!d.asked.empty()) {
         std::size_t width = names.a.size();
         for (const FieldDifference& field : d.asked) width = std::max(width, field.a.size());

@@ -554,6 +554,101 @@ test('another engine\'s recording is a page like any other', async () => {
   assert.deepEqual(overlaps[0], overlaps[1]);
 });
 
+// Of an engine that numbers its nodes otherwise: those of A count down, and pairs of B's are swapped. Each seventh has a name.
+const number_of = [(node) => 100000 - 3 * node, (node) => 3000000007 + 2 * (node ^ 1)];
+function renumbered(file) {
+  const lines = file.replace('.scbrec', '.jsonl'), made = file.replace('.scbrec', '-numbers.jsonl');
+  scb('convert', file, '-o', lines);
+  const numbered = (line) => {
+    const number = number_of[line.in_tree];
+    if ('node' in line) Object.assign(line, { name: line.node % 7 === 0 ? `node of ${line.node}` : '', node: number(line.node), children: line.children?.map(number), parent: line.parent === null ? null : number(line.parent) });
+    if ('refit' in line) line.refit = number(line.refit);
+    if ('tests' in line) line.tests = line.tests.map((test) => (typeof test[0] === 'string' ? test : [test[0], number_of[0](test[1]), number_of[1](test[2])]));
+    return line;
+  };
+  writeFileSync(made, readFileSync(lines, 'utf8').trim().split('\n').map((line) => JSON.stringify(numbered(JSON.parse(line)))).join('\n'));
+  return made;
+}
+
+test('another engine\'s nodes have its numbers', async () => {
+  const file = join(folder, 'numbers.scbrec');
+  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '-o', file);
+  const other = renumbered(file), { frames: [{ tests }] } = JSON.parse(execFileSync(process.env.SCB, ['--quiet', 'trace', other, '--json', '--events'], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+  // One whose node of A has a name, and from which others followed.
+  const sizes = tests.map(() => 1);
+  for (let i = tests.length - 1; i > 0; --i) sizes[tests[i].parent_test] += sizes[i];
+  const test = tests.findIndex(({ nodes: [a] }, i) => i > 0 && (100000 - a) % 21 === 0 && sizes[i] > 1), [a, b] = tests[test].nodes;
+  assert.ok(test > 0);
+  await onPage(page_of(other), { hash: `#frame=100&nodes=${a},${b}` }, async (page) => {
+    await settled(page);
+    const now = await state(page), evaluated = (...what) => page.evaluate(...what);
+    assert.deepEqual([now.mode, now.test], ['traversal', test]);
+    // All tests are those of scb trace.
+    assert.deepEqual(await evaluated(() => {
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0];
+      return Array.from(frame.outcomes, (_, i) => app.columns[0].query.pairText(frame, i));
+    }), tests.map(({ nodes }) => nodes.join()));
+    const panel = () => page.locator('#panel').innerText(), name = `${a} "node of ${(100000 - a) / 3}"`;
+    assert.ok((await panel()).includes(`${name}, depth ${tests[test].depths[0]}`));
+    await evaluated((root) => document.getElementById('canvas').app.set({ root }), test);
+    await settled(page);
+    const [command] = await evaluated(() => document.getElementById('canvas').app.commands());
+    assert.ok(command.includes(` --root ${a},${b} `), command);
+    const words = command.split(' ').slice(1), out = join(folder, 'numbers');
+    scb(...words.slice(0, -1), out);
+    assert.equal(JSON.parse(readFileSync(join(out, 'index.json'))).files[0].n_v, sizes[test]);
+    // Lists, links and searches.
+    for (const list of await evaluated(() => document.getElementById('canvas').app.columns[0].query.told.worst))
+      for (const { test: worst, nodes } of list) assert.deepEqual(nodes, tests[worst].nodes);
+    await page.getByRole('button', { name: `${name}, depth`, exact: false }).click();
+    await settled(page);
+    const chosen = await address(page);
+    assert.deepEqual([chosen.body, chosen.node], ['0', String(a)]);
+    const hash = await evaluated(() => location.hash);
+    await onPage(page_of(other), { hash }, async (again) => {
+      await settled(again);
+      assert.equal((await state(again)).selected.slot, (await state(page)).selected.slot);
+      assert.equal((await address(again)).node, String(a));
+    });
+    // Whom it met, and what is above it.
+    const met = new Set(tests.filter(({ nodes }) => nodes[0] === a).map(({ nodes }) => String(nodes[1])));
+    const listed = await page.locator('#panel button').allInnerTexts();
+    assert.ok([...met].slice(0, 5).every((number) => listed.includes(number)));
+    assert.ok(listed.includes('100000'), 'the root');
+    await press(page, '1', '/');
+    await page.keyboard.type(`B:${b}`);
+    await page.keyboard.press('Enter');
+    await settled(page);
+    assert.equal((await address(page)).node, String(b));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'GLB' }).click()]);
+    await download.saveAs(join(folder, 'numbers.glb'));
+    const bytes = readFileSync(join(folder, 'numbers.glb')), glb = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)));
+    assert.deepEqual(glb.nodes.slice(1).map(({ name, extras }) => [name, extras.id]), [[`B ${b}`, b]]);
+    await press(page, '2');
+    const most = await page.getByRole('button', { name: /^\d+: [\d,]+$/ }).allInnerTexts();
+    assert.ok(most.length > 4 && most.every((text) => { const n = Number(text.split(':')[0]); return n > 3e9 || (100000 - n) % 3 === 0; }), most.join('; '));
+  });
+  // Beside the query of this program each has its own.
+  await onPage(page_of(other, '--compare', 'recorded,scb2'), { hash: `#frame=100&nodes=${a},${b}` }, async (page) => {
+    await settled(page);
+    assert.deepEqual([(await state(page)).column, (await state(page)).test], [0, test]);
+    const numbers = await page.evaluate(() => document.getElementById('canvas').app.columns.map(({ query }) => query.trees.map((tree) => [tree.numberOf(1), tree.slotOfNumber(1), tree.slotOfNumber(99997)])));
+    assert.deepEqual(numbers, [[[99997, -1, 1], [3000000007, -1, -1]], [[1, 1, -1], [1, 1, -1]]]);
+  });
+});
+
+test('an engine may go into both nodes at once', async () => {
+  const box = (from, to) => ['aabb', from, 0, 0, to, 1, 1], file = join(folder, 'both.jsonl');
+  const tree = (number) => [{ tree: number, name: '', of_mesh: null, directions: [] }, { node: 10, in_tree: number, parent: null, children: [11, 12], items: [], volume: box(0, 2) },
+    { node: 11, in_tree: number, parent: 10, children: [], items: [0], volume: box(0, 1) }, { node: 12, in_tree: number, parent: 10, children: [], items: [1], volume: box(1, 2) }];
+  const lines = [...tree(0), ...tree(1), { body: 0, name: 'A', of_tree: 0 }, { body: 1, name: 'B', of_tree: 1 }, { frame: 0 }, { query: [0, 1] },
+    { tests: [[0, 10, 10], [0, 11, 11], [1, 11, 12], [1, 12, 11], [0, 12, 12], ['pair', 0, 0], ['pair', 1, 1]] }, { complete: true, nanoseconds: 0 }, { end: true }];
+  writeFileSync(file, lines.map((line) => JSON.stringify(line)).join('\n'));
+  await onPage(page_of(file), { hash: '#show=traversal&test=0' }, async (page) => {
+    assert.match(await page.locator('#panel').innerText(), /passed: both were divided/);
+  });
+});
+
 test('keys do all of it', async () => {
   await onPage(page_of('spheres-l1', '--level', '5'), {}, async (page) => {
     await press(page, ']', ']', '[');

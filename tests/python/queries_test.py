@@ -1,5 +1,6 @@
 """Traces, recordings and explanations: every test of a query, and what it was worth."""
 
+import json
 import os
 import pathlib
 import tempfile
@@ -43,6 +44,29 @@ class Queries(unittest.TestCase):
         for number in (85, 80, 90, 85):  # in any order
             self.same(now.frame(number), trace.frame(number))
             self.same(now.frame(number), recording.frame(number))
+
+    def test_nodes_of_another_engine_have_its_numbers(self):
+        def number(node):
+            return 10000 - 3 * node
+
+        def numbered(line):
+            if "node" in line:
+                line.update(node=number(line["node"]), children=[number(child) for child in line["children"]],
+                            parent=None if line["parent"] is None else number(line["parent"]))
+            if "tests" in line:
+                line["tests"] = [test if isinstance(test[0], str) else [test[0], number(test[1]), number(test[2])]
+                                 for test in line["tests"]]
+            return line
+
+        file, lines, own = (pathlib.Path(self.folder.name) / name for name in ("a.scbrec", "a.jsonl", "own.jsonl"))
+        run_scb("trace", "line-8", "--frames", "40", "-o", file)
+        run_scb("convert", file, "-o", lines)
+        own.write_text("\n".join(json.dumps(numbered(json.loads(line))) for line in lines.read_text().splitlines()))
+        frame, other = (scb.open_queries(path).frame(40) for path in (file, own))
+        for nodes in ("node_a", "node_b"):
+            np.testing.assert_array_equal(getattr(other, nodes), number(getattr(frame, nodes).astype(int)))
+        for same in ("depth_a", "depth_b", "outcome", "parent", "pairs"):
+            np.testing.assert_array_equal(getattr(other, same), getattr(frame, same))
 
     def test_are_those_of_collide(self):
         a, b = built(self.scene, "obb")

@@ -97,15 +97,11 @@ TEST_F(RenderTraversal, APartIsBelowTheTestOfTwoNodes) {
 
 TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"--by time", "give tests or share"},
-        {"--show all", "give matrix, icicle or both"},
-        {"--frames 500", "0 to 499"},
-        {"--root 5", "this is not a pair of nodes"},
-        {"--root 5,-1", "counted from 0"},
-        {"--camera fit", "--camera"},
-        {"--ids", "--ids"},
-        {"--samples 4", "--samples"},
-        {"--ortho", "--ortho"},
+        {"--by time", "give tests or share"}, {"--show all", "give matrix, icicle or both"},
+        {"--frames 500", "0 to 499"},         {"--root 5", "this is not a pair of nodes"},
+        {"--root 5,-1", "counted from 0"},    {"--root 5,4294967295", "no node has such a number"},
+        {"--camera fit", "--camera"},         {"--ids", "--ids"},
+        {"--samples 4", "--samples"},         {"--ortho", "--ortho"},
         {"--clip 0,0,1,0", "--clip"}};
     for (const auto& [arguments, message] : cases) {
         const ProgramRun run =

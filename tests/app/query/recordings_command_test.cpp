@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
 #include "tests/png_chunks.h"
+#include "tests/recordings/renumbered.h"
+#include "tests/recordings/small_engine.h"
 
 namespace scb::app {
 namespace {
@@ -23,6 +26,12 @@ struct RecordingCommands : testing::Test {
         const ProgramRun run = run_scb(arguments);
         EXPECT_EQ(run.status, 0) << arguments << "\n" << run.err;
         return run.status == 0 ? json::parse(run.out) : json();
+    }
+    /// Of a diff that finds something.
+    json printed_different(const std::string& arguments) {
+        const ProgramRun run = run_scb(arguments);
+        EXPECT_EQ(run.status, 1) << arguments << "\n" << run.err;
+        return run.status == 1 ? json::parse(run.out) : json();
     }
     /// The picture that the command draws, and what its index says of it.
     std::pair<std::string, json> drawn(const std::string& arguments) {
@@ -98,6 +107,9 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     const json of_trace = printed("trace --json --events " + trace),
                of_recording = printed("trace --json --events " + file);
     ASSERT_EQ(of_recording["frames"].size(), 2u);
+    EXPECT_EQ(of_trace["volume"], "obb");
+    EXPECT_TRUE(of_trace.contains("version"));
+    EXPECT_FALSE(of_recording.contains("version")) << "it is no trace of this program's";
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(of_recording["frames"][i]["tests"], of_trace["frames"][i]["tests"]);
         EXPECT_EQ(of_recording["frames"][i]["stages"], of_trace["frames"][i]["stages"]);
@@ -119,6 +131,28 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     EXPECT_EQ(differences["pairs_only_in_a"], 0);
     EXPECT_EQ(differences["pairs_only_in_b"], 0);
     EXPECT_EQ(differences["nodes_comparable"], false);
+    const std::string text = run_scb("diff " + file + " " + trace).out;
+    EXPECT_NE(text.find("\n\nBoth found the same pairs.\n\nasked "), std::string::npos) << text;
+    EXPECT_NE(text.find("\n2 frames in both, with equal poses and counts\n"), std::string::npos)
+        << text;
+    // Of other volumes the tests are others.
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume scb2 -o " + trace).status, 0);
+    EXPECT_NE(run_scb("diff " + file + " " + trace)
+                  .out.find("\n2 frames in both, 2 differ otherwise (frames 60, 100)\n"),
+              std::string::npos);
+}
+
+TEST_F(RecordingCommands, DiffSaysFirstWhichPairsWereMissed) {
+    record("line-8 --frames 40 --test printed");
+    const std::string trace = folder / "own.scbtrace";
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 -o " + trace).status, 0);
+    const ProgramRun run = run_scb("diff " + file + " " + trace);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.out.find("\n\n0 pairs only in the first, 30 pairs only in the second.\n\nasked "),
+              std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("\n1 frame in both, 1 differs (frame 40)\n"), std::string::npos);
+    EXPECT_NE(run.out.find("; 5 of them:\n  frame 40, the triangles "), std::string::npos);
 }
 
 TEST_F(RecordingCommands, WhatIsAboutOwnHierarchiesAsksForTheirVolume) {
@@ -191,6 +225,183 @@ TEST_F(RecordingCommands, GoldenCasesOfItAndOfACommandThatMakesIt) {
                      R"({"scb_golden": 2, "cases": [{"name": "x", "run": "external", )" +
                          std::string(wrong) + "}]}");
         EXPECT_NE(run_scb("golden check" + suite).status, 0) << wrong;
+    }
+}
+
+/// A recording, and the same of an engine that numbers its nodes otherwise.
+struct OwnNumbers : RecordingCommands {
+    std::string other = folder / "other.scbrec";
+
+    void record_both(const std::string& what) {
+        record(what);
+        folder.write("other.scbrec", renumbered(file_text(file)));
+    }
+    /// The own numbers of a pair of nodes in the other's.
+    static json numbers_of(const json& nodes) {
+        return {renumbered(0, nodes[0]), renumbered(1, nodes[1])};
+    }
+    static std::string text_of(const json& nodes) {
+        const json numbers = numbers_of(nodes);
+        return numbers[0].dump() + "," + numbers[1].dump();
+    }
+};
+
+TEST_F(OwnNumbers, EventsHaveThem) {
+    record_both("cone --frames 60,100 --volume obb");
+    const json own = printed("trace --json --events " + file),
+               told = printed("trace --json --events " + other);
+    std::string text;
+    for (std::size_t f = 0; f < 2; ++f) {
+        const json &tests = told["frames"][f]["tests"], &of_own = own["frames"][f]["tests"];
+        ASSERT_EQ(tests.size(), of_own.size());
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            json test = of_own[i];
+            test["nodes"] = numbers_of(test["nodes"]);
+            if (test.contains("parent"))
+                test["parent"]["nodes"] = numbers_of(test["parent"]["nodes"]);
+            ASSERT_EQ(tests[i], test) << i;
+        }
+        const json& nodes = tests[tests.size() / 2]["nodes"];
+        text = " " + nodes[0].dump() + " " + nodes[1].dump() + " ";
+    }
+    const ProgramRun run = run_scb("trace --events --frames 100 " + other);
+    EXPECT_NE(run.out.find(text), std::string::npos) << text;
+    const std::string head = "   test  parent     node A     node B  depths  outcome\n";
+    EXPECT_NE(run.out.find(head + "      0       -     100000 3000000009   0   0  "),
+              std::string::npos);
+}
+
+TEST_F(OwnNumbers, AreThoseThatInspectNames) {
+    const std::string engine = folder / "engine.scbrec";
+    for (const Bug bug : {Bug::axis_flipped, Bug::early_exit}) {
+        record_small_engine(bug, engine);
+        folder.write("other.scbrec", renumbered(file_text(engine)));
+        const ProgramRun inspected = run_scb("inspect --json " + other);
+        EXPECT_EQ(inspected.status, 1);
+        const json judged = json::parse(inspected.out),
+                   events = printed("trace --json --events " + other);
+        std::size_t seen = 0;
+        for (const json& group : judged["missed"])
+            for (const json& one : group["cases"]) {
+                if (!one.contains("test")) continue;
+                const json& test = events["frames"][one["frame"].get<std::size_t>()]["tests"]
+                                         [one["test"].get<std::size_t>()];
+                EXPECT_EQ(one["nodes"], test["nodes"]) << one;
+                ++seen;
+            }
+        EXPECT_GT(seen, 0u);
+    }
+}
+
+TEST_F(OwnNumbers, DiffHasThoseOfEachSide) {
+    const std::string corrected = folder / "corrected.scbrec",
+                      bracket = SCB_SOURCE_DIR "/scenes/samples/bracket.json --frames 85 --test ";
+    record(bracket + "corrected");
+    std::filesystem::copy_file(file, corrected);
+    record_both(bracket + "printed");
+    const json own = printed_different("diff --json " + corrected + " " + file),
+               told = printed_different("diff --json " + corrected + " " + other);
+    ASSERT_TRUE(told["nodes_comparable"]);
+    EXPECT_EQ(told["first"]["a"], own["first"]["a"]);
+    EXPECT_EQ(told["first"]["b"]["nodes"], numbers_of(own["first"]["b"]["nodes"]));
+    EXPECT_EQ(told["first"]["b"]["parent"]["nodes"],
+              numbers_of(own["first"]["b"]["parent"]["nodes"]));
+    ASSERT_EQ(told["lost"].size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(told["lost"][i]["pair"], own["lost"][i]["pair"]) << "of triangles";
+        EXPECT_EQ(told["lost"][i]["lost_at"]["nodes"],
+                  numbers_of(own["lost"][i]["lost_at"]["nodes"]));
+    }
+    const std::string text = run_scb("diff " + corrected + " " + other).out;
+    const auto nodes = [](const json& pair) {
+        return "the nodes (" + pair[0].dump() + ", " + pair[1].dump() + ")";
+    };
+    EXPECT_NE(text.find("first tested " + nodes(own["first"]["a"]["nodes"])), std::string::npos);
+    EXPECT_NE(text.find("second tested " + nodes(told["first"]["b"]["nodes"])), std::string::npos)
+        << text;
+}
+
+TEST_F(OwnNumbers, RootsOfATraversalAreGivenByThem) {
+    record_both("cone --frames 100 --volume obb");
+    const auto drawn = [this](const std::string& arguments) {
+        const std::string out = folder / "out";
+        const ProgramRun run =
+            run_scb("render traversal " + arguments + " --size 640x480 -o " + out);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return json::parse(file_text(out + "/index.json"));
+    };
+    const json own = drawn(file)["files"][0]["parts"], told = drawn(other)["files"][0]["parts"];
+    ASSERT_GE(own.size(), 4u);
+    ASSERT_EQ(told.size(), own.size());
+    std::string root, of_own;
+    for (const auto& [nodes, tests] : own.items()) {
+        of_own = nodes;
+        root = text_of(json::parse("[" + nodes + "]"));
+        EXPECT_EQ(told[root], tests) << nodes;
+    }
+    const json part = drawn(other + " --root " + root);
+    EXPECT_EQ(part["options"]["root"], json::parse("[" + root + "]"));
+    EXPECT_EQ(part["files"][0]["n_v"], own[of_own]);
+    const ProgramRun none =
+        run_scb("render traversal " + other + " --root " + of_own + " -o " + folder / "none");
+    EXPECT_EQ(none.status, 2);
+    const std::string largest = std::max_element(told.begin(), told.end()).key();
+    EXPECT_NE(none.err.find("has no test of these nodes; try " + largest), std::string::npos)
+        << none.err;
+}
+
+TEST_F(OwnNumbers, PicturesNameTheirNodesByThem) {
+    record_both("cone --frames 100 --volume obb");
+    const std::string out = folder / "out";
+    const auto picked = [&](const std::string& source) {
+        const ProgramRun run =
+            run_scb("render rejections " + source +
+                    " --focus 1 --size 640x480 --no-panel --pick 320,240 -o " + out);
+        EXPECT_EQ(run.status, 0) << run.err;
+        const std::size_t at = run.out.find("node ");
+        return at == std::string::npos ? "" : run.out.substr(at, run.out.find(" of ", at) - at);
+    };
+    const std::string own = picked(file), told = picked(other);
+    ASSERT_EQ(own.find("node "), 0u);
+    const auto node = static_cast<std::uint32_t>(std::stoul(own.substr(5)));
+    EXPECT_TRUE(told == "node " + std::to_string(renumbered(0, node)) ||
+                told == "node " + std::to_string(renumbered(1, node)))
+        << own << ", " << told;
+    // What the ids of pixels stand for.
+    const std::string look = " --size 160x120 --no-panel --ids -o " + out;
+    ASSERT_EQ(run_scb("render levels " + other + " --levels 3" + look).status, 0);
+    const json levels = json::parse(file_text(out + "/index.json"))["files"][0]["bodies"];
+    ASSERT_EQ(run_scb("render pairs " + other + look).status, 0);
+    const json pairs = json::parse(file_text(out + "/index.json"))["files"][0]["node_numbers"];
+    for (const std::uint32_t side : {0u, 1u})
+        for (const json& numbers : {levels[side]["node_numbers"], pairs[side]}) {
+            ASSERT_GT(numbers.size(), 12u);
+            EXPECT_EQ(numbers[12], renumbered(side, 12));
+        }
+    ASSERT_EQ(run_scb("render pairs " + file + look).status, 0);
+    EXPECT_FALSE(json::parse(file_text(out + "/index.json"))["files"][0].contains("node_numbers"));
+}
+
+TEST_F(OwnNumbers, ThePageListsThem) {
+    record_both("cone --frames 100 --volume obb");
+    const std::string page = folder / "page.html";
+    const auto manifest = [&](const std::string& source) {
+        EXPECT_EQ(run_scb("view " + source + " -o " + page).status, 0);
+        const std::string text = file_text(page), before = "id=\"manifest\">";
+        const std::size_t at = text.find(before) + before.size();
+        return json::parse(text.substr(at, text.find("</script>", at) - at));
+    };
+    const json own = manifest(file), told = manifest(other);
+    std::size_t listed = 0;
+    const json &worst = own["columns"][0]["query"]["worst"],
+               &of_other = told["columns"][0]["query"]["worst"];
+    for (std::size_t i = 0; i < worst.size(); ++i)
+        for (std::size_t k = 0; k < worst[i].size(); ++k, ++listed)
+            EXPECT_EQ(of_other[i][k]["nodes"], numbers_of(worst[i][k]["nodes"]));
+    EXPECT_GT(listed, 4u);
+    for (const char* block : {"numbers", "names"}) {
+        EXPECT_TRUE(told["trees"][0].contains(block));
+        EXPECT_FALSE(own["trees"][0].contains(block));
     }
 }
 

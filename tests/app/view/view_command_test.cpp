@@ -100,6 +100,39 @@ TEST(ViewCommand, TakesRecordings) {
     EXPECT_EQ(manifest["trees"].size(), 2u);
 }
 
+// By default a recording shows the frame with the most pairs, and a trace the first.
+TEST(ViewCommand, ShowsAFrameThatTwoFilesHave) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "own.scbrec", trace = folder / "own.scbtrace",
+                      file = folder / "a.html", out = folder / "out";
+    ASSERT_EQ(run_scb("trace cone --frames 60,100,140 --volume obb -o " + recording).status, 0);
+    const nlohmann::json counts =
+        nlohmann::json::parse(run_scb("trace --json " + recording).out)["frames"];
+    ASSERT_GT(counts[1]["pairs"], counts[0]["pairs"]);
+    ASSERT_GT(counts[1]["pairs"], counts[2]["pairs"]);
+    for (const auto& [frames, shown] :
+         {std::pair{"60,100,140", 100}, {"60,140", 60}, {"20,140", 140}, {"20", -1}}) {
+        const std::string of_trace = std::string(" --volume scb2 --frames ") + frames;
+        ASSERT_EQ(run_scb("trace cone" + of_trace + " -o " + trace).status, 0);
+        for (const std::string& both : {recording + " " + trace, trace + " " + recording}) {
+            const ProgramRun view = run_scb("view " + both + " --steps 0 -o " + file),
+                             picture =
+                                 run_scb("render rejections " + both + " --size 640x360 -o " + out);
+            if (shown < 0) {
+                EXPECT_EQ(view.status, 2);
+                EXPECT_NE(picture.err.find("other frames"), std::string::npos) << picture.err;
+                continue;
+            }
+            ASSERT_EQ(view.status, 0) << view.err;
+            EXPECT_EQ(manifest_of(file_text(file))["frames"], nlohmann::json({shown}));
+            EXPECT_EQ(columns_of(file)[1].second, 1u);
+            ASSERT_EQ(picture.status, 0) << picture.err;
+            const nlohmann::json index = nlohmann::json::parse(file_text(out + "/index.json"));
+            EXPECT_EQ(index["frames"], nlohmann::json({shown}));
+        }
+    }
+}
+
 TEST(ViewCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     for (const char* wrong :

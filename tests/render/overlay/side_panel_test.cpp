@@ -84,5 +84,28 @@ TEST(SidePanel, CutsNoNameOfAStage) {
         }
 }
 
+TEST(SidePanel, WrapsALongNameOfAStageWhereThereIsRoom) {
+    const PanelLegendRow stage{body_a_color, "centers farther apart than the sum of radii", "1,234",
+                               "28.9 %"};
+    const PanelRow row{"row", {"1"}};
+    const PanelNote note{"a note"};
+    // Its second line is 21 pixels high.
+    EXPECT_EQ(filled(200, {stage, row}), 25 + 21 + 25);
+    EXPECT_EQ(filled(25 + 21 + 25, {stage, row}), 25 + 21 + 25);
+    EXPECT_EQ(filled(25 + 21 + 24, {stage, row}), 25 + 25) << "rows do not give way";
+    EXPECT_EQ(filled(25 + 21 + 20, {stage, note}), 25 + 21) << "notes do";
+    EXPECT_EQ(filled(200, {PanelLegendRow{body_a_color, "ball A, ball B", "1,234", "28.9 %"}}), 25);
+    EXPECT_EQ(filled(200, {PanelLegendRow{body_a_color, std::string(80, 'm'), "1", ""}}), 25);
+    // What is kept free stays so.
+    Overlay overlay;
+    overlay.begin();
+    EXPECT_EQ(draw_side_panel(overlay, {0, 0, 300, 60}, light_theme, 20, {stage}, 15), 25);
+    Drawing drawing;
+    const auto drawn = [&](const std::string& name) {
+        return panel_image(drawing, 300, {PanelLegendRow{body_a_color, name, "1,234", "28.9 %"}});
+    };
+    EXPECT_NE(drawn(stage.text), drawn("centers farther apart than the sum of radix"));
+}
+
 }  // namespace
 }  // namespace scb::render

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "core/analysis/ending.h"
+#include "core/analysis/trace_diff.h"
+#include "core/analysis/trace_words.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
@@ -160,30 +162,57 @@ TEST(RecordedTrace, SaysWhatItCannotOpen) {
     EXPECT_NE(refusal_of("", "1").find("has no frame 1"), std::string::npos);
 }
 
-/// A tree of three children, objects in place of triangles, and no name of a stage.
-TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
-    RecordingWriter writer;
+/// Two trees of a root and three children, objects in place of triangles: numbers from `first` on.
+void add_broadphase(RecordingWriter& writer, std::uint32_t first) {
     for (std::uint32_t tree = 0; tree < 2; ++tree) {
         writer.add(RecordedTree{tree, record_none, "", {}});
         const auto box = [](double from, double to) {
             return RecordedVolume{RecordedKind::aabb, {from, 0, 0, to, 1, 1}};
         };
-        writer.add(RecordedNode{tree, 10, record_none, 0, "", {11, 12, 13}, {}, box(0, 3)});
+        writer.add(RecordedNode{
+            tree, first, record_none, 0, "", {first + 1, first + 2, first + 3}, {}, box(0, 3)});
         for (std::uint32_t i = 0; i < 3; ++i)
-            writer.add(RecordedNode{tree, 11 + i, 10, 0, "", {}, {100 + i}, box(i, i + 1)});
-        writer.add(RecordedBody{tree, tree, tree == 0 ? "world" : "robot"});
+            writer.add(RecordedNode{tree,
+                                    first + 1 + i,
+                                    first,
+                                    0,
+                                    i == 2 ? "wheel" : "",
+                                    {},
+                                    {100 + i},
+                                    box(i, i + 1)});
     }
+}
+
+/// Bodies of these trees, and a query that goes into both at once, at frame 5; and at frame 6, when
+/// the trees are built anew with other numbers, one that goes into A and finds another pair.
+std::string broadphase() {
+    constexpr auto pair = static_cast<std::uint8_t>(RecordTag::pair);
+    RecordingWriter writer;
+    add_broadphase(writer, 10);
+    for (std::uint32_t tree = 0; tree < 2; ++tree)
+        writer.add(RecordedBody{tree, tree, tree == 0 ? "world" : "robot"});
     writer.add(RecordedFrame{5});
     writer.add(RecordedQuery{0, 1});
-    writer.add(RecordedEvent{0, 10, 10});
-    writer.add(RecordedEvent{0, 11, 11});
-    writer.add(RecordedEvent{7, 11, 12});
-    writer.add(RecordedEvent{static_cast<std::uint8_t>(RecordTag::pair), 100, 100});
+    for (const auto& [tag, a, b] :
+         {RecordedEvent{0, 10, 10}, {0, 11, 11}, {7, 11, 12}, {pair, 100, 100}})
+        writer.add(RecordedEvent{tag, a, b});
+    writer.add(RecordedQueryEnd{true, 0});
+    writer.add(RecordedFrame{6});
+    add_broadphase(writer, 70);
+    writer.add(RecordedQuery{0, 1});
+    for (const auto& [tag, a, b] :
+         {RecordedEvent{0, 70, 70}, {0, 72, 70}, {0, 72, 73}, {pair, 101, 102}})
+        writer.add(RecordedEvent{tag, a, b});
     writer.add(RecordedQueryEnd{true, 0});
     writer.add(RecordedEnd{});
+    return writer.finish();
+}
+
+/// No name of a stage.
+TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     const TemporaryFolder folder;
-    folder.write("objects.scbrec", writer.finish());
-    RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    folder.write("objects.scbrec", broadphase());
+    RecordedTrace recorded(folder / "objects.scbrec", "", "5");
     const TraceHeader& header = recorded.header();
     EXPECT_TRUE(pairs_are_nodes(header));
     EXPECT_EQ(header.engine->volumes, "AABB");
@@ -193,14 +222,95 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{1, 1}}));
     const TraversalTree tree = traversal_tree(header, frame);
     EXPECT_EQ(tree.parents, (std::vector<std::uint32_t>{TraversalTree::no_parent, 0, 0}));
-    EXPECT_EQ(tree.outcomes, (std::vector<Outcome>{Outcome::divided_a, Outcome::found,
+    EXPECT_EQ(tree.outcomes, (std::vector<Outcome>{Outcome::divided_both, Outcome::found,
                                                    rejected_at(foreign_stage(1))}));
     EXPECT_EQ(ending_words(header, tree.outcomes[2]), "stage 7");
     const BodyAtFrame body = recorded.body(0, 5);
     EXPECT_TRUE(body.mesh->triangles.empty());
     EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
-    EXPECT_EQ(body.tree->node_of(12), 2u);
-    EXPECT_EQ(body.tree->node_of(2), no_index);
+}
+
+TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", broadphase());
+    RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    EXPECT_EQ(recorded.all_frames(), (std::vector{5, 6}));
+    for (const auto& [number, first] : {std::pair{5, 10u}, {6, 70u}}) {
+        const TraceFrame& frame = recorded.frame(number);
+        EXPECT_EQ(numbers_of(frame, {0, 3}), (IndexPair{first, first + 3}));
+        EXPECT_EQ(nodes_of(frame, {first, first + 3}), (IndexPair{0, 3}));
+        EXPECT_EQ(nodes_of(frame, {first, 3}), std::nullopt);
+        const VolumeTree& tree = *recorded.body(1, number).tree;
+        EXPECT_TRUE(tree.has_own_numbers());
+        EXPECT_EQ(tree.number(2), first + 2);
+        EXPECT_EQ(tree.node_of(first + 2), 2u);
+        EXPECT_EQ(tree.node_of(2), no_index);
+        EXPECT_EQ(tree.node_words(2), "node " + std::to_string(first + 2));
+        EXPECT_EQ(tree.node_words(3), "node " + std::to_string(first + 3) + " \"wheel\"");
+    }
+    // Its own hierarchies have indices for numbers.
+    const std::unique_ptr<VolumeTree> own = volume_tree(body_b().hierarchies[0]);
+    EXPECT_FALSE(own->has_own_numbers());
+    EXPECT_EQ(own->node_words(2), "node 2");
+    const TraceFrame none;
+    EXPECT_EQ(numbers_of(none, {4, 5}), (IndexPair{4, 5}));
+    EXPECT_EQ(nodes_of(none, {4, 5}), (IndexPair{4, 5}));
+}
+
+TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", broadphase());
+    RecordedTrace recorded(folder / "objects.scbrec", "", "all");
+    const auto words = [&](const TraceFrame& frame, std::size_t test) {
+        const TracedTest traced =
+            traced_test(recorded.header(), frame, traversal_tree(recorded.header(), frame), test);
+        const BodyNames names = body_names(recorded.header());
+        return words_of(traced, names) + "; " + words_of_parent(traced, names);
+    };
+    const TraceFrame& both = recorded.frame(5);
+    EXPECT_EQ(words(both, 0), "overlap, passed on to the children of both; these are the roots");
+    EXPECT_EQ(words(both, 2),
+              "rejected at stage 7; reached from the nodes (10, 10) at depths (0, 0), where both "
+              "nodes were divided");
+    const TraceFrame& one = recorded.frame(6);
+    EXPECT_EQ(words(one, 0),
+              "overlap, passed on to the children of world's node; these are the roots");
+    EXPECT_EQ(words(one, 1),
+              "overlap, passed on to the children of robot's node; reached from the nodes (70, 70) "
+              "at depths (0, 0), where world's node was divided");
+    EXPECT_EQ(outcome_name(Outcome::divided_both), "divided both");
+}
+
+/// What another engine's trace says of pairs that are nodes.
+TEST(RecordedTrace, ComparesPairsOfNodesByTheirNumbers) {
+    const TemporaryFolder folder;
+    folder.write("objects.scbrec", broadphase());
+    TestInput a(folder / "objects.scbrec", "5"), b(folder / "objects.scbrec", "5");
+    const TraceDiff same = diff(
+        a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
+    EXPECT_TRUE(same.of_engines);
+    EXPECT_TRUE(same.frames.empty());
+    // The query of frame 6 as one of frame 5 in the eyes of the other.
+    TestInput c(folder / "objects.scbrec", "5"), d(folder / "objects.scbrec", "6");
+    TraceHeader later = d.header();
+    later.engine->trees = c.header().engine->trees;
+    TraceFrame moved;
+    const TraceDiff other = diff(
+        c.header(), [&] { return c.next(); }, later,
+        [&]() -> const TraceFrame* {
+            const TraceFrame* frame = d.next();
+            if (frame == nullptr) return nullptr;
+            moved = *frame;
+            moved.frame = 5;
+            return &moved;
+        });
+    ASSERT_TRUE(other.pairs_comparable);
+    ASSERT_EQ(other.lost.size(), 2u);
+    EXPECT_EQ(other.lost[0].pair, (IndexPair{11, 11}));
+    EXPECT_EQ(other.lost[1].pair, (IndexPair{72, 73}));
+    ASSERT_TRUE(other.first);
+    EXPECT_EQ(other.first->a->test.nodes, (IndexPair{10, 10}));
+    EXPECT_EQ(other.first->b->test.nodes, (IndexPair{70, 70}));
 }
 
 TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
