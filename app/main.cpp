@@ -178,7 +178,7 @@ int run(const std::vector<std::string>& words, Watch& watch) {
     add_bench(root, console, action);
     add_tune(root, console, action);
     add_trace(root, console, action);
-    add_diff(root, action);
+    add_diff(root, console, action);
     add_explain(root, console, action);
     add_golden(root, console, action);
     add_stats(root, console, action);

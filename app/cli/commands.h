@@ -26,7 +26,7 @@ void add_collide(const Command& program, const Console& console, Action& action)
 void add_inspect(const Command& program, const Console& console, Action& action);
 void add_trace(const Command& program, const Console& console, Action& action);
 void add_tune(const Command& program, const Console& console, Action& action);
-void add_diff(const Command& program, Action& action);
+void add_diff(const Command& program, const Console& console, Action& action);
 void add_explain(const Command& program, const Console& console, Action& action);
 void add_golden(const Command& program, const Console& console, Action& action);
 /// The commands of `scb golden`.

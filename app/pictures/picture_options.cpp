@@ -146,15 +146,11 @@ void add_jobs(const Command& command, PictureOptions& options) {
         .show_default();
 }
 
-void add_svg(const Command& command, PictureOptions& options) {
+/// Where pictures go besides their files.
+void add_copies(const Command& command, PictureOptions& options) {
     command.add_flag("--svg", options.svg,
                      "Also write each picture as SVG: text and plots as such, views of the scene "
                      "as images");
-}
-
-/// Where pictures go besides their files.
-void add_copies(const Command& command, PictureOptions& options) {
-    add_svg(command, options);
     command.add_flag("--terminal", options.show,
                      "Also show the pictures in the terminal, where it can: kitty, iTerm2 and "
                      "others like them, and sixel");
@@ -204,7 +200,7 @@ void add_page_options(const Command& command, PictureOptions& options, CameraOpt
 void add_figure_options(const Command& command, PictureOptions& options, const char* files) {
     add_output_size(command, options, files);
     add_drawing(command, options);
-    add_svg(command, options);
+    add_copies(command, options);
 }
 
 }  // namespace scb::app

@@ -7,9 +7,9 @@
 #include "app/cli/version.h"
 #include "app/pictures/picture_texts.h"
 #include "app/pictures/shifted_colors.h"
+#include "app/pictures/show_pictures.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
-#include "render/files/terminal_image.h"
 #include "render/overlay/svg.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
@@ -225,21 +225,15 @@ std::filesystem::path PictureRun::to_open(bool with_video) const {
     return folder_;
 }
 
-void PictureRun::show(const Console& console) const {
-    const render::TerminalImages how = render::terminal_images();
-    if (how == render::TerminalImages::none) {
-        console.note(
-            "scb: --terminal: this terminal is not known to show pictures; if it does, set "
-            "SCB_IMAGES "
-            "to kitty, iterm2 or sixel.");
-        return;
-    }
+std::vector<std::filesystem::path> PictureRun::to_show() const {
     // The sheet in place of what is in it.
     const bool has_sheet = std::any_of(files_.begin(), files_.end(),
                                        [](const Json& file) { return file.contains("sheet"); });
+    std::vector<std::filesystem::path> files;
     for (const Json& file : files_)
         if (!has_sheet || file.contains("sheet"))
-            print_result(render::terminal_image(how, folder_ / file["file"].get<std::string>()));
+            files.push_back(folder_ / file["file"].get<std::string>());
+    return files;
 }
 
 void PictureRun::finish_shard() {
@@ -272,7 +266,7 @@ void PictureRun::finish(Json head, const Console& console) {
     std::string list = written_list();
     if (with_video) list += options_.video.file + "\n";
     print_result(instead_ ? *instead_ : options_.json ? index_text(head) : said_ + list);
-    if (options_.show) show(console);
+    if (options_.show) show_pictures(to_show(), console);
     if (options_.open) open_file(to_open(with_video), console);
 }
 

@@ -94,8 +94,8 @@ class PictureRun {
     std::string written_list() const;
     /// Of the picture that the overlay belongs to.
     void write_svg(const std::string& name, const render::Picture& picture);
-    /// In the terminal.
-    void show(const Console& console) const;
+    /// What --terminal shows.
+    std::vector<std::filesystem::path> to_show() const;
     /// What a user wants to see first: the page, the video, the sheet, the only picture, or the
     /// folder.
     std::filesystem::path to_open(bool with_video) const;

@@ -71,7 +71,7 @@ int run(const LevelOptions& options, const Console& console) {
 
     const NamedOptions named = named_options(options);
     const std::size_t total = trees.size() * levels.size();
-    std::size_t done = 0;
+    Progress progress(console, total);
     std::vector<std::string> names;
     for (const LevelTrees& each : trees) names.push_back(each.name);
     const Json head = level_head(options, scene, names, frame, levels,
@@ -90,7 +90,7 @@ int run(const LevelOptions& options, const Console& console) {
                 return Json();
             };
             pictures.part(draw, take_nothing);
-            console.progress(name, ++done, total);
+            progress.step(name);
         }
     if (pictures.is_shard()) {
         pictures.finish_shard();

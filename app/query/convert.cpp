@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/query/output_guard.h"
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
@@ -14,14 +15,22 @@
 namespace scb::app {
 namespace {
 
+constexpr std::size_t kilobyte = 1024;
+
 struct ConvertOptions {
     std::vector<std::string> inputs;
     std::string output;
 };
 
 template <class Writer>
-std::string joined(std::vector<scenes::RecordingReader>& readers, Writer writer = {}) {
-    scenes::join_recordings(readers, [&](const scenes::Record& record) { writer.add(record); });
+std::string joined(std::vector<scenes::RecordingReader>& readers, Progress& progress,
+                   Writer writer = {}) {
+    scenes::join_recordings(readers, [&](const scenes::Record& record) {
+        writer.add(record);
+        std::size_t read = 0;
+        for (const scenes::RecordingReader& reader : readers) read += reader.bytes_read();
+        progress.at("kilobytes", read / kilobyte);
+    });
     return writer.finish();
 }
 
@@ -37,8 +46,11 @@ int run(const ConvertOptions& options, const Console& console) {
     std::vector<scenes::RecordingReader> readers;
     for (std::size_t i = 0; i < files.size(); ++i)
         readers.emplace_back(files[i], options.inputs[i]);
-    const std::string bytes = json ? joined<scenes::RecordingJsonWriter>(readers)
-                                   : joined<scenes::RecordingWriter>(readers);
+    std::size_t size = 0;
+    for (const std::string& file : files) size += file.size();
+    Progress progress(console, size / kilobyte);
+    const std::string bytes = json ? joined<scenes::RecordingJsonWriter>(readers, progress)
+                                   : joined<scenes::RecordingWriter>(readers, progress);
     render::write_file_whole(options.output, bytes);
     for (const scenes::RecordingReader& reader : readers)
         if (!reader.damage().empty()) console.alarm("scb: " + reader.damage());

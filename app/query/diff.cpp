@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
 #include "scenes/recordings/test_input.h"
@@ -69,10 +70,15 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
             {"first", first}};
 }
 
-int run(const DiffOptions& options) {
+int run(const DiffOptions& options, const Console& console) {
     scenes::TestInput a(options.a, "all", options.bodies), b(options.b, "all", options.bodies);
-    const TraceDiff d = diff(
-        a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
+    Progress progress(console, a.frame_count());
+    const auto next_of_a = [&] {
+        const TraceFrame* frame = a.next();
+        if (frame) progress.step("frames");
+        return frame;
+    };
+    const TraceDiff d = diff(a.header(), next_of_a, b.header(), [&] { return b.next(); });
     print_result(options.json
                      ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n"
@@ -83,7 +89,7 @@ int run(const DiffOptions& options) {
 
 }  // namespace
 
-void add_diff(const Command& program, Action& action) {
+void add_diff(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "diff", "Compare two traces: equal, or the first test at which they part");
     const auto options = std::make_shared<DiffOptions>();
@@ -107,7 +113,9 @@ void add_diff(const Command& program, Action& action) {
         "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbtrace\n"
         "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbtrace\n"
         "  scb diff corrected.scbtrace printed.scbtrace");
-    command.callback([&action, options] { action = [options] { return run(*options); }; });
+    command.callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
 }
 
 }  // namespace scb::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/query/scene_options.h"
@@ -68,7 +69,7 @@ void add_packed(HierarchyStats& measured, const AnyHierarchy& hierarchy, const M
     }
 }
 
-std::vector<HierarchyStats> measure(const StatsOptions& options) {
+std::vector<HierarchyStats> measure(const StatsOptions& options, const Console& console) {
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
     BuildOptions build = options.hierarchy.build();
     check_threads(options.threads);
@@ -77,6 +78,7 @@ std::vector<HierarchyStats> measure(const StatsOptions& options) {
     packed_layouts(options);
     const scenes::Scene scene = options.scene.load();
     std::vector<HierarchyStats> result;
+    Progress progress(console, scene.meshes.size() * kinds.size());
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m].mesh;
         check_mesh(mesh, scene.meshes[m].name);
@@ -110,6 +112,7 @@ std::vector<HierarchyStats> measure(const StatsOptions& options) {
                 measured.measures = hierarchy_measures(hierarchy, *for_measures, build.threads);
             if (!options.csv) add_packed(measured, hierarchy, mesh, options);
             result.push_back(std::move(measured));
+            progress.step("hierarchies");
         }
     }
     return result;
@@ -193,7 +196,7 @@ int run(const StatsOptions& options, const Console& console) {
                 console.note("scb: " + std::string(option) + " has no effect: " +
                              (packs ? "CSV has the levels alone."
                                     : "only slab cut balls have packed layouts."));
-    print_stats(options, measure(options));
+    print_stats(options, measure(options, console));
     return exit_done;
 }
 

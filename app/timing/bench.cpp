@@ -11,6 +11,7 @@
 #include "app/cli/version.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/plot_file.h"
+#include "app/pictures/show_pictures.h"
 #include "app/query/layout_options.h"
 #include "app/query/poses_json.h"
 #include "app/shards/parts.h"
@@ -298,6 +299,12 @@ int run(const BenchCommandOptions& options, const Console& console) {
     else if (!report.table.empty())
         print_result(report.text() + "\n" + conditions(options, bench_options) + "\n");
     if (failure) std::rethrow_exception(failure);
+    if (writes && options.picture.show) {
+        std::vector<std::filesystem::path> drawn;
+        for (std::size_t e = 0; e < report.scenes.size(); ++e)
+            drawn.push_back(folder / files.picture(all[e].scene));
+        show_pictures(drawn, console);
+    }
     if (options.picture.open && !report.scenes.empty())
         open_file(all.size() == 1 ? folder / files.picture(all[0].scene) : folder, console);
     if (watch.signal() == 0) return exit_done;

@@ -12,6 +12,7 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/plot_file.h"
+#include "app/pictures/show_pictures.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
@@ -198,6 +199,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
             text += "Quicker, packed: " + layout_command(options, *tuning) + "\n";
     }
     print_result(text);
+    if (writes && options.picture.show)
+        show_pictures({folder / picture_file(options, scene)}, console);
     if (options.picture.open) open_file(folder / picture_file(options, scene), console);
     return exit_done;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_text.h"
+#include "app/cli/progress.h"
 #include "app/cli/version.h"
 #include "app/pictures/level_bodies.h"
 #include "app/query/level_list.h"
@@ -151,11 +152,16 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     const auto queries =
         static_cast<std::size_t>(std::count_if(subject.columns.begin(), subject.columns.end(),
                                                [](const ViewColumn& c) { return c.query; }));
+    std::size_t frames = 0;
+    for (const ViewColumn& column : subject.columns)
+        if (column.query) frames += column.query->frames().size();
+    Progress progress(console, frames);
+    const auto step = [&progress] { progress.step("queries"); };
     for (std::size_t k = 0; k < subject.columns.size(); ++k)
         if (subject.columns[k].query)
             manifest["columns"][k]["query"] =
                 view_query_json(subject.columns[k], subject.frames,
-                                static_cast<std::size_t>(options.steps) / queries, store);
+                                static_cast<std::size_t>(options.steps) / queries, store, step);
     page.manifest = manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     page.still = still_of(asked, subject, start, std::move(bodies), page.title);
     return render::web_page(page, store);

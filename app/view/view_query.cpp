@@ -124,7 +124,7 @@ std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const TraversalT
 }  // namespace
 
 Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, std::size_t steps,
-                     render::BlockStore& store) {
+                     render::BlockStore& store, const std::function<void()>& step) {
     QuerySource& source = *column.query;
     const TraceHeader& header = source.header();
     const std::vector<render::EndingGroup> groups =
@@ -160,6 +160,7 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
                     costly_tests(tree, worst_tests(frame, tree, attribution), most_steps))
                     .dump(-1, ' ', false, Json::error_handler_t::replace)));
         frames.push_back(std::move(entry));
+        step();
     }
     Json symbols = Json::array();
     if (!source.is_recording())

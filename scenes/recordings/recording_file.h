@@ -37,6 +37,8 @@ class RecordingReader {
     /// The next record, which the next call overwrites; nullptr at the end.
     const Record* next();
 
+    /// How much of it was read.
+    std::size_t bytes_read() const { return bytes_.size() - left_.size(); }
     /// What a user must know of a file that is not whole, as a sentence; empty where it is.
     std::string damage() const;
     const std::string& name() const { return name_; }

@@ -17,6 +17,7 @@ class TestInput {
     TestInput(const std::string& path, const std::string& frames, const std::string& bodies = {});
 
     const TraceHeader& header() const;
+    std::size_t frame_count() const { return frames_.size(); }
     /// The next of the frames, valid until the next call; nullptr at the end.
     const TraceFrame* next();
 

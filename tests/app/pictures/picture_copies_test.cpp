@@ -33,6 +33,17 @@ TEST(PictureCopies, AreSvgFilesThatTheIndexNames) {
     }
 }
 
+TEST(PictureCopies, PlotsAreShownInTheTerminalToo) {
+    TemporaryFolder folder;
+    for (const std::string command : {"bench knots-l1 --frames 0 --repeat 1 --volume scb",
+                                      "tune knots-l1 --frames 0 --no-time"}) {
+        const ProgramRun run = run_scb(
+            command + " --size 320x240 --terminal -o " + (folder / "out"), "env SCB_IMAGES=iterm2");
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find("\033]1337;File=inline=1"), std::string::npos) << command;
+    }
+}
+
 TEST(PictureCopies, AreShownInTheTerminal) {
     TemporaryFolder folder;
     const std::string command =
