@@ -317,7 +317,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs spheres-l1 --no-panel --size 63x64", "give 64x64 to");
     refused("rejections spheres-l1 --focus 0", "--focus 0: give a share");
     refused("rejections spheres-l1 --focus 1.5", "--focus 1.5: give a share");
-    refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.1.0");
+    refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.0.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");
     const ProgramRun explained = run_scb("explain " + of_scene + " --frame 0 --pair 0,0");
