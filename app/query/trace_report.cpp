@@ -92,6 +92,10 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     if (test.triangles) {
         result["triangles"] = {test.triangles->triangles.a, test.triangles->triangles.b};
         result["intersect"] = test.triangles->intersect;
+        if (test.triangle_tests > 1) {
+            result["triangle_tests"] = test.triangle_tests;
+            result["intersecting"] = test.intersecting;
+        }
     }
     if (test.parent) {
         result["parent"] = nodes(*test.parent);

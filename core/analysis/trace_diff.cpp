@@ -218,11 +218,15 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
     result.test = numbered(index);
     result.outcome = tree.outcomes[index];
     result.stage = stage_words(header, result.test.stage);
-    const auto triangles =
+    auto triangles =
         std::lower_bound(events.triangle_tests.begin(), events.triangle_tests.end(), index,
                          [](const TriangleTest& t, std::size_t i) { return t.after < i; });
-    if (triangles != events.triangle_tests.end() && triangles->after == index)
-        result.triangles = *triangles;
+    for (; triangles != events.triangle_tests.end() && triangles->after == index; ++triangles) {
+        if (!result.triangles || (triangles->intersect && result.intersecting == 0))
+            result.triangles = *triangles;
+        ++result.triangle_tests;
+        result.intersecting += triangles->intersect;
+    }
     if (const std::uint32_t parent = tree.parents[index]; parent != TraversalTree::no_parent) {
         result.parent = numbered(parent);
         result.parent_outcome = tree.outcomes[parent];

@@ -36,10 +36,12 @@ struct FrameDifference {
 struct TracedTest {
     VolumeTest test;
     Outcome outcome{};
-    std::string stage;                      ///< where it ended, see stage_words
-    std::optional<TriangleTest> triangles;  ///< of two leaves that overlap; of several the first
-    std::optional<VolumeTest> parent;       ///< of the pair whose division led here; the roots
-                                            ///< have none
+    std::string stage;  ///< where it ended, see stage_words
+    /// Of two leaves that overlap; of several the first that intersect, else the first.
+    std::optional<TriangleTest> triangles;
+    std::size_t triangle_tests = 0, intersecting = 0;  ///< how many there are of them
+    std::optional<VolumeTest> parent;  ///< of the pair whose division led here; the roots
+                                       ///< have none
     Outcome parent_outcome{};
 };
 

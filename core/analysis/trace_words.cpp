@@ -31,9 +31,19 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
         case Outcome::divided_both:
             return "overlap, passed on to the children of both";
         case Outcome::triangles_apart:
-            return "overlap; their triangles " + triangles + " do not intersect";
+            return "overlap; " + (test.triangle_tests > 1
+                                      ? "of " + std::to_string(test.triangle_tests) +
+                                            " pairs of their triangles none intersects"
+                                      : "their triangles " + triangles + " do not intersect");
         case Outcome::triangles_meet:
-            return "overlap; their triangles " + triangles + " intersect";
+            return "overlap; " +
+                   (test.triangle_tests > 1
+                        ? "of " + std::to_string(test.triangle_tests) +
+                              " pairs of their triangles " + std::to_string(test.intersecting) +
+                              (test.intersecting == 1 ? " intersects, "
+                                                      : " intersect, the first ") +
+                              triangles
+                        : "their triangles " + triangles + " intersect");
         case Outcome::found:
             return "overlap, found at the level to stop at";
         case Outcome::left_over:

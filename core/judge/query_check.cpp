@@ -118,25 +118,37 @@ class Judge {
                 return take_test(i, event);
             case Kind::items_apart:
             case Kind::items_meet:
-                ++result_.item_tests;
-                item_tests_.try_emplace(key(event.a, event.b), i);
-                if (have_meshes(query_) && !has_items(query_, {event.a, event.b}))
-                    result_.wrong_item_tests.push_back({i, 0, false, true});
-                if (const auto margin = error_of(query_, query_.b_to_a, event))
-                    result_.wrong_item_tests.push_back(
-                        {i, *margin, !links_.tested_nodes_of({event.a, event.b})});
-                else if (have_meshes(query_) && links_.strays({event.a, event.b}))
-                    result_.stray_item_tests.push_back(i);
-                item_parent_.push_back(links_.led_to_items({event.a, event.b}));
-                if (event.kind == Kind::items_meet) mark_above(item_parent_.back());
-                if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
-                return;
+                return take_items(i, event);
             case Kind::pair:
                 // Where no tests of items are told, as of objects, nothing but this tells it.
                 if (!have_meshes(query_) || !query_.tells_items)
                     mark_above(links_.led_to_items({event.a, event.b}));
                 return report(i, event);
         }
+    }
+
+    void take_items(std::uint32_t i, const EngineEvent& event) {
+        const IndexPair items{event.a, event.b};
+        const std::uint32_t led_by = links_.led_to_items(items);
+        ++result_.item_tests;
+        item_tests_.try_emplace(key(event.a, event.b), item_parent_.size());
+        item_event_.push_back(i);
+        item_parent_.push_back(led_by);
+        if (have_meshes(query_) && !has_items(query_, items))
+            result_.wrong_item_tests.push_back({i, led_by, 0, false, true});
+        if (const auto margin = error_of(query_, query_.b_to_a, event))
+            result_.wrong_item_tests.push_back(
+                {i, led_by, *margin, !links_.tested_nodes_of(items)});
+        else if (have_meshes(query_) && links_.strays(items))
+            result_.stray_item_tests.push_back({i, led_by, 0, true});
+        if (event.kind == Kind::items_meet) mark_above(led_by);
+        if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
+    }
+
+    /// A problem that a test of items is the cause of.
+    void blame(PairProblem& problem, std::size_t item_test) const {
+        problem.event = item_event_[item_test];
+        problem.test = item_parent_[item_test];
     }
 
     /// There is a pair below this test.
@@ -213,9 +225,9 @@ class Judge {
         const NodeTree &tree_a = *query_.sides[0].tree, &tree_b = *query_.sides[1].tree;
         if (const auto tested = item_tests_.find(key(items.a, items.b));
             tested != item_tests_.end()) {
-            const bool meet = query_.events[tested->second].kind == Kind::items_meet;
+            blame(problem, tested->second);
+            const bool meet = query_.events[problem.event].kind == Kind::items_meet;
             problem.cause = meet ? PairCause::not_reported : PairCause::items_apart;
-            problem.event = tested->second;
             problem.nodes = {tree_a[leaves[0]].number, tree_b[leaves[1]].number};
             return problem;
         }
@@ -243,6 +255,7 @@ class Judge {
         }
         const JudgedTest& test = result_.tests[at];
         problem.event = test.event;
+        problem.test = at;
         problem.nodes = {tree_a[test.nodes.a].number, tree_b[test.nodes.b].number};
         if (rejected == no_index) {
             const bool leaf_pair = test.nodes.a == leaves[0] && test.nodes.b == leaves[1];
@@ -292,8 +305,8 @@ class Judge {
                 const auto tested = item_tests_.find(key(items.a, items.b));
                 problem.cause = PairCause::reported_untested;
                 if (tested != item_tests_.end()) {
-                    problem.event = tested->second;
-                    problem.cause = query_.events[tested->second].kind == Kind::items_meet
+                    blame(problem, tested->second);
+                    problem.cause = query_.events[problem.event].kind == Kind::items_meet
                                         ? PairCause::items_meet
                                         : PairCause::reported_in_spite;
                 }
@@ -313,9 +326,11 @@ class Judge {
     QueryJudgement result_;
     TestLinks links_;
     // By items: lookups only.
-    std::unordered_map<std::uint64_t, std::uint32_t> item_tests_, reported_;
+    std::unordered_map<std::uint64_t, std::size_t> item_tests_;  ///< the first, as a place below
+    std::unordered_map<std::uint64_t, std::uint32_t> reported_;
     std::vector<std::uint32_t> order_, twice_;  ///< reports
-    std::vector<std::uint32_t> item_parent_;  ///< per test of items: the test of volumes before it
+    /// Per test of items: the event, and the test of volumes that led to it.
+    std::vector<std::uint32_t> item_event_, item_parent_;
 };
 
 }  // namespace

@@ -58,18 +58,21 @@ struct PairProblem {
     /// Of never_visited: the numbers of the next nodes on the way to the pair.
     IndexPair next{no_index, no_index};
     std::uint32_t event = no_index;  ///< at which it went wrong
-    std::uint32_t side = 0;          ///< of in_no_leaf and not_contained: whose triangle and node
-    double amount = 0;               ///< of not_contained: how far the triangle is outside
+    /// The judged test that the event is or, of a test of items, that of their nodes.
+    std::uint32_t test = no_index;
+    std::uint32_t side = 0;  ///< of in_no_leaf and not_contained: whose triangle and node
+    double amount = 0;       ///< of not_contained: how far the triangle is outside
 
     friend bool operator==(const PairProblem&, const PairProblem&) = default;
 };
 
 /// A test of two items that erred, and not just within the tolerance.
 struct WrongItemTest {
-    std::uint32_t event = 0;  ///< index into EngineQuery::events
-    double margin = 0;        ///< gap or depth of the two triangles
-    bool strayed = false;     ///< no test of the nodes that have them came before it
-    bool unknown = false;     ///< one of the two does not exist
+    std::uint32_t event = 0;        ///< index into EngineQuery::events
+    std::uint32_t test = no_index;  ///< the judged test of the nodes that have them
+    double margin = 0;              ///< gap or depth of the two triangles
+    bool strayed = false;           ///< no test of the nodes that have them came before it
+    bool unknown = false;           ///< one of the two does not exist
 };
 
 /// A query, judged.
@@ -77,9 +80,9 @@ struct QueryJudgement {
     std::vector<JudgedTest> tests;  ///< of volumes, in order
     std::uint64_t item_tests = 0;
     std::vector<WrongItemTest> wrong_item_tests;
-    /// Tests of items that are neither in the two leaves tested before nor in others that were: as
-    /// indices into EngineQuery::events. Without those of wrong_item_tests.
-    std::vector<std::uint32_t> stray_item_tests;
+    /// Tests of items that are neither in the two leaves tested before nor in others that were,
+    /// with the test before. Without those of wrong_item_tests.
+    std::vector<WrongItemTest> stray_item_tests;
     std::uint64_t reported = 0;      ///< pairs, each once
     std::uint64_t exact = 0;         ///< pairs that intersect
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged

@@ -146,11 +146,10 @@ class RecordingJudge {
                  ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
-        for (const auto& [i, margin, strayed, unknown] : judged.wrong_item_tests) {
+        for (const auto& [i, number, margin, strayed, unknown] : judged.wrong_item_tests) {
             const EngineEvent& event = query.events[i];
             ++row.wrong;
             const bool meet = event.kind == EngineEvent::Kind::items_meet;
-            const std::uint32_t number = test_number(judged, i);
             if (unknown) {
                 add(tests_, "a test of a triangle that its mesh does not have",
                     {name,
@@ -173,9 +172,9 @@ class RecordingJudge {
                  {event.a, event.b},
                  number});
         }
-        for (const std::uint32_t i : judged.stray_item_tests) {
-            const EngineEvent& event = query.events[i];
-            const std::uint32_t number = test_number(judged, i);
+        for (const WrongItemTest& stray : judged.stray_item_tests) {
+            const EngineEvent& event = query.events[stray.event];
+            const std::uint32_t number = stray.test;
             ++row.wrong;
             add(tests_, "a test of triangles that are not in the leaves that were tested before",
                 {name,
@@ -201,7 +200,7 @@ class RecordingJudge {
             (missed ? row.missed : row.false_pairs) += 1;
             add(missed ? missed_ : false_, words_of(query, problem.cause),
                 {name, words_of(query, judged, problem), problem.nodes, problem.items,
-                 test_number(judged, problem.event)});
+                 test_number(judged, problem)});
         }
     }
 
@@ -239,7 +238,7 @@ class RecordingJudge {
                         " of B" + (next.empty() ? "" : ", or to both");
             words += ", from which the way leads to " + next;
         }
-        words += test_words(test_number(judged, problem.event));
+        words += test_words(test_number(judged, problem));
         if (problem.event != no_index && problem.event < query.events.size() &&
             query.events[problem.event].kind == EngineEvent::Kind::volumes &&
             query.events[problem.event].stage != 0)
@@ -247,11 +246,12 @@ class RecordingJudge {
         return words;
     }
 
-    /// The test of volumes that the event is, or that came before it, as traces count them.
-    static std::uint32_t test_number(const QueryJudgement& judged, std::uint32_t event) {
-        if (event == no_index) return no_index;
+    /// The test of volumes that the problem is at or, of a pair that was reported without one, the
+    /// one before it, as traces count them.
+    static std::uint32_t test_number(const QueryJudgement& judged, const PairProblem& problem) {
+        if (problem.test != no_index || problem.event == no_index) return problem.test;
         const auto after = std::upper_bound(
-            judged.tests.begin(), judged.tests.end(), event,
+            judged.tests.begin(), judged.tests.end(), problem.event,
             [](std::uint32_t at, const JudgedTest& test) { return at < test.event; });
         return after == judged.tests.begin()
                    ? no_index

@@ -385,5 +385,24 @@ TEST(TraceDiff, OtherMeshesAreComparedByCountsAlone) {
     EXPECT_EQ(d.frames.size(), 3u);
 }
 
+// Leaves of other engines have several triangles.
+TEST(TracedTest, OfSeveralTrianglesSaysHowManyAndNamesOneThatIntersects) {
+    TraceFrame frame;
+    frame.events.volume_tests = {{{5, 7}, 0, 0, Stage::overlapping}};
+    frame.events.triangle_tests = {{{1, 2}, 0, false}, {{3, 4}, 0, true}, {{5, 6}, 0, true}};
+    TraversalTree tree;
+    tree.parents = {TraversalTree::no_parent};
+    tree.outcomes = {Outcome::triangles_meet};
+    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+              "overlap; of 3 pairs of their triangles 2 intersect, the first (3, 4)");
+    frame.events.triangle_tests[2].intersect = false;
+    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+              "overlap; of 3 pairs of their triangles 1 intersects, (3, 4)");
+    frame.events.triangle_tests[1].intersect = false;
+    tree.outcomes = {Outcome::triangles_apart};
+    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+              "overlap; of 3 pairs of their triangles none intersects");
+}
+
 }  // namespace
 }  // namespace scb

@@ -227,6 +227,23 @@ TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
     EXPECT_EQ(judged.pairs[0].cause, PairCause::items_apart);
 }
 
+// An engine may test all volumes first, and the triangles of what is left later.
+TEST(QueryCheck, ATestOfTrianglesIsThatOfTheirLeavesWheneverItIsMade) {
+    Rows rows;
+    std::stable_partition(rows.query.events.begin(), rows.query.events.end(),
+                          [](const EngineEvent& event) { return event.kind == Kind::volumes; });
+    rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
+    rows.erase(Kind::pair, 1, 1);
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.wrong_item_tests.size(), 1u);
+    ASSERT_EQ(judged.pairs.size(), 1u);
+    for (const std::uint32_t test : {judged.wrong_item_tests[0].test, judged.pairs[0].test}) {
+        ASSERT_LT(test, judged.tests.size());
+        EXPECT_EQ(judged.tests[test].nodes, (IndexPair{4, 4}));
+    }
+    EXPECT_LT(judged.wrong_item_tests[0].test + 1, judged.tests.size()) << "not the last one";
+}
+
 TEST(QueryCheck, ATestOfTrianglesOfOtherLeavesIsSeen) {
     Rows rows;
     rows.query.events.push_back({Kind::volumes, 0, 3, 3});
@@ -234,7 +251,7 @@ TEST(QueryCheck, ATestOfTrianglesOfOtherLeavesIsSeen) {
     const QueryJudgement judged = rows.judged();
     EXPECT_TRUE(judged.wrong_item_tests.empty());
     ASSERT_EQ(judged.stray_item_tests.size(), 1u);
-    EXPECT_EQ(judged.stray_item_tests[0], rows.query.events.size() - 1);
+    EXPECT_EQ(judged.stray_item_tests[0].event, rows.query.events.size() - 1);
     // Engines whose nodes do not hold what they test, such as CGAL's, are not concerned.
     rows.query.events[rows.query.events.size() - 2] = {Kind::volumes, 0, 0, 0};
     EXPECT_TRUE(rows.judged().stray_item_tests.empty());
