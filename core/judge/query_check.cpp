@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "core/geometry/triangle_distance.h"
+#include "core/judge/division_check.h"
 #include "core/judge/object_contacts.h"
 #include "core/judge/test_links.h"
 #include "scb/triangle_overlap.h"
@@ -102,6 +103,7 @@ class Judge {
     QueryJudgement judged() && {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
         count_waste();
+        if (query_.complete) result_.divisions = check_divisions(query_, result_.tests);
         // Without results there is nothing to compare.
         if (has_known_items(query_) && !query_.self && (query_.tells_pairs || query_.tells_items)) {
             if (query_.complete) find_missed();

@@ -75,6 +75,20 @@ struct WrongItemTest {
     bool unknown = false;           ///< one of the two does not exist
 };
 
+/// Of the tests that led to others, those that led to tests of some children of a node but not of
+/// all.
+struct DivisionCounts {
+    struct Lack {
+        std::uint32_t test = no_index;  ///< the judged test
+        std::uint32_t side = 0;         ///< whose node was divided
+        std::uint32_t child = 0;        ///< the number of the first that was not tested
+        std::uint32_t place = 0;        ///< which of the children that is, from 0
+    };
+    std::uint64_t divided = 0, lacking = 0;
+    Lack first;
+    bool alike = true;  ///< all lack the child in the same place
+};
+
 /// A query, judged.
 struct QueryJudgement {
     std::vector<JudgedTest> tests;  ///< of volumes, in order
@@ -86,6 +100,7 @@ struct QueryJudgement {
     std::uint64_t reported = 0;      ///< pairs, each once
     std::uint64_t exact = 0;         ///< pairs that intersect
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
+    DivisionCounts divisions;        ///< of a complete query
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
     /// Pairs that were not reported, beyond the first 100,000: whether they only touch, and why
     /// they were missed, is not known.

@@ -45,6 +45,10 @@ std::string name_of_body(const RecordedQueries& recording, std::uint32_t number)
     return name.empty() ? "body " + std::to_string(number) : name;
 }
 
+std::string query_words(const QueryName& query) {
+    return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
+}
+
 /// Adds query after query.
 class RecordingJudge {
   public:
@@ -184,10 +188,44 @@ class RecordingJudge {
                  {event.a, event.b},
                  number});
         }
+        take_divisions(query, judged, name);
         row.wasted += judged.wasted_weak + judged.wasted_loose;
         result_.wasted_weak += judged.wasted_weak;
         result_.wasted_loose += judged.wasted_loose;
         result_.grazing += judged.grazing;
+    }
+
+    void take_divisions(const EngineQuery& query, const QueryJudgement& judged,
+                        const QueryName& name) {
+        const DivisionCounts& here = judged.divisions;
+        if (here.lacking > 0 && lacking_.empty()) {
+            const JudgedTest& test = judged.tests[here.first.test];
+            lacking_ = query_words(name) + ": " +
+                       pair_words("nodes", (*query.sides[0].tree)[test.nodes.a].number,
+                                  (*query.sides[1].tree)[test.nodes.b].number) +
+                       test_words(here.first.test) + ", where node " +
+                       std::to_string(here.first.child) + " of " +
+                       (here.first.side == 0 ? "A" : "B") + " was not tested";
+            first_lack_ = here.first;
+        }
+        if (here.lacking > 0)
+            lacks_alike_ = lacks_alike_ && here.alike && here.first.side == first_lack_.side &&
+                           here.first.place == first_lack_.place;
+        divided_ += here.divided;
+        lacks_ += here.lacking;
+    }
+
+    /// Who leaves out children in most divisions means it.
+    void note_lacking_children() {
+        if (lacks_ == 0 || 2 * lacks_ > divided_) return;
+        std::string note =
+            std::to_string(lacks_) + " of " + std::to_string(divided_) +
+            " divisions of a node did not lead to a test of each child; the first: " + lacking_;
+        if (lacks_alike_ && lacks_ > 1)
+            note += std::string("; in all of them it is child ") +
+                    std::to_string(first_lack_.place + 1) + " of the node of " +
+                    (first_lack_.side == 0 ? "A" : "B");
+        result_.notes.push_back(std::move(note));
     }
 
     void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
@@ -367,6 +405,7 @@ class RecordingJudge {
 
     void finish() {
         keep_likely_poses();
+        note_lacking_children();
         for (const RecordedSetting& setting : recording_->settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         for (const auto& [number, watch] : watches_) {
@@ -408,6 +447,10 @@ class RecordingJudge {
     Groups missed_, false_, tests_;
     std::size_t erring_queries_ = 0;
     bool not_placed_ = false, moves_noted_ = false;
+    std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
+    DivisionCounts::Lack first_lack_;
+    std::string lacking_;  ///< which that is
+    bool lacks_alike_ = true;
     /// Of two bodies the frame of the last query, and its pose.
     std::map<std::array<std::uint32_t, 2>, std::pair<int, Pose>> last_queries_;
 };

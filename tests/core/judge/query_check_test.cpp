@@ -227,6 +227,25 @@ TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
     EXPECT_EQ(judged.pairs[0].cause, PairCause::items_apart);
 }
 
+TEST(QueryCheck, AChildThatIsForgottenIsSeenWhereNothingIsMissedToo) {
+    Rows sound;
+    EXPECT_GT(sound.judged().divisions.divided, 2u);
+    EXPECT_EQ(sound.judged().divisions.lacking, 0u);
+    Rows rows;
+    // What is apart anyway.
+    rows.erase(Kind::volumes, 1, 2);
+    const DivisionCounts none = rows.judged().divisions;
+    EXPECT_EQ(none.lacking, 0u) << "both have children in other pairs";
+    rows.erase(Kind::volumes, 2, 2);
+    rows.erase(Kind::volumes, 2, 1);
+    const DivisionCounts found = rows.judged().divisions;
+    EXPECT_EQ(found.lacking, 1u);
+    EXPECT_EQ(found.first.child, 2u);
+    EXPECT_EQ(found.first.side, 0u);
+    EXPECT_EQ(found.first.place, 1u);
+    EXPECT_TRUE(found.alike);
+}
+
 // An engine may test all volumes first, and the triangles of what is left later.
 TEST(QueryCheck, ATestOfTrianglesIsThatOfTheirLeavesWheneverItIsMade) {
     Rows rows;
