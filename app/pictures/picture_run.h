@@ -120,7 +120,7 @@ class PictureRun {
     std::optional<render::Image> sheet_view_;  ///< of the picture that comes next
     render::IdImage last_ids_;                 ///< kept where a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
-    Parts parts_{0};
+    Parts parts_;
     std::size_t next_part_ = 0;
     nlohmann::ordered_json pictures_ = nlohmann::ordered_json::array();  ///< of a shard's part
     std::vector<std::string> cells_;  ///< files with a shard's views for the sheet

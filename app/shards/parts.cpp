@@ -24,7 +24,7 @@ bool is_of_run(const std::filesystem::path& file, const std::vector<std::string>
 
 Parts::Parts(const ShardOptions& options, std::size_t total, Json versions, const Json& subject,
              std::filesystem::path folder)
-    : total_(total), folder_(std::move(folder)) {
+    : folder_(std::move(folder)) {
     const std::string hash =
         short_hash(subject.dump(-1, ' ', false, Json::error_handler_t::replace));
     if (const std::optional<scenes::Shard> shard = options.asked()) {

@@ -18,7 +18,7 @@ namespace scb::app {
 class Parts {
   public:
     /// A run that makes all of its parts.
-    explicit Parts(std::size_t total) : total_(total) {}
+    Parts() = default;
     /// `versions` of what makes them here; `subject` tells the scene, with its poses, from others.
     /// A file of the same shard in `folder` is removed: it says nothing of what is made now. Throws
     /// InputError for shards of another run, or where a file of one is in the way.
@@ -44,7 +44,6 @@ class Parts {
     std::filesystem::path write(const std::vector<std::string>& files = {});
 
   private:
-    std::size_t total_;
     std::filesystem::path folder_;
     std::optional<ShardFile> kept_;
     std::vector<ShardFile> merged_;
