@@ -1,5 +1,5 @@
 """mend.py XML: takes out of Doxygen's files what Sphinx cannot read or would say twice: initial values that are lambdas or name
-their members, deduction guides, the typedefs that give a struct of C its own name, and which file has a struct."""
+their members, deduction guides, private members, the typedefs that give a struct of C its own name, and which file has a struct."""
 
 import pathlib
 import sys
@@ -26,6 +26,6 @@ for path in pathlib.Path(sys.argv[1]).glob("*.xml"):
         for include in parent.findall("includes"):
             parent.remove(include)
         for section in parent.findall("sectiondef"):
-            if section.find("memberdef") is None:
+            if section.find("memberdef") is None or section.get("kind").startswith("private"):
                 parent.remove(section)
     tree.write(path)
