@@ -138,7 +138,7 @@ class Judge {
         item_parent_.push_back(led_by);
         if (have_meshes(query_) && !has_items(query_, items))
             result_.wrong_item_tests.push_back({i, led_by, 0, false, true});
-        if (const auto margin = error_of(query_, query_.b_to_a, event))
+        else if (const auto margin = error_of(query_, query_.b_to_a, event))
             result_.wrong_item_tests.push_back(
                 {i, led_by, *margin, !links_.tested_nodes_of(items)});
         else if (have_meshes(query_) && links_.strays(items))
