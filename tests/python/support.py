@@ -8,7 +8,7 @@ import subprocess
 import numpy as np
 import scb
 
-SOURCE = pathlib.Path(os.environ["SCB_SOURCE_DIR"])
+SOURCE = pathlib.Path(os.environ.get("SCB_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 BRACKET = SOURCE / "scenes/samples/bracket.json"
 
 
