@@ -1,6 +1,5 @@
 #include "app/inspect/frame_findings.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace scb {

@@ -203,8 +203,9 @@ int run(InspectOptions& options, const Console& console) {
     note_doubts(options.scene, options.query, {query.kind}, console);
     const InterruptWatch watch;
     const std::vector<int>& frames = source.frames();
-    Parts parts(options.picture.shards, frames.size(), versions_json(nullptr), subject_of(sources),
-                options.picture.output);
+    Parts parts(
+        options.picture.shards, frames.size(), versions_json(nullptr),
+        [&] { return subject_of(sources); }, options.picture.output);
     std::optional<PictureRun> pictures;
     if (options.draws() && !parts.are_of_shard()) {
         InspectReport named;

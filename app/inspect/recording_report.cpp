@@ -121,8 +121,8 @@ std::string poses_text(const RecordingJudgement& judged, std::size_t top) {
     }
     for (const auto& [pose, count] : counts)
         if (const std::size_t more = count - std::min(count, std::min<std::size_t>(top, 3)))
-            text +=
-                "Pose: " + counted(more, "more query fits", "more queries fit") + " " + pose + ".\n";
+            text += "Pose: " + counted(more, "more query fits", "more queries fit") + " " + pose +
+                    ".\n";
     return text.empty() ? text : text + "\n";
 }
 

@@ -48,7 +48,7 @@ int make_frames(const QuerySources& sources, PictureRun& pictures, const Console
 template <class Draw, class Take, class Head>
 int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
                 Take take, Head head) {
-    pictures.plan(sources.front().frames().size(), subject_of(sources));
+    pictures.plan(sources.front().frames().size(), [&] { return subject_of(sources); });
     return make_frames(
         sources, pictures, console,
         [&](int frame, const InterruptWatch&) {

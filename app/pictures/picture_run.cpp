@@ -53,7 +53,7 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
                                         options.video.rate(), options.theme()->background);
 }
 
-void PictureRun::plan(std::size_t parts, const Json& subject) {
+void PictureRun::plan(std::size_t parts, const Parts::Subject& subject) {
     const render::GlInfo info = context_.info();
     Json versions = versions_json(&info);
     // It also tells the processor's vector instructions, which change no picture.

@@ -38,7 +38,7 @@ class PictureRun {
 
     /// Says how many parts() there will be, which shards of the run share, and what tells the scene
     /// from others. Throws as Parts does.
-    void plan(std::size_t parts, const nlohmann::ordered_json& subject);
+    void plan(std::size_t parts, const Parts::Subject& subject);
     /// Whether this run makes only some parts: their pictures and nothing that is of all of them.
     bool is_shard() const { return parts_.are_of_shard(); }
     /// The next part. `draw` draws its pictures and returns what the run needs of it in the end, or

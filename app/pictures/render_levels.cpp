@@ -76,7 +76,7 @@ int run(const LevelOptions& options, const Console& console) {
     for (const LevelTrees& each : trees) names.push_back(each.name);
     const Json head = level_head(options, scene, names, frame, levels,
                                  exact_camera_view(wish, common.camera, common.center));
-    pictures.plan(total, head);
+    pictures.plan(total, [&] { return head; });
     for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
             const std::string name = level_name(named, scene, trees[k].name, level, frame);

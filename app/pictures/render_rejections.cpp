@@ -249,7 +249,8 @@ int run(RejectionsOptions& options, const Console& console) {
             },
             take, head);
     // Each step is a part.
-    pictures.plan(picture_count(sources.front(), options.steps), subject_of(sources));
+    pictures.plan(picture_count(sources.front(), options.steps),
+                  [&] { return subject_of(sources); });
     return make_frames(
         sources, pictures, console,
         [&](int frame, const InterruptWatch& watch) {

@@ -22,11 +22,12 @@ bool is_of_run(const std::filesystem::path& file, const std::vector<std::string>
 
 }  // namespace
 
-Parts::Parts(const ShardOptions& options, std::size_t total, Json versions, const Json& subject,
+Parts::Parts(const ShardOptions& options, std::size_t total, Json versions, const Subject& subject,
              std::filesystem::path folder)
     : folder_(std::move(folder)) {
+    if (!options.is_shard() && !options.is_merge()) return;
     const std::string hash =
-        short_hash(subject.dump(-1, ' ', false, Json::error_handler_t::replace));
+        short_hash(subject().dump(-1, ' ', false, Json::error_handler_t::replace));
     if (const std::optional<scenes::Shard> shard = options.asked()) {
         kept_ = ShardFile{*shard, options.words(), std::move(versions), hash, total, {}, {}};
         const std::filesystem::path file = shard_path(folder_, *shard);

@@ -17,13 +17,16 @@ namespace scb::app {
 /// shard, whose results are kept in a file; or none, where shards have made them all.
 class Parts {
   public:
+    using Subject = std::function<nlohmann::ordered_json()>;
+
     /// A run that makes all of its parts.
     Parts() = default;
-    /// `versions` of what makes them here; `subject` tells the scene, with its poses, from others.
-    /// A file of the same shard in `folder` is removed: it says nothing of what is made now. Throws
-    /// InputError for shards of another run, or where a file of one is in the way.
+    /// `versions` of what makes them here; `subject`, asked where there are shards, tells the
+    /// scene, with its poses, from others. A file of the same shard in `folder` is removed: it says
+    /// nothing of what is made now. Throws InputError for shards of another run, or where a file of
+    /// one is in the way.
     Parts(const ShardOptions& options, std::size_t total, nlohmann::ordered_json versions,
-          const nlohmann::ordered_json& subject, std::filesystem::path folder);
+          const Subject& subject, std::filesystem::path folder);
 
     bool are_of_shard() const { return kept_.has_value(); }
     bool are_merged() const { return !merged_.empty(); }

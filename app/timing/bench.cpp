@@ -185,8 +185,9 @@ int run(const BenchCommandOptions& options, const Console& console) {
 
     const ShardOptions& shards = options.picture.shards;
     shards.check_folder(options.picture.output);
-    Parts parts(shards, first_part(all, all.size()), versions_json(nullptr), subject_of(all),
-                options.picture.output);
+    Parts parts(
+        shards, first_part(all, all.size()), versions_json(nullptr),
+        [&] { return subject_of(all); }, options.picture.output);
     const bool writes = !options.picture.output.empty() && !parts.are_of_shard();
     const BenchFiles files(options);
     const std::string csv_file = files.of_all("bench", ".csv"),

@@ -51,9 +51,10 @@ bool TestLinks::strays(IndexPair items) const {
     if (last_nodes_.a == no_index || last_nodes_.b == no_index) return false;
     const auto of_a = query_.sides[0].tree->items(last_nodes_.a),
                of_b = query_.sides[1].tree->items(last_nodes_.b);
-    if (of_a.empty() || of_b.empty() || tested_nodes_of(items)) return false;
-    return std::find(of_a.begin(), of_a.end(), items.a) == of_a.end() ||
-           std::find(of_b.begin(), of_b.end(), items.b) == of_b.end();
+    if (of_a.empty() || of_b.empty()) return false;
+    const bool in_both = std::find(of_a.begin(), of_a.end(), items.a) != of_a.end() &&
+                         std::find(of_b.begin(), of_b.end(), items.b) != of_b.end();
+    return !in_both && !tested_nodes_of(items);
 }
 
 bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }

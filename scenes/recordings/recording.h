@@ -43,9 +43,9 @@ Recording read_recording(const std::string& path);
 Recording read_recording(std::string bytes, const std::string& path);
 
 /// The scene, for hierarchies of this project, which are of one mesh and have rigid poses: of
-/// meshes that change as they are at the one frame that `frames` names: the first where it is empty,
-/// that with the most pairs of auto_frames. Throws InputError also where it names several and a mesh
-/// changes, or a pose is not rigid.
+/// meshes that change as they are at the one frame that `frames` names: the first where it is
+/// empty, that with the most pairs of auto_frames. Throws InputError also where it names several
+/// and a mesh changes, or a pose is not rigid.
 Scene scene_of_recording(const std::string& path, const std::string& frames);
 /// The scene with its meshes as they are at that frame, which is its default one.
 Scene scene_at(const Recording& recording, int frame);

@@ -45,8 +45,7 @@ TEST(SmallEngine, IsComparedWithOwnHierarchiesOfOneFrame) {
                                        " " + folder / "none.scbrec");
         EXPECT_EQ(one.status, 0) << one.err;
         const std::string pairs = frame == 1 ? "50" : frame == 2 ? "56" : "62";
-        EXPECT_NE(one.out.find("\n" + std::to_string(frame) + "," + pairs + ","),
-                  std::string::npos)
+        EXPECT_NE(one.out.find("\n" + std::to_string(frame) + "," + pairs + ","), std::string::npos)
             << one.out;
         EXPECT_NE(one.out.find("," + pairs + ",0,0\n"), std::string::npos) << one.out;
     }

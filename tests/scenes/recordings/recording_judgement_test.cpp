@@ -48,6 +48,14 @@ constexpr auto items_apart = static_cast<std::uint8_t>(RecordTag::items_apart),
                items_meet = static_cast<std::uint8_t>(RecordTag::items_meet),
                a_pair = static_cast<std::uint8_t>(RecordTag::pair);
 
+std::vector<RecordedPose*> poses_of_b(std::vector<Record>& records) {
+    std::vector<RecordedPose*> poses;
+    for (Record& record : records)
+        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
+            poses.push_back(pose);
+    return poses;
+}
+
 RecordingJudgement judge(const std::string& bytes) {
     return judge_recording(
         bytes, "test.scbrec", [](int) { return true; }, [] { return true; });
@@ -156,10 +164,7 @@ TEST(RecordingJudgement, NamesTheWrongRejectionsOfThePrintedTest) {
 TEST(RecordingJudgement, NamesThePoseThatTheTestsFit) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
     // B's poses come one frame late.
-    std::vector<RecordedPose*> poses;
-    for (Record& record : records)
-        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
-            poses.push_back(pose);
+    const std::vector<RecordedPose*> poses = poses_of_b(records);
     ASSERT_EQ(poses.size(), 3u);
     poses[0]->rows = poses[1]->rows;
     poses[1]->rows = poses[2]->rows;
@@ -181,10 +186,7 @@ TEST(RecordingJudgement, APoseThatFitsOneQueryOfSeveralIsNotNamed) {
         pose.rows[2] = pose.rows[4] = pose.rows[9] = 1;
         pose.rows[3] = 0.05;
     };
-    std::vector<RecordedPose*> poses;
-    for (Record& record : records)
-        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
-            poses.push_back(pose);
+    const std::vector<RecordedPose*> poses = poses_of_b(records);
     ASSERT_EQ(poses.size(), 3u);
     poses[0]->rows = poses[1]->rows;  // that of the second fits, one frame late
     turn(*poses[1]);
@@ -220,10 +222,7 @@ TEST(RecordingJudgement, NamesAWorldRotationThatIsTransposed) {
 // Its tests of volumes are made with the poses of the frame before, those of triangles are not.
 TEST(RecordingJudgement, NamesThePoseOfTheTestsOfVolumesAlone) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
-    std::vector<RecordedPose*> poses;
-    for (Record& record : records)
-        if (auto* pose = std::get_if<RecordedPose>(&record); pose && pose->body == 1)
-            poses.push_back(pose);
+    const std::vector<RecordedPose*> poses = poses_of_b(records);
     ASSERT_EQ(poses.size(), 3u);
     poses[0]->rows = poses[1]->rows;
     poses[1]->rows = poses[2]->rows;
