@@ -1,259 +1,22 @@
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <new>
-#include <system_error>
 
-#include "app/cli/choice.h"
-#include "app/cli/commands.h"
-#include "app/cli/version.h"
-#include "app/cli/watch.h"
-#include "app/config/config.h"
+#include "app/cli/program.h"
 #include "core/base/exit_status.h"
-#include "render/files/output_file.h"
-#include "render/gl/context.h"
-#include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_reader.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
-
-constexpr const char* out_of_memory =
-    "out of memory; use a smaller mesh or picture, fewer levels, or --max-pairs.";
-
-// The command that was named last, and what stands before it.
-struct Named {
-    const CLI::App* command;
-    std::string parents;
-};
-
-Named named_command(const CLI::App& program) {
-    Named named{&program, ""};
-    while (!named.command->get_subcommands().empty()) {
-        named.parents += (named.parents.empty() ? "" : " ") + named.command->get_name();
-        named.command = named.command->get_subcommands().front();
-    }
-    return named;
-}
-
-// One sentence; the parser's own does not say which word it could not place.
-std::string usage_sentence(const CLI::App& program, const std::vector<std::string>& words,
-                           const CLI::ParseError& error) {
-    const Named named = named_command(program);
-    const std::string command =
-        named.parents + (named.parents.empty() ? "" : " ") + named.command->get_name();
-    const bool wants_command =
-        !named.command->get_subcommands([](const CLI::App*) { return true; }).empty();
-    std::string sentence = error.what();
-    if (wants_command && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-        std::string names;
-        for (const CLI::App* sub : named.command->get_subcommands(
-                 [](const CLI::App* app) { return !app->get_group().empty(); }))
-            names += (names.empty() ? "" : ", ") + sub->get_name();
-        // The word after the command's own name, if any.
-        std::string word;
-        for (auto it = words.rbegin(); it != words.rend(); ++it) {
-            if (*it == named.command->get_name()) break;
-            if (!it->starts_with('-')) word = *it;
-        }
-        sentence = (word.empty() ? "`" + command + "` needs a command"
-                                 : "unknown command '" + word + "' of `" + command + "`") +
-                   "; give one of " + names;
-    }
-    // The parser does not name an option that help does not show.
-    if (sentence.starts_with(": "))
-        for (auto it = words.rbegin(); it != words.rend(); ++it)
-            if (it->starts_with("--")) {
-                sentence.insert(0, *it);
-                break;
-            }
-    // The parser takes the value of an option that it does not know for one word too many.
-    for (const std::string& given : words) {
-        const std::string word = given.substr(0, given.find('='));
-        if (word.size() < 3 || !word.starts_with("--")) continue;
-        bool known = false;
-        for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
-            known = app->get_option_no_throw(word) != nullptr;
-        if (!known) {
-            sentence = "unknown option '" + word + "' of `" + command + "`";
-            for (const CLI::Option* option : named.command->get_options())
-                for (const std::string& name : option->get_lnames())
-                    if (!option->get_group().empty() &&
-                        (name.starts_with(word.substr(2)) || word.substr(2).starts_with(name)))
-                        sentence += ", which has '--" + name + "'";
-            break;
-        }
-    }
-    for (const std::string& word : words) {
-        if (word == "--") break;
-        if (word.starts_with('-') && !word.starts_with("--") && std::filesystem::exists(word)) {
-            sentence = "'" + word +
-                       "' begins like an option; put -- before names like that, behind all options";
-            break;
-        }
-    }
-    for (char& c : sentence)
-        if (c == '\n') c = ' ';
-    return sentence + "; see `" + command + " --help`.";
-}
-
-/// Tells `scb golden` which files a case has read, unless a signal ends it.
-struct ToldInputs {
-    static constexpr int descriptor = 3;  // of render::ChildProcess::output_path
-    bool wanted = false;
-
-    ~ToldInputs() {
-        // A file without a name, which nobody else has.
-        struct stat told {};
-        if (!wanted || ::fstat(descriptor, &told) != 0 || !S_ISREG(told.st_mode) ||
-            told.st_nlink != 0)
-            return;
-        const std::string inputs = scenes::noted_inputs();
-        if (::write(descriptor, inputs.data(), inputs.size()) < 0) return;
-    }
-};
-
-int run(const std::vector<std::string>& words, Watch& watch) {
-    CLI::App program{
-        "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
-    program.name("scb");
-    program.require_subcommand(1);
-    program.set_help_all_flag("--help-all", "Help of all commands");
-    program.footer(
-        "Exit status: 0 done; 1 a comparison found differences, or a test rejected volumes that "
-        "overlap; 2 bad usage or\n"
-        "input; 3 the environment failed (disk full, cannot write); 77 no OpenGL context; 130, 143 "
-        "and 129 interrupted by\n"
-        "Ctrl-C, SIGTERM and SIGHUP.\n\n"
-        "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
-
-    OptionTable table;
-    const Command root(program, table);
-    Console console;
-    Action action;
-    std::string color = "auto";
-    ToldInputs inputs;
-    program.add_flag("--tell-inputs", inputs.wanted)->group("");
-    program.add_flag("--quiet", console.quiet, "No notes and no progress");
-    add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
-               "Color in messages")
-        .type_name("WHEN");
-    program.add_flag("--watch", watch.wanted,
-                     "Run again whenever a file that was read changes, until Ctrl-C");
-    bool without_files = false;
-    program.add_flag("--no-config", without_files, "Leave configuration files alone (see config)");
-    bool json = false;
-    program.add_flag("--json", json)->group("");
-    program.add_flag_callback(
-        "--version",
-        [&json] {
-            print_result(json ? version_json() : version_text());
-            throw CLI::Success();
-        },
-        "Versions of scb and of what it draws with; as JSON with --json");
-    program.fallthrough();
-
-    const Command render = root.add_subcommand("render", "Draw pictures");
-    render.require_subcommand();
-    add_render_levels(render, console, action);
-    add_render_pairs(render, console, action);
-    add_render_rejections(render, console, action);
-    add_render_traversal(render, console, action);
-    add_view(root, console, action);
-    const RunAgain run_again = [&watch](const auto& others) { return run(others, watch); };
-    add_merge(root, console, run_again, action);
-    add_inspect(root, console, action);
-    add_collide(root, console, action);
-    add_bench(root, console, action);
-    add_tune(root, console, action);
-    add_trace(root, console, action);
-    add_diff(root, console, action);
-    add_explain(root, console, action);
-    add_golden(root, console, action);
-    add_stats(root, console, action);
-    add_convert(root, console, action);
-    add_export(root, console, action);
-    add_scenes(root, action);
-    add_doctor(root, action);
-    add_config(root, without_files, action);
-    add_completion(root, action);
-    add_man(root, action);
-
-    ConfiguredLine line;
-    try {
-        try {
-            const ReferenceCommand reference = reference_of_program(root);
-            line = configured(read_command_line(words, reference), reference, table);
-            // The parser takes them from the end.
-            program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
-        } catch (const CLI::CallForHelp&) {
-            // Help of the command that was named last.
-            const Named named = named_command(program);
-            print_result(named.command->help(named.parents));
-            return exit_done;
-        } catch (const CLI::CallForAllHelp&) {
-            print_result(program.help("", CLI::AppFormatMode::All));
-            return exit_done;
-        } catch (const CLI::Success&) {
-            return exit_done;
-        } catch (const CLI::ParseError& error) {
-            console.error(line.placed(usage_sentence(program, words, error)));
-            return exit_bad_input;
-        }
-        if (json) {
-            const Named named = named_command(program);
-            const std::string command = named.parents + " " + named.command->get_name();
-            throw InputError("unknown option '--json' of `" + command + "`; see `" + command +
-                             " --help`.");
-        }
-        console.color = color == "always"  ? ColorMode::always
-                        : color == "never" ? ColorMode::never
-                                           : ColorMode::automatic;
-        if (const std::string note = line.note(); !note.empty()) console.note(note);
-        watch.quiet = console.quiet;
-        return action();
-    } catch (const InputError& error) {
-        console.error(line.placed(error.what()));
-        return exit_bad_input;
-    } catch (const render::OutputError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const render::GlError& error) {
-        console.error(error.what());
-        return exit_no_gl;
-    } catch (const render::DrawError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const scenes::MeshReaderError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const std::filesystem::filesystem_error& error) {
-        console.error(std::string(error.what()) + ".");
-        return exit_environment;
-    } catch (const std::system_error& error) {
-        console.error(std::string("a thread cannot be started or a system call failed (") +
-                      error.what() +
-                      "); check the limits of processes and memory (ulimit -u, -v).");
-        return exit_environment;
-    } catch (const std::bad_alloc&) {
-        console.error(out_of_memory);
-        return exit_environment;
-    } catch (const std::exception& error) {
-        console.error(std::string("unexpected: ") + error.what() + "; please report this.");
-        return exit_environment;
-    }
-}
 
 // Memory may run out where no exception can pass: destructors of JSON documents take some.
 [[noreturn]] void end_at_once() {
@@ -291,7 +54,7 @@ int main(int argc, char** argv) {
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
     scb::app::Watch watch;
-    const int status = scb::app::run({argv + std::min(argc, 1), argv + argc}, watch);
+    const int status = scb::app::run_program({argv + std::min(argc, 1), argv + argc}, watch);
     if (watch.wanted) scb::app::run_again_after_change(watch, argv);
     return status;
 }

@@ -9,6 +9,7 @@
 #include "app/query/scene_options.h"
 #include "golden/suite/shell_word.h"
 #include "scb/error.h"
+#include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/scene_inputs.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
@@ -44,10 +45,11 @@ std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) 
 golden::GoldenRunSettings GoldenOptions::settings() const {
     golden::GoldenRunSettings settings;
     std::error_code error;
-    settings.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    const std::filesystem::path program = scenes::mesh_reader();
+    settings.program = std::filesystem::canonical(program, error).string();
     if (error)
-        throw InputError("/proc/self/exe, the program that runs the cases, cannot be read (" +
-                         error.message() + "); mount /proc.");
+        throw InputError(program.string() + ", the program that runs the cases, cannot be read (" +
+                         error.message() + "); check that /proc is mounted.");
     settings.folder = std::filesystem::absolute(suite).parent_path().string();
     if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
     settings.gl = gl;

@@ -70,7 +70,10 @@ std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& fo
         if (!golden.panel) command.emplace_back("--no-panel");
     }
     if (golden.run == GoldenRun::levels) command.emplace_back("--no-sheet");
-    if (golden.run == GoldenRun::inspect) add_option(command, "--top", "1");
+    if (golden.run == GoldenRun::inspect) {
+        add_option(command, "--top", "1");
+        command.emplace_back("--no-view");
+    }
     add_option(command, "--jobs", "1");
     add_option(command, "-o", folder.string());
     return command;

@@ -48,14 +48,6 @@ fs::path& set_program() {
     fail_to_start(program, std::generic_category().message(error));
 }
 
-fs::path reader_program() {
-    if (!set_program().empty()) return set_program();
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error) fail_to_start("/proc/self/exe", error.value());
-    return program.parent_path() / "scb";
-}
-
 struct Descriptor {
     int number = -1;
 
@@ -107,7 +99,7 @@ struct SpawnSettings {
 /// A reader that runs, and the pipe that its answer comes from.
 class Reader {
   public:
-    explicit Reader(std::string path) : program_(reader_program().string()) {
+    explicit Reader(std::string path) : program_(mesh_reader().string()) {
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(program_, errno);
         Descriptor given, copy;
@@ -229,6 +221,14 @@ class Reader {
 }  // namespace
 
 void set_mesh_reader(const fs::path& program) { set_program() = program; }
+
+fs::path mesh_reader() {
+    if (!set_program().empty()) return set_program();
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (error) fail_to_start("/proc/self/exe", error.value());
+    return program.parent_path() / "scb";
+}
 
 Mesh isolated_mesh(const std::string& path) {
     Reader reader(path);

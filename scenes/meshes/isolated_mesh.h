@@ -25,8 +25,10 @@ struct MeshReaderError : std::runtime_error {
 /// this process instead.
 Mesh isolated_mesh(const std::string& path);
 
-/// The program that isolated_mesh executes, which is scb; where nobody has set it, the file of that
-/// name beside the running program. To be set before meshes are read.
+/// Sets the program that isolated_mesh executes, which is scb. Call this before meshes are read.
 void set_mesh_reader(const std::filesystem::path& program);
+/// The program that isolated_mesh executes: the program that was set, else the file `scb` beside
+/// the running program. Throws MeshReaderError where /proc does not name the running program.
+std::filesystem::path mesh_reader();
 
 }  // namespace scb::scenes

@@ -63,6 +63,13 @@ void note_input(const std::filesystem::path& file) {
         files.versions.try_emplace(std::filesystem::absolute(file, ignored), version_of(file));
 }
 
+void forget_inputs() {
+    InputFiles& files = input_files();
+    const std::lock_guard lock(files.mutex);
+    files.noted.clear();
+    files.versions.clear();
+}
+
 std::map<std::filesystem::path, std::string> input_versions() {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);

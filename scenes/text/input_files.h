@@ -13,6 +13,9 @@ namespace scb::scenes {
 /// where there is no such file.
 void note_input(const std::filesystem::path& file);
 
+/// Forgets all files that were noted; for a process that runs the program several times.
+void forget_inputs();
+
 /// The regular files that this process noted, each with words for its contents when it was noted
 /// first: they are others once somebody has written to it or put another file in its place.
 std::map<std::filesystem::path, std::string> input_versions();

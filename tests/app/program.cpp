@@ -1,18 +1,27 @@
 #include "tests/app/program.h"
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include <wordexp.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
+#include <system_error>
 #include <thread>
 
+#include "app/cli/program.h"
 #include "render/files/output_file.h"
+#include "scenes/text/input_files.h"
 
 namespace scb::app {
 
@@ -43,11 +52,120 @@ std::size_t files_in(const std::filesystem::path& folder) {
 
 namespace {
 
+struct Descriptor {
+    int number;
+
+    explicit Descriptor(int opened) : number(opened) {
+        if (number < 0) throw std::system_error(errno, std::generic_category());
+    }
+    ~Descriptor() { ::close(number); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+};
+
+/// While it exists, a descriptor of this process is another open file.
+class ReplacedDescriptor {
+  public:
+    ReplacedDescriptor(int number, int file)
+        : number_(number), before_(::fcntl(number, F_DUPFD_CLOEXEC, 0)) {
+        ::dup2(file, number_);
+    }
+    ~ReplacedDescriptor() { ::dup2(before_.number, number_); }
+
+  private:
+    int number_;
+    Descriptor before_;
+};
+
+/// While it exists, text printed to a standard stream goes to a file without a name.
+class CapturedStream {
+  public:
+    explicit CapturedStream(FILE* stream)
+        : stream_(flushed(stream)),
+          file_(::memfd_create("printed", MFD_CLOEXEC)),
+          replaced_(::fileno(stream), file_.number) {}
+    ~CapturedStream() { std::fflush(stream_); }
+
+    std::string text() const {
+        std::fflush(stream_);
+        std::string bytes(static_cast<std::size_t>(::lseek(file_.number, 0, SEEK_END)), '\0');
+        const ssize_t got = ::pread(file_.number, bytes.data(), bytes.size(), 0);
+        bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        return bytes;
+    }
+
+  private:
+    static FILE* flushed(FILE* stream) {
+        std::fflush(stream);
+        return stream;
+    }
+
+    FILE* stream_;
+    Descriptor file_;
+    ReplacedDescriptor replaced_;
+};
+
+/// Sets or removes a variable as the word says; returns the word that undoes it.
+std::string changed(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const char* const value = std::getenv(name.c_str());
+    const std::string before = value == nullptr ? name : name + "=" + value;
+    if (equals == std::string::npos)
+        ::unsetenv(name.c_str());
+    else
+        ::setenv(name.c_str(), word.c_str() + equals + 1, 1);
+    return before;
+}
+
+/// While it exists, the environment is that of a run.
+class ChangedEnvironment {
+  public:
+    explicit ChangedEnvironment(const std::vector<std::string>& words) {
+        for (const char* word : {"SCB_MODELS", "CI", "XDG_CONFIG_HOME=/nowhere"})
+            undo_.push_back(changed(word));
+        for (const std::string& word : words) undo_.push_back(changed(word));
+    }
+    ~ChangedEnvironment() {
+        for (auto word = undo_.rbegin(); word != undo_.rend(); ++word) changed(*word);
+    }
+    ChangedEnvironment(const ChangedEnvironment&) = delete;
+    ChangedEnvironment& operator=(const ChangedEnvironment&) = delete;
+
+  private:
+    std::vector<std::string> undo_;
+};
+
+/// While it exists, this process works in another folder.
+class ChangedFolder {
+  public:
+    explicit ChangedFolder(const std::string& folder) : before_(std::filesystem::current_path()) {
+        if (!folder.empty()) std::filesystem::current_path(folder);
+    }
+    ~ChangedFolder() {
+        std::error_code ignored;
+        std::filesystem::current_path(before_, ignored);
+    }
+    ChangedFolder(const ChangedFolder&) = delete;
+    ChangedFolder& operator=(const ChangedFolder&) = delete;
+
+  private:
+    std::filesystem::path before_;
+};
+
+std::vector<std::string> words_of(const std::string& arguments) {
+    wordexp_t expanded{};
+    if (::wordexp(arguments.c_str(), &expanded, WRDE_NOCMD) != 0)
+        throw std::invalid_argument("These are not words alone: " + arguments);
+    std::vector<std::string> words(expanded.we_wordv, expanded.we_wordv + expanded.we_wordc);
+    ::wordfree(&expanded);
+    return words;
+}
+
 struct RunFiles {
     TemporaryFolder folder;
 
     std::string command(const std::string& arguments, const std::string& prefix) const {
-        // What else than its arguments changes what a command does.
         return "unset SCB_MODELS CI; export XDG_CONFIG_HOME=/nowhere; " + prefix +
                " " SCB_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" +
                (folder / "err") + " </dev/null";
@@ -60,7 +178,23 @@ struct RunFiles {
 
 }  // namespace
 
-ProgramRun run_scb(const std::string& arguments, const std::string& prefix) {
+ProgramRun run_scb(const std::string& arguments, const Surroundings& surroundings) {
+    const std::vector<std::string> words = words_of(arguments);
+    const ChangedEnvironment environment(surroundings.environment);
+    const ChangedFolder folder(surroundings.folder);
+    scenes::forget_inputs();
+    ProgramRun run;
+    CapturedStream out(stdout), err(stderr);
+    const Descriptor nothing(::open("/dev/null", O_RDONLY));
+    const ReplacedDescriptor in(STDIN_FILENO, nothing.number);
+    Watch watch;
+    run.status = run_program(words, watch);
+    run.out = out.text();
+    run.err = err.text();
+    return run;
+}
+
+ProgramRun run_scb_process(const std::string& arguments, const std::string& prefix) {
     const RunFiles files;
     return files.result(std::system(files.command(arguments, prefix).c_str()));
 }

@@ -19,12 +19,24 @@ struct ProgramRun {
     std::string err;
 };
 
-/// Runs `scb ARGUMENTS` through the shell, without a terminal or SCB_MODELS. `prefix` stands before
-/// the program: an environment, a limit.
-ProgramRun run_scb(const std::string& arguments, const std::string& prefix = "");
+/// Where a run takes place, and the environment variables that differ from those of the tests.
+struct Surroundings {
+    std::string folder{};                    ///< working folder; empty: that of the tests
+    std::vector<std::string> environment{};  ///< "NAME=value" sets a variable, "NAME" removes it
+};
 
-/// The same, and `signal` once `ready` says so of the process, or after two minutes. It is killed
-/// where it runs on for another one. `prefix` is a program with its arguments.
+/// Runs `scb ARGUMENTS` in this process, without a terminal, SCB_MODELS and CI. The words of the
+/// arguments are split, quoted and expanded as a shell does.
+ProgramRun run_scb(const std::string& arguments, const Surroundings& surroundings = {});
+
+/// Runs `scb ARGUMENTS` in a process of its own, through the shell, without a terminal, SCB_MODELS
+/// and CI: for tests of limits, closed descriptors, or how a process ends. `prefix` stands before
+/// the program: a limit, an emulator.
+ProgramRun run_scb_process(const std::string& arguments, const std::string& prefix = "");
+
+/// The same, with `signal` once `ready` is true of the process, or after two minutes. The process
+/// is killed if the signal has not ended it after another minute. `prefix` is a program with its
+/// arguments.
 ProgramRun run_scb_interrupted(const std::string& arguments,
                                const std::function<bool(pid_t)>& ready, int signal = SIGINT,
                                const std::string& prefix = "");

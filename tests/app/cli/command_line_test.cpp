@@ -55,7 +55,7 @@ TEST(CommandLine, FilesMayBeginLikeOptions) {
     const TemporaryFolder folder;
     folder.write("-m.obj",
                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    const std::string there = "cd " + folder.path.string() + " &&";
+    const Surroundings there = {folder.path.string()};
     EXPECT_EQ(run_scb("stats -- -m.obj", there).status, 0);
     const ProgramRun tuned = run_scb("tune --no-time -- -m.obj -m.obj", there);
     EXPECT_NE(tuned.out.find("To use it: scb collide ./-m.obj ./-m.obj"), std::string::npos)
@@ -173,11 +173,11 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
 }
 
 TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {
-    const ProgramRun to_full = run_scb("stats spheres-l1 > /dev/full; exit $?; true");
+    const ProgramRun to_full = run_scb_process("stats spheres-l1 > /dev/full; exit $?; true");
     EXPECT_EQ(to_full.status, 3);
     const TemporaryFolder folder;
     // No file may grow past 4 KiB: pictures fail, and none is left behind.
-    const ProgramRun limited = run_scb(
+    const ProgramRun limited = run_scb_process(
         "render levels soup --levels 3 --size 640x480 -o " + (folder / "out"), "ulimit -f 8;");
     EXPECT_EQ(limited.status, 3) << limited.err;
     EXPECT_EQ(lines_of(limited.err), 1u) << limited.err;
@@ -191,14 +191,14 @@ TEST(CommandLine, AClosedStandardOutputIsStatus3) {
     for (const std::string& command :
          {std::string("scenes"), std::string("stats cone"), "render levels soup --levels 3" + out,
           "inspect cone --frames 100" + out}) {
-        const ProgramRun run = run_scb(command, closed);
+        const ProgramRun run = run_scb_process(command, closed);
         EXPECT_EQ(run.status, 3) << command;
         EXPECT_NE(run.err.find("cannot write to standard output"), std::string::npos) << run.err;
     }
     // Nobody hears about errors then, and nothing else is different.
     const std::string silent = "sh -c 'exec \"$0\" \"$@\" 2>&-'";
-    EXPECT_EQ(run_scb("scenes", silent).status, 0);
-    EXPECT_EQ(run_scb("scenes nonsense", silent).status, 2);
+    EXPECT_EQ(run_scb_process("scenes", silent).status, 0);
+    EXPECT_EQ(run_scb_process("scenes nonsense", silent).status, 2);
 }
 
 TEST(CommandLine, ScenesThatNeedMeshesSaySoAndShowTheirFiles) {
@@ -251,7 +251,7 @@ TEST(CommandLine, StatsAddUp) {
 }
 
 TEST(CommandLine, NamesFromOutsideDoNotSteerTheTerminal) {
-    const ProgramRun run = run_scb("stats \"$(printf 'no\\nfile\\033[31m.off')\"");
+    const ProgramRun run = run_scb("stats 'no\nfile\033[31m.off'");
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(lines_of(run.err), 1u) << run.err;
     EXPECT_EQ(run.err.find('\033'), std::string::npos);

@@ -29,7 +29,7 @@ TEST(Doctor, WhatDrawsHereWorks) {
 TEST(Doctor, WhatIsMissingIsNamedWithALineThatInstallsIt) {
     const TemporaryFolder empty;
     const ProgramRun run =
-        run_scb("doctor --json", "PATH=" + empty.path.string() + " SCB_MODELS=/nowhere");
+        run_scb("doctor --json", {"", {"PATH=" + empty.path.string(), "SCB_MODELS=/nowhere"}});
     EXPECT_EQ(run.status, 0) << run.out;
     const json report = json::parse(run.out);
     EXPECT_EQ(finding(report, "ffmpeg")["state"], "missing");
@@ -56,7 +56,7 @@ TEST(Doctor, VersionsAreThereAsJson) {
 #ifndef SCB_SANITIZED
 TEST(Doctor, WithoutOpenGLItSaysWhy) {
     // Too little memory for any context.
-    const ProgramRun run = run_scb("doctor", "ulimit -v 600000;");
+    const ProgramRun run = run_scb_process("doctor", "ulimit -v 600000;");
     EXPECT_EQ(run.status, 77) << run.out << run.err;
     EXPECT_NE(run.out.find("No picture can be drawn"), std::string::npos) << run.out;
 }

@@ -43,7 +43,7 @@ TEST(Watch, RunsAgainWhenAFileHasChangedUntilItIsInterrupted) {
 }
 
 TEST(Watch, EndsWhereNoFileIsRead) {
-    const ProgramRun run = run_scb("--watch scenes");
+    const ProgramRun run = run_scb_process("--watch scenes");
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.err.find("nothing is waited for"), std::string::npos) << run.err;
 }

@@ -17,9 +17,10 @@ struct Configured {
         std::filesystem::create_directories(user.path / "scb");
         user.write("scb/config.json", text);
     }
-    ProgramRun run(const std::string& arguments, const std::string& environment = "") const {
-        return run_scb(arguments, "cd " + here.path.string() + " && " + environment +
-                                      " XDG_CONFIG_HOME=" + user.path.string());
+    ProgramRun run(const std::string& arguments, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> environment = {"XDG_CONFIG_HOME=" + user.path.string()};
+        environment.insert(environment.end(), more.begin(), more.end());
+        return run_scb(arguments, {here.path.string(), environment});
     }
 };
 
@@ -49,7 +50,7 @@ TEST(Config, TheSectionThatSaysMoreHoldsAndTheEnvironmentBeatsFiles) {
     const Configured configured;
     configured.here.write("scb.json", R"({"render levels": {"size": "640x480", "samples": 1},
         "*": {"size": "320x240", "models": "from-file"}, "render": {"size": "400x300"}})");
-    const json shown = json::parse(configured.run("config --json", "SCB_MODELS=there").out);
+    const json shown = json::parse(configured.run("config --json", {"SCB_MODELS=there"}).out);
     const auto value = [&](const std::string& command, const std::string& option) {
         for (const json& setting : shown["settings"])
             if (setting["command"] == "scb " + command && setting["option"] == option)

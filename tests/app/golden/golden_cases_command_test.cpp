@@ -19,8 +19,8 @@ class GoldenCommandCases : public testing::Test {
     void write_cases(const json& cases) const {
         write_text(suite, json{{"scb_golden", 1}, {"cases", cases}}.dump());
     }
-    ProgramRun golden(const std::string& arguments, const std::string& prefix = "") const {
-        return run_scb("golden " + arguments + " --suite " + suite, prefix + " env");
+    ProgramRun golden(const std::string& arguments, const Surroundings& surroundings = {}) const {
+        return run_scb("golden " + arguments + " --suite " + suite, surroundings);
     }
     std::string baseline(const std::string& file) const {
         return file_text(folder.path / "my" / "baselines" / file);
@@ -86,10 +86,7 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
                  {{"name", "sum"}, {"run", "inspect"}, {"scene", {"a.obj", "b.obj"}}}});
     ASSERT_EQ(golden("update --all").status, 0);
     const std::string trace = folder / "my/baselines/pair.scbtrace";
-    EXPECT_EQ(
-        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&")
-            .status,
-        0);
+    EXPECT_EQ(run_scb("inspect " + trace + " -o " + (folder / "out"), {folder / "my"}).status, 0);
     // As many triangles and vertices, elsewhere.
     std::string moved = two_triangles(true);
     moved.replace(moved.find("0 0 0"), 5, "3 0 0");
@@ -107,7 +104,7 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
     EXPECT_EQ(run.out.find(" moved"), std::string::npos);
     EXPECT_EQ(run.out.find("Another mesh of "), std::string::npos);
     const ProgramRun inspected =
-        run_scb("inspect " + trace + " -o " + (folder / "out"), "cd " + (folder / "my") + " &&");
+        run_scb("inspect " + trace + " -o " + (folder / "out"), {folder / "my"});
     EXPECT_NE(
         inspected.err.find("with another mesh of a: it had 2 triangles and 6 vertices as that of "),
         std::string::npos)
@@ -165,9 +162,9 @@ TEST_F(GoldenCommandCases, FindMeshesBesideTheSuiteThenAmongTheModels) {
         << none.out;
     ASSERT_EQ(golden("update --all --models " + models).status, 0);
     EXPECT_EQ(golden("check --models " + models).status, 0);
-    EXPECT_EQ(golden("check", "cd " + folder.path.string() + " && ").status, 1);
+    EXPECT_EQ(golden("check", {folder.path.string()}).status, 1);
     // A relative folder begins here, not where the suite is.
-    EXPECT_EQ(golden("check --models models", "cd " + folder.path.string() + " && ").status, 0);
+    EXPECT_EQ(golden("check --models models", {folder.path.string()}).status, 0);
     write_text(folder / "my/a.obj", two_triangles(true));
     EXPECT_EQ(golden("check --models " + models).status, 1);
 }
@@ -178,14 +175,14 @@ TEST_F(GoldenCommandCases, TakeTheOptionBeforeTheEnvironment) {
     write_cases({{{"name", "pair"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}}});
     const auto check = [&](const std::string& environment, const std::string& option) {
         return run_scb("golden check --models " + option + " --suite " + suite,
-                       "env SCB_MODELS=" + environment);
+                       {"", {"SCB_MODELS=" + environment}});
     };
     ASSERT_EQ(golden("update --all --models " + models).status, 0);
     EXPECT_EQ(check("/nonexistent", models).status, 0);
     const ProgramRun run = check(models, "/nonexistent");
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("nor is there /nonexistent/a.obj"), std::string::npos) << run.out;
-    EXPECT_EQ(run_scb("golden check --suite " + suite, "env SCB_MODELS=" + models).status, 0);
+    EXPECT_EQ(run_scb("golden check --suite " + suite, {"", {"SCB_MODELS=" + models}}).status, 0);
 }
 
 TEST_F(GoldenCommandCases, GiveTheSameBaselinesFromAnyFolder) {
@@ -203,17 +200,14 @@ TEST_F(GoldenCommandCases, GiveTheSameBaselinesFromAnyFolder) {
         EXPECT_NE(baseline(file), "") << file;
         EXPECT_EQ(baseline(file).find(folder.path.string()), std::string::npos) << file;
     }
-    const std::string here = "cd " + folder.path.string() + " &&";
-    for (const std::string& from :
-         {here, "cd " + folder.path.string() + "/my &&", std::string("cd / &&")})
-        EXPECT_EQ(run_scb("golden update --all --suite " + suite, from).out,
+    const std::string here = folder.path.string();
+    for (const std::string& from : {here, folder / "my", std::string("/")})
+        EXPECT_EQ(run_scb("golden update --all --suite " + suite, {from}).out,
                   "0 of 2 cases updated\n")
             << from;
-    EXPECT_EQ(run_scb("golden update --all --suite my/cases.json", here).out,
+    EXPECT_EQ(run_scb("golden update --all --suite my/cases.json", {here}).out,
               "0 of 2 cases updated\n");
-    EXPECT_EQ(
-        run_scb("golden check --suite cases.json", "cd " + folder.path.string() + "/my && env").out,
-        "2 cases: 2 same\n");
+    EXPECT_EQ(run_scb("golden check --suite cases.json", {folder / "my"}).out, "2 cases: 2 same\n");
 }
 
 TEST_F(GoldenCommandCases, AFolderIsNoBaseline) {
@@ -276,13 +270,13 @@ TEST_F(GoldenCommandCases, SayHowTheirRunnerEnded) {
 }
 
 TEST_F(GoldenCommandCases, NeedASuiteAndRoom) {
-    const ProgramRun none = run_scb("golden check", "cd / &&");
+    const ProgramRun none = run_scb("golden check", {"/"});
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("there is no such file; name your suite with --suite"),
               std::string::npos)
         << none.err;
     write_cases({{{"name", "front"}, {"run", "pairs"}, {"scene", "cone"}}});
-    const ProgramRun roomless = golden("check", "env TMPDIR=" + suite);
+    const ProgramRun roomless = golden("check", {"", {"TMPDIR=" + suite}});
     EXPECT_EQ(roomless.status, 3);
     EXPECT_NE(roomless.err.find("There is no folder for temporary files (Not a directory)"),
               std::string::npos)

@@ -29,8 +29,11 @@ class GoldenCommand : public testing::Test {
         EXPECT_EQ(golden("update --all").status, 0);
     }
 
-    ProgramRun golden(const std::string& arguments, const std::string& prefix = "env") {
-        return run_scb("golden " + arguments + " --suite " + suite, prefix);
+    ProgramRun golden(const std::string& arguments, const Surroundings& surroundings = {}) {
+        return run_scb("golden " + arguments + " --suite " + suite, surroundings);
+    }
+    ProgramRun golden_process(const std::string& arguments, const std::string& prefix) {
+        return run_scb_process("golden " + arguments + " --suite " + suite, prefix);
     }
     ProgramRun check(const std::string& more = "") {
         const ProgramRun run = golden("check --report " + report.string() + " " + more);

@@ -191,7 +191,7 @@ TEST_F(GoldenCommand, TellsGithubWhereThatListens) {
     write_text(baseline("collide.counts.json"), "{}");
     const std::string summary = folder / "summary.md";
     const ProgramRun run =
-        golden("check", "env GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=" + summary);
+        golden("check", {"", {"GITHUB_ACTIONS=true", "GITHUB_STEP_SUMMARY=" + summary}});
     EXPECT_NE(run.out.find("::error title=collide"), std::string::npos) << run.out;
     EXPECT_NE(file_text(summary).find("collide"), std::string::npos);
 }

@@ -21,7 +21,7 @@ class GoldenCommandFiles : public GoldenCommand {
     }
     /// Ended where it waits, by two signals if one is not enough.
     ProgramRun limited(const std::string& arguments, const std::string& environment = "") {
-        return golden(arguments, "env " + environment + " timeout -k 2 30");
+        return golden_process(arguments, "env " + environment + " timeout -k 2 30");
     }
 };
 
@@ -48,7 +48,7 @@ TEST_F(GoldenCommandFiles, NeedNoLargeStack) {
 #ifdef SCB_SANITIZED
     GTEST_SKIP() << "a sanitizer takes more";
 #endif
-    EXPECT_EQ(golden("check", "ulimit -s 128;").status, 0);
+    EXPECT_EQ(golden_process("check", "ulimit -s 128;").status, 0);
 }
 
 TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
@@ -73,8 +73,8 @@ TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
 
 TEST_F(GoldenCommandFiles, AClosedStandardOutputLosesTheResultButNoFile) {
     for (int repeat = 0; repeat < 3; ++repeat) {
-        const ProgramRun run =
-            golden("check --report " + report.string(), "sh -c 'exec \"$0\" \"$@\" <&- >&-'");
+        const ProgramRun run = golden_process("check --report " + report.string(),
+                                              "sh -c 'exec \"$0\" \"$@\" <&- >&-'");
         EXPECT_EQ(run.status, 3) << run.err;
         EXPECT_NE(run.err.find("cannot write to standard output"), std::string::npos) << run.err;
         const nlohmann::json kept = nlohmann::json::parse(file_text(report / "results.json"));
@@ -89,13 +89,13 @@ TEST_F(GoldenCommandFiles, AFolderThatCannotBeReadIsNotTakenForAnEmptyOne) {
     fs::permissions(folder / "baselines", fs::perms::none);
     const std::string nobody = "setpriv --reuid 65534 --clear-groups";
     for (const char* command : {"check", "list", "selftest"}) {
-        const ProgramRun run = golden(command, nobody);
+        const ProgramRun run = golden_process(command, nobody);
         EXPECT_EQ(run.status, 2) << command << run.out;
         EXPECT_NE(run.err.find("/baselines: the baselines in this folder cannot be read; "),
                   std::string::npos)
             << run.err;
     }
-    EXPECT_EQ(golden("update --missing", nobody).status, 3);
+    EXPECT_EQ(golden_process("update --missing", nobody).status, 3);
     fs::permissions(folder / "baselines", fs::perms::owner_all);
     EXPECT_EQ(golden("check --baselines " + suite).status, 2);
     EXPECT_EQ(golden("list --baselines " + (folder / "none")).status, 0);
@@ -112,7 +112,7 @@ TEST_F(GoldenCommandFiles, ResultsDoNotComeAmongTheBaselines) {
              "--report " + (folder / "link"), "--report . --baselines .",
              "--report new --baselines new/", "--junit " + suite,
              "--json " + there + "/collide.counts.json"}) {
-        const ProgramRun run = golden("check collide " + options, "cd " + home + " &&");
+        const ProgramRun run = golden("check collide " + options, {home});
         EXPECT_EQ(run.status, 2) << options << run.err;
         EXPECT_EQ(run.out, "") << options;
     }
@@ -178,7 +178,7 @@ TEST_F(GoldenCommandFiles, NamesInThemForgeNoOutput) {
         counts[key] = 1;
     write_text(baseline("collide.counts.json"), counts.dump());
     write_text(baseline("gone\n\x1b[31m.png"), "");
-    const ProgramRun run = golden("check collide", "env GITHUB_ACTIONS=true");
+    const ProgramRun run = golden("check collide", {"", {"GITHUB_ACTIONS=true"}});
     EXPECT_EQ(run.status, 1);
     for (const ProgramRun& said : {run, golden("list"), golden("update --all")}) {
         std::istringstream lines(said.out);

@@ -19,7 +19,7 @@ class GoldenInitCommand : public testing::Test {
             fs::copy_file(fs::path(SCB_SOURCE_DIR) / "scenes/samples" / file, folder.path / file);
     }
     ProgramRun golden(const std::string& arguments) const {
-        return run_scb("golden " + arguments, "cd " + folder.path.string() + " &&");
+        return run_scb("golden " + arguments, {folder.path.string()});
     }
     std::string text(const std::string& file) const { return file_text(folder.path / file); }
     bool is_there(const std::string& file) const {
@@ -145,8 +145,7 @@ TEST_F(GoldenInitCommand, RefusesWhatCiCouldNotDo) {
     refuses((elsewhere.path / "pin.obj").string(), "this file is outside of the folder");
     fs::create_directories(folder.path / ".git");
     fs::create_directories(folder.path / "inner");
-    const ProgramRun inner =
-        run_scb("golden init", "cd " + (folder.path / "inner").string() + " &&");
+    const ProgramRun inner = run_scb("golden init", {folder / "inner"});
     EXPECT_EQ(inner.status, 2);
     EXPECT_NE(inner.err.find("CI reads its files at the root of the repository"), std::string::npos)
         << inner.err;
@@ -156,8 +155,8 @@ TEST_F(GoldenInitCommand, RefusesWhatCiCouldNotDo) {
 TEST_F(GoldenInitCommand, LeavesNothingWhereAFileCannotBeWritten) {
     const std::vector<std::string> before = all();
     // The limit, 1024 bytes, lets the suite and not the jobs be written.
-    const ProgramRun run = run_scb("golden init pin.obj --ci gitlab",
-                                   "cd " + folder.path.string() + " && ulimit -f 2 &&");
+    const ProgramRun run = run_scb_process("golden init pin.obj --ci gitlab",
+                                           "cd " + folder.path.string() + " && ulimit -f 2 &&");
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("Cannot write \".gitlab-ci.yml\""), std::string::npos) << run.err;
     EXPECT_EQ(all(), before);

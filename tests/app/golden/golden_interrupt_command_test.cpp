@@ -93,14 +93,14 @@ TEST_F(GoldenCommandInterrupt, LeavesNoTemporaryFolderHoweverItEnds) {
         return false;
     };
     // Its output is closed before it prints.
-    run_scb("golden check --suite " + suite + " | true", environment);
+    run_scb_process("golden check --suite " + suite + " | true", environment);
     EXPECT_TRUE(soon_empty());
     // Nobody but who removes the folder can end these once that is killed.
     const ProgramRun run = stopped_by(SIGKILL, "check --jobs 2");
     EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
     EXPECT_TRUE(soon_empty());
     expect_nothing_is_left("killed");
-    run_scb("golden selftest collide --suite " + suite, environment);
+    run_scb_process("golden selftest collide --suite " + suite, environment);
     EXPECT_TRUE(soon_empty());
 }
 

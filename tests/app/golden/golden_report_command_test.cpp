@@ -35,13 +35,16 @@ class GoldenReport : public testing::Test {
     }
 
     /// Runs from where the suite is, as a user would.
-    ProgramRun run(const std::string& arguments, const std::string& environment = "") const {
-        return run_scb(arguments, "cd '" + home.string() + "' && env " + environment);
+    ProgramRun run(const std::string& arguments,
+                   const std::vector<std::string>& environment = {}) const {
+        return run_scb(arguments, {home.string(), environment});
     }
-    ProgramRun golden(const std::string& arguments, const std::string& environment = "") const {
+    ProgramRun golden(const std::string& arguments,
+                      const std::vector<std::string>& environment = {}) const {
         return run("golden " + arguments + where, environment);
     }
-    ProgramRun check(const std::string& more = "", const std::string& environment = "") {
+    ProgramRun check(const std::string& more = "",
+                     const std::vector<std::string>& environment = {}) {
         const ProgramRun ended = golden("check --report out " + more, environment);
         results = json();
         if (fs::exists(home / "out/results.json"))
@@ -126,7 +129,7 @@ TEST_F(GoldenReport, CommandsHaveTheOptionsOfTheCheck) {
         runner + " -x \"$(command -v scb)\" collide cone --frames 0:100:50 --json --models .");
     EXPECT_EQ(run(update.substr(4)).status, 0);
     // What the environment says, it says to every command.
-    check("", "SCB_MODELS=.");
+    check("", {"SCB_MODELS=."});
     EXPECT_EQ(result("single")["reproduce"], "scb collide cone --frames 100 --json");
     EXPECT_EQ(result("single")["update"], "scb golden update" + where + " single");
     check("--gl egl");
@@ -236,8 +239,7 @@ TEST_F(GoldenReport, TracesAreKeptOnlyInAReport) {
 
 TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
     change_suite("/presets/small/test", "extents", {"levels"});
-    const ProgramRun ended =
-        check("--trace --junit junit.xml", "env GITHUB_STEP_SUMMARY=summary.md");
+    const ProgramRun ended = check("--trace --junit junit.xml", {"GITHUB_STEP_SUMMARY=summary.md"});
     EXPECT_EQ(ended.status, 1);
     const json found = result("rejections");
     const std::string text = found["trace_difference"];
@@ -284,7 +286,7 @@ TEST_F(GoldenReport, TracesSayWhatOlderBaselinesDoNot) {
 
 TEST_F(GoldenReport, CountsHaveTheirValuesAndOneTotalEverywhere) {
     change_suite("/presets/small/test", "extents", {"levels"});
-    const ProgramRun ended = check("--junit junit.xml", "env GITHUB_STEP_SUMMARY=summary.md");
+    const ProgramRun ended = check("--junit junit.xml", {"GITHUB_STEP_SUMMARY=summary.md"});
     const json found = result("rejections");
     std::size_t counts = 0, depths = 0;
     std::string line;

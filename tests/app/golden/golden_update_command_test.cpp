@@ -16,13 +16,14 @@ using GoldenCommandUpdate = GoldenCommand;
 TEST_F(GoldenCommandUpdate, IsOnlyWhereAPersonAsks) {
     const auto before = baselines();
     write_text(baseline("collide.counts.json"), "{}");
-    for (const auto& [arguments, prefix] :
-         {std::pair<std::string, std::string>{"update --all", "env CI=true"},
-          {"update", "env"},
-          {"update --all --failing", "env"},
-          {"update nonsense", "env"},
-          {"check nonsense", "env"}}) {
-        const ProgramRun run = golden(arguments, prefix);
+    using Environment = std::vector<std::string>;
+    for (const auto& [arguments, environment] :
+         {std::pair<std::string, Environment>{"update --all", {"CI=true"}},
+          {"update", {}},
+          {"update --all --failing", {}},
+          {"update nonsense", {}},
+          {"check nonsense", {}}}) {
+        const ProgramRun run = golden(arguments, {"", environment});
         EXPECT_EQ(run.status, 2) << arguments;
         EXPECT_EQ(file_text(baseline("collide.counts.json")), "{}") << arguments;
     }
@@ -47,7 +48,7 @@ TEST_F(GoldenCommandUpdate, ThatIsKilledLeavesEveryFileOldOrNew) {
     int status = -1;
     for (double after_seconds = 0.01; status != 0 && after_seconds < 100; after_seconds *= 1.25) {
         const std::string limit = std::to_string(after_seconds);
-        status = golden("update --all", "env timeout -s KILL " + limit).status;
+        status = golden_process("update --all", "env timeout -s KILL " + limit).status;
         for (const auto& [name, text] : before) {
             ASSERT_TRUE(fs::is_regular_file(baseline(name))) << name << " after " << limit;
             const std::string now = file_text(baseline(name));

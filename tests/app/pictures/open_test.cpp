@@ -10,12 +10,12 @@ struct Open : testing::Test {
     TemporaryFolder folder;
     std::string out = folder / "out", noted = folder / "noted";
 
-    std::string desktop(const std::string& script) {
+    Surroundings desktop(const std::string& script) {
         const std::string bin = folder / "bin";
         std::filesystem::create_directory(bin);
         write_text(bin + "/xdg-open", "#!/bin/sh\necho \"$@\" >'" + noted + "'\n" + script + "\n");
         std::filesystem::permissions(bin + "/xdg-open", std::filesystem::perms::owner_all);
-        return "PATH='" + bin + ":/usr/bin:/bin'";
+        return {"", {"PATH=" + bin + ":/usr/bin:/bin"}};
     }
     std::string opened_by(const std::string& arguments) {
         std::filesystem::remove(noted);
@@ -49,7 +49,7 @@ TEST_F(Open, IsASentenceWhereThatFails) {
     EXPECT_EQ(failed.status, 0);
     EXPECT_EQ(failed.err, "scb: --open: xdg-open could not open " + picture +
                               " (no desktop); open it yourself.\n");
-    const ProgramRun none = run_scb(arguments, "PATH=/nowhere");
+    const ProgramRun none = run_scb(arguments, {"", {"PATH=/nowhere"}});
     EXPECT_EQ(none.status, 0);
     EXPECT_EQ(none.err, "scb: --open: there is neither xdg-open nor open on PATH; open " + picture +
                             " yourself.\n");

@@ -37,8 +37,9 @@ TEST(PictureCopies, PlotsAreShownInTheTerminalToo) {
     TemporaryFolder folder;
     for (const std::string command : {"bench knots-l1 --frames 0 --repeat 1 --volume scb",
                                       "tune knots-l1 --frames 0 --no-time"}) {
-        const ProgramRun run = run_scb(
-            command + " --size 320x240 --terminal -o " + (folder / "out"), "env SCB_IMAGES=iterm2");
+        const ProgramRun run =
+            run_scb(command + " --size 320x240 --terminal -o " + (folder / "out"),
+                    {"", {"SCB_IMAGES=iterm2"}});
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_NE(run.out.find("\033]1337;File=inline=1"), std::string::npos) << command;
     }
@@ -48,9 +49,9 @@ TEST(PictureCopies, AreShownInTheTerminal) {
     TemporaryFolder folder;
     const std::string command =
         "render levels cone --levels 2 --size 320x240 --terminal -o " + (folder / "out");
-    const ProgramRun kitty = run_scb(command, "env SCB_IMAGES=kitty"),
-                     iterm = run_scb(command, "env SCB_IMAGES=iterm2"),
-                     sixel = run_scb(command, "env SCB_IMAGES=sixel"), none = run_scb(command);
+    const ProgramRun kitty = run_scb(command, {"", {"SCB_IMAGES=kitty"}}),
+                     iterm = run_scb(command, {"", {"SCB_IMAGES=iterm2"}}),
+                     sixel = run_scb(command, {"", {"SCB_IMAGES=sixel"}}), none = run_scb(command);
     for (const ProgramRun& run : {kitty, iterm, sixel, none}) ASSERT_EQ(run.status, 0) << run.err;
     const std::string name = nlohmann::json::parse(
         file_text(std::filesystem::path(folder / "out") / "index.json"))["files"][0]["file"];

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -116,7 +117,7 @@ TEST_F(RenderVideo, IsTheSameBytesTwice) {
 
 // Who started the program may ignore that children end.
 TEST_F(RenderVideo, NeedsNoSignalOfItsChildren) {
-    const ProgramRun run = run_scb(
+    const ProgramRun run = run_scb_process(
         "render pairs spheres-l1 --frames 0:3 --size 320x240 --video " + file + " -o " + out,
         "timeout 60 env --ignore-signal=CHLD");
     EXPECT_EQ(run.status, 0) << run.err;
@@ -142,8 +143,9 @@ struct RenderVideoWithout : testing::Test {
     std::string out = folder / "out";
 
     void refused(const std::string& arguments, int status, const std::string& part,
-                 const std::string& prefix = "") {
-        const ProgramRun run = run_scb("render " + arguments + " -o " + out, prefix);
+                 const std::string& path = std::getenv("PATH")) {
+        const ProgramRun run =
+            run_scb("render " + arguments + " -o " + out, {"", {"PATH=" + path}});
         EXPECT_EQ(run.status, status) << arguments << run.err;
         EXPECT_EQ(run.out, "") << arguments;
         EXPECT_EQ(lines_of(run.err), 1u) << run.err;
@@ -156,11 +158,11 @@ TEST_F(RenderVideoWithout, ReasonIsRefusedBeforeAnyWork) {
     // Whatever this machine has.
     write_text(fake, "#!/bin/sh\nexit 1\n");
     ::chmod(fake.c_str(), 0755);
-    const std::string with = "PATH=" + folder.path.string();
+    const std::string with = folder.path.string();
     for (const std::string command : {"pairs", "rejections", "traversal"}) {
         const std::string start = command + " spheres-l1 --video ";
         refused(start + file, 3, "install the package ffmpeg, or give a file that ends in .webp",
-                "PATH=");
+                "");
         refused(start + (folder / "v.avi"), 2, "give a file that ends in .mp4 or .webp", with);
         refused(start + file + " --fps 0", 2, "--fps 0: give 1 to 120", with);
         refused(start + file + " --fps 121", 2, "--fps 121: give 1 to 120", with);
@@ -185,7 +187,7 @@ TEST_F(RenderVideoWithout, AWorkingProgramIsStatus3AndLeavesNoVideo) {
                                        {"cat >/dev/null", "ended without a whole video"}}) {
         write_text(fake, std::string("#!/bin/sh\n") + script + "\n");
         ::chmod(fake.c_str(), 0755);
-        refused(drawn, 3, part, "PATH=" + folder.path.string() + ":$PATH");
+        refused(drawn, 3, part, folder.path.string() + ":" + std::getenv("PATH"));
         EXPECT_FALSE(std::filesystem::exists(out + "/v.mp4")) << script;
         EXPECT_FALSE(std::filesystem::exists(out + "/index.json")) << script;
     }
@@ -196,12 +198,12 @@ TEST_F(RenderVideoWithout, AWorkingProgramCanBeInterrupted) {
     const std::string fake = folder / "ffmpeg";
     write_text(fake, "#!/bin/sh\nexec sleep 20\n");
     ::chmod(fake.c_str(), 0755);
-    const ProgramRun run =
-        run_scb("render pairs spheres-l1 --size 320x240 --samples 1 --frames 0:499 --video " + out +
-                    "/v.mp4 -o " + out,
-                "PATH=" + folder.path.string() +
-                    ":$PATH timeout --foreground --preserve-status -s INT 4 "
-                    "timeout --foreground --preserve-status -s INT 2");
+    const ProgramRun run = run_scb_process(
+        "render pairs spheres-l1 --size 320x240 --samples 1 --frames 0:499 --video " + out +
+            "/v.mp4 -o " + out,
+        "PATH=" + folder.path.string() +
+            ":$PATH timeout --foreground --preserve-status -s INT 4 "
+            "timeout --foreground --preserve-status -s INT 2");
     EXPECT_EQ(run.status, 130) << run.err;
     EXPECT_FALSE(std::filesystem::exists(out + "/v.mp4"));
     EXPECT_FALSE(std::filesystem::exists(out + "/index.json"));

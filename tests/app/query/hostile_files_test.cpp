@@ -158,7 +158,7 @@ TEST(HostileLimits, OfMemoryEndInASentence) {
         for (const std::string& command :
              {"render levels cone --levels 3 --size 320x240 -o " + (folder / "out"),
               "explain --json --pairs " + file}) {
-            const ProgramRun run = run_scb(command, limit);
+            const ProgramRun run = run_scb_process(command, limit);
             if (run.status == 0) {
                 (command[0] == 'r' ? drawn : explained) = true;
                 continue;

@@ -92,7 +92,7 @@ struct InputsAndOutputs : testing::Test {
     }
 
     ProgramRun run(const std::string& arguments) const {
-        return run_scb(arguments, "cd " + folder.path.string() + " && env -u GITHUB_STEP_SUMMARY");
+        return run_scb(arguments, {folder.path.string(), {"GITHUB_STEP_SUMMARY"}});
     }
     std::map<std::string, std::string> contents() const {
         std::map<std::string, std::string> all;

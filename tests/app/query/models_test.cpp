@@ -80,7 +80,9 @@ TEST(Emulated, AnOldCpuDrawsTheSameBytes) {
         const std::string arguments =
             std::string("render levels ") + scene + " --size 320x240 --ids -o ";
         ASSERT_EQ(run_scb(arguments + (folder / "native")).status, 0);
-        ASSERT_EQ(run_scb(arguments + (folder / "emulated"), "qemu-x86_64 -cpu Nehalem").status, 0);
+        ASSERT_EQ(
+            run_scb_process(arguments + (folder / "emulated"), "qemu-x86_64 -cpu Nehalem").status,
+            0);
         std::size_t files = 0;
         for (const auto& entry : fs::directory_iterator(folder / "native")) {
             EXPECT_EQ(file_text(entry.path()),

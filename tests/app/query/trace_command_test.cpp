@@ -295,7 +295,7 @@ TEST_F(TraceCommand, WhatCannotBeWrittenIsStatus3AndLeavesNothing) {
     const ProgramRun nowhere = run_scb("trace spheres-l1 --frames 0 -o /proc/none/t");
     EXPECT_EQ(nowhere.status, 3) << nowhere.err;
     const ProgramRun full =
-        run_scb("trace spheres-l1 --frames 100:120 -o " + (folder / "t"), "ulimit -f 8;");
+        run_scb_process("trace spheres-l1 --frames 100:120 -o " + (folder / "t"), "ulimit -f 8;");
     EXPECT_EQ(full.status, 3) << full.err;
     EXPECT_EQ(files_in(folder.path), 0u);
 }

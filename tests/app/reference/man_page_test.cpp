@@ -28,7 +28,10 @@ TEST(ManPage, ThereIsOneOfEveryCommand) {
 TEST(ManPage, TheSameProgramWritesTheSameBytes) {
     const TemporaryFolder a, b;
     ASSERT_EQ(run_scb("man -o " + a.path.string()).status, 0);
-    ASSERT_EQ(run_scb("man -o " + b.path.string(), "TZ=Asia/Tokyo LC_ALL=C COLUMNS=40").status, 0);
+    ASSERT_EQ(
+        run_scb("man -o " + b.path.string(), {"", {"TZ=Asia/Tokyo", "LC_ALL=C", "COLUMNS=40"}})
+            .status,
+        0);
     for (const auto& entry : std::filesystem::directory_iterator(a.path))
         EXPECT_EQ(file_text(entry.path()), file_text(b.path / entry.path().filename()));
 }

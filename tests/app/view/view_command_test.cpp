@@ -140,8 +140,7 @@ TEST(ViewCommand, RefusesWhatMakesNoSense) {
           "cone --camera contact", "cone --opacity 2", "nothing", "cone --levels 3",
           "cone --steps -1", "cone --queries 900", "cone --compare scb", "cone --compare scb,scb",
           "cone --volume obb --compare corrected,printed", "cone cone.stl"}) {
-        const ProgramRun run =
-            run_scb(std::string("view ") + wrong, "cd " + folder.path.string() + " &&");
+        const ProgramRun run = run_scb(std::string("view ") + wrong, {folder.path.string()});
         EXPECT_EQ(run.status, 2) << wrong;
         EXPECT_EQ(lines_of(run.err), 1u) << run.err;
     }
