@@ -18,8 +18,8 @@
 namespace scb::app {
 namespace {
 
-/// Of each volume the row with the least cost, the least first.
-std::vector<std::size_t> best_of_volumes(const SceneTuning& tuning) {
+/// The row with the least cost of each volume, the least first.
+std::vector<std::size_t> rows_best_by_volume(const SceneTuning& tuning) {
     std::vector<std::size_t> rows;
     std::set<VolumeKind> seen;
     for (const std::size_t row : tuning.best)
@@ -95,7 +95,7 @@ std::string recording_settings_text(const RecordingSettings& settings) {
         "\nWhat would have helped: the same queries by this project's hierarchies, " +
         render::frames_text(tuning.frames) + "\n";
     std::size_t width = character_count(settings.engine);
-    const std::vector<std::size_t> rows = best_of_volumes(tuning);
+    const std::vector<std::size_t> rows = rows_best_by_volume(tuning);
     const auto cost_of = [&tuning](std::size_t row) {
         return static_cast<double>(estimated_cost(tuning.rows[row].counts));
     };
@@ -114,7 +114,7 @@ std::string recording_settings_text(const RecordingSettings& settings) {
 
 nlohmann::ordered_json recording_settings_json(const RecordingSettings& settings) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const std::size_t row : best_of_volumes(settings.tuning)) {
+    for (const std::size_t row : rows_best_by_volume(settings.tuning)) {
         const TuneRow& of = settings.tuning.rows[row];
         rows.push_back({{"volume", volume_kind_name(of.setting.volume)},
                         {"setting", setting_text(of.setting)},

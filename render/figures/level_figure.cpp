@@ -58,7 +58,7 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     row("leaves", [](const VolumeStatistics& s) { return count_text(s.leaves); });
     row("mean d", [](const VolumeStatistics& s) { return number_text(s.mean_diameter()); });
     row("mean τ", [](const VolumeStatistics& s) { return thickness_text(s); });
-    row("τ / d", ratio_text);
+    row("τ / d", [](const VolumeStatistics& s) { return ratio_text(s); });
     row("Σ area", [](const VolumeStatistics& s) { return number_text(s.area); });
     row("Σ volume", [](const VolumeStatistics& s) { return volume_text(s); });
     if (figure.bodies.size() > 2 && by_body) items.emplace_back(PanelHeading{""});

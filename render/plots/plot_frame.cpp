@@ -10,7 +10,7 @@ namespace scb::render {
 namespace {
 
 int hairline(const FigureStyle& style) { return std::max(1, style.unit / 20); }
-int row_height(const FigureStyle& style) { return style.unit * 5 / 4; }
+int line_height(const FigureStyle& style) { return style.unit * 5 / 4; }
 int tick_length(const FigureStyle& style) { return std::max(3, style.unit / 4); }
 
 TextStyle label_style(const FigureStyle& style, Align align = Align::left) {
@@ -44,11 +44,11 @@ struct FramePainter {
             left = std::max(left, overlay.measure(tick.label, label_style(style)).width);
         left += style.unit / 2;
         int top = 0, bottom = tick_length(style) + small_size(style.unit) + 2;
-        if (!frame.title.empty()) top += row_height(style);
-        if (!frame.y_label.empty()) top += row_height(style);
+        if (!frame.title.empty()) top += line_height(style);
+        if (!frame.y_label.empty()) top += line_height(style);
         // Half the uppermost label of the y axis stands above the data.
-        top += has_labels(frame.ranges) ? row_height(style) : small_size(style.unit) / 2 + 1;
-        if (!frame.x_label.empty()) bottom += row_height(style);
+        top += has_labels(frame.ranges) ? line_height(style) : small_size(style.unit) / 2 + 1;
+        if (!frame.x_label.empty()) bottom += line_height(style);
         area = {rect.x + left, rect.y + top, std::max(0, rect.width - left - frame.right),
                 std::max(0, rect.height - top - bottom)};
         if (area.width < 2 * style.unit || area.height < 2 * style.unit)
@@ -60,7 +60,7 @@ struct FramePainter {
         if (!frame.title.empty()) {
             const TextStyle bold{style.unit, FontWeight::bold, style.theme.text};
             overlay.text(rect.x, y, fitted_text(overlay, frame.title, bold, rect.width), bold);
-            y += row_height(style);
+            y += line_height(style);
         }
         if (!frame.y_label.empty())
             overlay.text(rect.x, y,
