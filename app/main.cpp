@@ -9,7 +9,7 @@
 #include <exception>
 #include <new>
 
-#include "app/cli/program.h"
+#include "app/program.h"
 #include "core/base/exit_status.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/mesh_answer.h"

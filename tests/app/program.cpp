@@ -19,7 +19,7 @@
 #include <system_error>
 #include <thread>
 
-#include "app/cli/program.h"
+#include "app/program.h"
 #include "render/files/output_file.h"
 #include "scenes/text/input_files.h"
 

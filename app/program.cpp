@@ -1,4 +1,4 @@
-#include "app/cli/program.h"
+#include "app/program.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
