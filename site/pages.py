@@ -84,7 +84,7 @@ def title_of(text):
 
 
 def slug(heading):
-    """The anchor of a heading, as tests/manuals/read.awk has it."""
+    """The anchor of a heading, as tests/manuals/run has it."""
     return re.sub(r"[^A-Za-z0-9 _-]", "", heading).replace(" ", "-").lower()
 
 

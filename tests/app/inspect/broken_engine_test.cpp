@@ -63,11 +63,12 @@ TEST_P(BrokenEngine, IsAsTheManualShows) {
     while (std::getline(manual, line) && line.find("`" + name + "`") == std::string::npos) {
     }
     while (std::getline(manual, line) && line != "```text") ASSERT_FALSE(line.starts_with("## "));
-    const std::string out = inspected(GetParam()).out;
+    const std::string out = "\n" + inspected(GetParam()).out;
     std::size_t at = 0, lines = 0;
     for (; std::getline(manual, line) && line != "```"; ++lines) {
-        at = out.find(line + "\n", at);
+        at = out.find("\n" + line + "\n", at);
         ASSERT_NE(at, std::string::npos) << line;
+        at += 1 + line.size();
     }
     EXPECT_GT(lines, 0u);
 }
