@@ -61,26 +61,26 @@ const KeptHierarchies::Split* KeptHierarchies::split_of(
     return nullptr;
 }
 
-std::vector<AnyHierarchy> KeptHierarchies::hierarchies(const std::vector<MeshTopology>& topologies,
-                                                       VolumeKind kind, const FitOptions& options,
-                                                       int deepest) const {
+SharedHierarchies KeptHierarchies::hierarchies(const std::vector<MeshTopology>& topologies,
+                                               VolumeKind kind, const FitOptions& options,
+                                               int deepest) const {
     const std::lock_guard lock(mutex_);
     const Split* const split = split_of(topologies);
-    if (split == nullptr) return {};
+    if (split == nullptr) return nullptr;
     for (const Fitted& kept : fitted_)
         if (kept.split == split->method && kept.kind == kind && kept.deepest == deepest &&
             same_fit(kept.options, options))
             return kept.hierarchies;
-    return {};
+    return nullptr;
 }
 
 void KeptHierarchies::keep(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                            const FitOptions& options, int deepest,
-                           const std::vector<AnyHierarchy>& hierarchies) {
+                           const SharedHierarchies& hierarchies) {
     const std::lock_guard lock(mutex_);
     const Split* const split = split_of(topologies);
     std::size_t bytes = 0;
-    for (const AnyHierarchy& hierarchy : hierarchies) bytes += bytes_of(hierarchy);
+    for (const AnyHierarchy& hierarchy : *hierarchies) bytes += bytes_of(hierarchy);
     if (split == nullptr || bytes_ + bytes > most_bytes) return;
     bytes_ += bytes;
     fitted_.push_back({split->method, kind, options, deepest, hierarchies});

@@ -7,11 +7,12 @@
 #include "core/hierarchy/mesh_topology.h"
 #include "scb/any_hierarchy.h"
 #include "scenes/scene/scene.h"
+#include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::scenes {
 
-/// From now on this process keeps what build_topologies and fit_meshes build of the latest scene, and
-/// they copy it where a command asks for the same: for a process that runs several commands.
+/// From now on this process keeps what build_topologies and fit_meshes build of the latest scene,
+/// and they copy it where a command asks for the same: for a process that runs several commands.
 void keep_hierarchies();
 
 /// What was built of the meshes of the latest scene, for commands that build the same again. Any
@@ -23,13 +24,12 @@ class KeptHierarchies {
     /// Forgets all of other meshes.
     void keep(const Scene& scene, SplitMethod split, const std::vector<MeshTopology>& topologies);
 
-    /// The hierarchies of these very topologies; nothing where they are not kept.
-    std::vector<AnyHierarchy> hierarchies(const std::vector<MeshTopology>& topologies,
-                                          VolumeKind kind, const FitOptions& options,
-                                          int deepest) const;
+    /// The hierarchies of these very topologies; null where they are not kept.
+    SharedHierarchies hierarchies(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                  const FitOptions& options, int deepest) const;
     /// No effect where the topologies are not kept, or too much is.
     void keep(const std::vector<MeshTopology>& topologies, VolumeKind kind,
-              const FitOptions& options, int deepest, const std::vector<AnyHierarchy>& hierarchies);
+              const FitOptions& options, int deepest, const SharedHierarchies& hierarchies);
 
   private:
     struct Fitted {
@@ -37,7 +37,7 @@ class KeptHierarchies {
         VolumeKind kind;
         FitOptions options;
         int deepest;
-        std::vector<AnyHierarchy> hierarchies;
+        SharedHierarchies hierarchies;
     };
     struct Split {
         SplitMethod method;

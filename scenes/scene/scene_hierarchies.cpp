@@ -16,6 +16,15 @@ KeptHierarchies*& kept() {
     return hierarchies;
 }
 
+std::vector<AnyHierarchy> fitted(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                 const BuildOptions& options, int deepest) {
+    std::vector<AnyHierarchy> result;
+    for (const MeshTopology& mesh : topologies)
+        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads,
+                                 {.deepest = deepest}));
+    return result;
+}
+
 }  // namespace
 
 void keep_hierarchies() {
@@ -70,12 +79,17 @@ std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees) {
 
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options, int deepest) {
-    std::vector<AnyHierarchy> result;
+    if (kept() != nullptr) return *shared_hierarchies(topologies, kind, options, deepest);
+    return fitted(topologies, kind, options, deepest);
+}
+
+SharedHierarchies shared_hierarchies(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const BuildOptions& options, int deepest) {
+    SharedHierarchies result;
     if (kept() != nullptr) result = kept()->hierarchies(topologies, kind, options.fit, deepest);
-    if (!result.empty()) return result;
-    for (const MeshTopology& mesh : topologies)
-        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads,
-                                 {.deepest = deepest}));
+    if (result) return result;
+    result = std::make_shared<const std::vector<AnyHierarchy>>(
+        fitted(topologies, kind, options, deepest));
     if (kept() != nullptr) kept()->keep(topologies, kind, options.fit, deepest, result);
     return result;
 }
