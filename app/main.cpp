@@ -8,12 +8,16 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "app/program.h"
 #include "core/base/exit_status.h"
+#include "golden/run/command_worker.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_reader.h"
+#include "scenes/scene/kept_hierarchies.h"
 
 namespace scb::app {
 namespace {
@@ -38,6 +42,18 @@ void hold_standard_descriptors() {
         if (::fcntl(standard, F_GETFD) < 0) ::open("/", O_PATH);
 }
 
+int run_command(const std::vector<std::string>& words) {
+    Watch watch;
+    const int status = run_program(words, watch);
+    if (!watch.wanted) return status;
+    std::string name = "scb";
+    std::vector<char*> arguments = {name.data()};
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    run_again_after_change(watch, arguments.data());
+    return status;
+}
+
 }  // namespace
 }  // namespace scb::app
 
@@ -53,8 +69,10 @@ int main(int argc, char** argv) {
         // Nothing is left to be done, and for the leak sanitizer it may do too little.
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
-    scb::app::Watch watch;
-    const int status = scb::app::run_program({argv + std::min(argc, 1), argv + argc}, watch);
-    if (watch.wanted) scb::app::run_again_after_change(watch, argv);
-    return status;
+    if (argc == 2 && std::strcmp(argv[1], scb::golden::worker_command) == 0) {
+        // Of one scene a suite has many cases.
+        scb::scenes::keep_hierarchies();
+        return scb::golden::run_commands(scb::app::run_command);
+    }
+    return scb::app::run_command({argv + std::min(argc, 1), argv + argc});
 }

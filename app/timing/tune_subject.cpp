@@ -36,17 +36,17 @@ BuiltSetting TuneSubject::build(const TuneSetting& setting) {
         split->topologies = scenes::build_topologies(scene_, options.topology());
         split->ms = process_milliseconds() - start;
     }
-    BuiltSetting built{setting, {}, 0};
+    BuiltSetting built{setting, nullptr, 0};
     const double start = process_milliseconds();
-    built.hierarchies = scenes::fit_meshes(split->topologies, setting.volume, options);
+    built.hierarchies = scenes::shared_hierarchies(split->topologies, setting.volume, options);
     built.ms = split->ms + process_milliseconds() - start;
     return built;
 }
 
 BuiltLayout TuneSubject::pack(const BuiltSetting& built, const PackedLayout& layout) const {
     const auto packed = [&](std::size_t m) {
-        return pack_any(layout, built.hierarchies[m], scene_.meshes[m].mesh, scene_.meshes[m].name,
-                        build_.threads);
+        return pack_any(layout, (*built.hierarchies)[m], scene_.meshes[m].mesh,
+                        scene_.meshes[m].name, build_.threads);
     };
     const double start = process_milliseconds();
     BuiltLayout result{packed(mesh_a_), packed(mesh_b_), 0};
@@ -62,8 +62,8 @@ double TuneSubject::per_triangle(std::size_t bytes) const {
 }
 
 double TuneSubject::bytes_per_triangle(const BuiltSetting& built) const {
-    return per_triangle(bytes_of(built.hierarchies[mesh_a_]) +
-                        bytes_of(built.hierarchies[mesh_b_]));
+    return per_triangle(bytes_of((*built.hierarchies)[mesh_a_]) +
+                        bytes_of((*built.hierarchies)[mesh_b_]));
 }
 
 double TuneSubject::bytes_per_triangle(const BuiltLayout& built) const {
@@ -75,8 +75,9 @@ Collision TuneSubject::query(const BuiltSetting& built, const TuneSetting& setti
     CollideOptions options;
     options.overlap = setting.overlap;
     options.descent = setting.descent;
-    return collide(built.hierarchies[mesh_a_], scene_.meshes[mesh_a_].mesh,
-                   built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame], options);
+    return collide((*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
+                   (*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame],
+                   options);
 }
 
 Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
@@ -88,8 +89,9 @@ Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
 void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {
     CollideOptions slow;
     slow.overlap.test = OverlapTest::extents;
-    collide(built.hierarchies[mesh_b_], scene_.meshes[mesh_b_].mesh, built.hierarchies[mesh_a_],
-            scene_.meshes[mesh_a_].mesh, relative_pose(poses_[frame], Pose{}), slow);
+    collide((*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh,
+            (*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
+            relative_pose(poses_[frame], Pose{}), slow);
 }
 
 void TuneSubject::prepare(const BuiltLayout& built, std::size_t frame) {

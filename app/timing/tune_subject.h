@@ -11,7 +11,7 @@ namespace scb::app {
 /// The hierarchies of a setting, one per mesh.
 struct BuiltSetting {
     TuneSetting setting;
-    std::vector<AnyHierarchy> hierarchies;
+    scenes::SharedHierarchies hierarchies;
     double ms = 0;  ///< processor time of building them
 };
 

@@ -1,8 +1,13 @@
 #include "golden/run/check_cases.h"
 
+#include <algorithm>
 #include <exception>
+#include <map>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "golden/run/failure_lines.h"
 #include "golden/run/for_each_in_threads.h"
@@ -78,6 +83,40 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     return checked;
 }
 
+/// In which order cases run: a worker has the hierarchies of the scene that it ran last.
+class CaseOrder {
+  public:
+    explicit CaseOrder(const std::vector<GoldenCase>& cases) : cases_(cases), left_(cases.size()) {
+        std::iota(left_.begin(), left_.end(), std::size_t{0});
+    }
+
+    /// A case of the scene that the calling thread ran last; else of a scene that no other thread
+    /// runs; else any.
+    std::size_t next() {
+        const std::lock_guard lock(mutex_);
+        std::vector<std::string>& own = latest_[std::this_thread::get_id()];
+        auto found = std::find_if(left_.begin(), left_.end(),
+                                  [&](std::size_t i) { return cases_[i].scene == own; });
+        if (found == left_.end())
+            found = std::find_if(left_.begin(), left_.end(), [&](std::size_t i) {
+                return std::none_of(latest_.begin(), latest_.end(), [&](const auto& latest) {
+                    return latest.second == cases_[i].scene;
+                });
+            });
+        if (found == left_.end()) found = left_.begin();
+        const std::size_t i = *found;
+        left_.erase(found);
+        own = cases_[i].scene;
+        return i;
+    }
+
+  private:
+    const std::vector<GoldenCase>& cases_;
+    std::vector<std::size_t> left_;
+    std::map<std::thread::id, std::vector<std::string>> latest_;
+    std::mutex mutex_;
+};
+
 }  // namespace
 
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
@@ -89,9 +128,14 @@ bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
 
 CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
     std::vector<std::optional<CheckedCase>> done(check.cases.size());
+    CaseOrder order(check.cases);
     for_each_in_threads(
         check.cases.size(), check.jobs,
-        [&](std::size_t i) { done[i] = check_case(check.cases[i], check); }, step);
+        [&](std::size_t) {
+            const std::size_t i = order.next();
+            done[i] = check_case(check.cases[i], check);
+        },
+        step);
     CheckedCases all;
     for (std::size_t i = 0; i < done.size(); ++i) {
         if (!done[i]) continue;

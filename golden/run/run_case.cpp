@@ -3,17 +3,17 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/exit_status.h"
+#include "golden/run/command_process.h"
+#include "golden/run/command_workers.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/case_counts.h"
 #include "golden/suite/case_record.h"
 #include "golden/suite/shell_word.h"
-#include "render/files/child_process.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
@@ -23,61 +23,22 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-struct ChildEnd {
-    std::optional<render::ProcessEnd> end;  ///< nothing where it took too long or was stopped
-    bool stopped = false;
-    std::string printed, last_line;
-};
-
-/// A group of processes that is to end with golden.
-class Running {
-  public:
-    Running(const GoldenWork* work, pid_t group) : work_(work), group_(group) {
-        if (work_ != nullptr) work_->has_started(group_);
-    }
-    ~Running() {
-        if (work_ != nullptr) work_->has_ended(group_);
-    }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-
-  private:
-    const GoldenWork* work_;
-    pid_t group_;
-};
-
-/// Runs a program in the suite's folder.
-ChildEnd run_program(const GoldenRunSettings& settings, const std::vector<std::string>& program) {
-    // Held until `work` knows of it: else nobody would end it if this program is killed by then.
-    std::vector<std::string> words = {"/bin/sh", "-c", "read -r _ && exec \"$@\"", "scb"};
-    words.insert(words.end(), program.begin(), program.end());
-    const render::UnnamedFile inputs;
-    render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
-    const Running running(settings.work, child.id());
-    constexpr std::uint8_t go = '\n';
-    child.write({&go, 1});
-    ChildEnd result;
-    result.end = child.wait(settings.patience, settings.stopped);
-    result.stopped = !result.end && settings.stopped();
-    result.printed = child.printed();
-    result.last_line = child.last_line();
-    const std::vector<std::uint8_t> noted = inputs.bytes();
-    scenes::note_inputs({reinterpret_cast<const char*>(noted.data()), noted.size()});
-    return result;
-}
-
-ChildEnd run_child(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
-    std::vector<std::string> words = settings.runner;
-    words.insert(words.end(), {settings.program, "--quiet", "--no-config", "--tell-inputs"});
+/// Runs a command of this program: in a process that is there for many, unless users see each.
+CommandEnd run_command(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
+    std::vector<std::string> words = {"--quiet", "--no-config", "--tell-inputs"};
     words.insert(words.end(), command.begin(), command.end());
-    return run_program(settings, words);
+    if (settings.runner.empty()) return settings.workers->run(settings, words);
+    std::vector<std::string> program = settings.runner;
+    program.push_back(settings.program);
+    program.insert(program.end(), words.begin(), words.end());
+    return run_process(settings, program);
 }
 
 std::string ended_with(int status) { return "It ended with status " + std::to_string(status); }
 
 /// Why it did not do what it should; empty where it did. `inspect` ends with 1 where it has found
 /// wrong rejections, which are what the case is about.
-std::string trouble(const ChildEnd& child, const GoldenRunSettings& settings, bool is_inspect) {
+std::string trouble(const CommandEnd& child, const GoldenRunSettings& settings, bool is_inspect) {
     if (child.stopped) return "It was interrupted.";
     if (!child.end)
         return "It took longer than " + std::to_string(settings.patience.count()) +
@@ -126,7 +87,7 @@ bool of_recording(const GoldenCase& golden) {
 }
 
 /// Takes over what the command has left in `made`.
-void take_over(const GoldenCase& golden, const ChildEnd& child, const fs::path& made,
+void take_over(const GoldenCase& golden, const CommandEnd& child, const fs::path& made,
                const fs::path& folder) {
     const CaseFiles files = case_files(folder, golden.name);
     Json document;
@@ -175,7 +136,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         if (!golden.command.empty()) {
             std::error_code none;
             fs::remove(recording, none);  // of a run that was killed
-            const ChildEnd maker = run_program(settings, maker_of(golden, recording));
+            const CommandEnd maker = run_process(settings, maker_of(golden, recording));
             std::string why = trouble(maker, settings, false);
             if (why.empty() && !render::is_there(recording))
                 why = "It has not written the file that " + std::string(recording_here) +
@@ -190,7 +151,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         if (has_picture(golden.run) || !settings.mutation.of_pictures)
             command.insert(command.end(), settings.mutation.words.begin(),
                            settings.mutation.words.end());
-        const ChildEnd child = run_child(settings, command);
+        const CommandEnd child = run_command(settings, command);
         result.message = trouble(child, settings, golden.run == GoldenRun::inspect);
         result.stopped = child.stopped;
         result.lacked_gl = child.end == render::ProcessEnd{false, exit_no_gl};
@@ -221,7 +182,7 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
     std::vector<std::string> command =
         trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));
     add_models(command, settings);
-    return trouble(run_child(settings, command), settings, false);
+    return trouble(run_command(settings, command), settings, false);
 }
 
 std::string typed(const std::vector<std::string>& command) {

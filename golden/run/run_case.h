@@ -3,9 +3,11 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "golden/run/command_workers.h"
 #include "golden/run/work_folder.h"
 #include "golden/suite/case_command.h"
 #include "golden/suite/suite.h"
@@ -28,6 +30,8 @@ struct GoldenRunSettings {
     RunMutation mutation{};             ///< of the runs
     std::chrono::seconds patience{300};
     const GoldenWork* work = nullptr;  ///< is told of the processes that run, if there is one
+    /// Processes that run commands where there is no runner; they must end before `work` does.
+    std::shared_ptr<CommandWorkers> workers = std::make_shared<CommandWorkers>();
     /// Asked while a case runs; where it says true, that is ended.
     std::function<bool()> stopped = [] { return false; };
 };
@@ -42,7 +46,7 @@ struct GoldenRunEnd {
     double seconds = 0;
 };
 
-/// Runs the case in a process of its own, with one thread, and leaves what it made in `folder`,
+/// Runs the case in another process, with one thread, and leaves what it made in `folder`,
 /// named as baselines are; its index.json as NAME.index.json. The folder must be there. A case that
 /// draws more than one picture has not run.
 GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,

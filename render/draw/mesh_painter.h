@@ -21,6 +21,7 @@ class MeshPainter {
     /// Throws InputError where corner_count does.
     MeshHandle upload(const Mesh& mesh);
     void release(MeshHandle handle);
+    void forget() { meshes_.clear(); }
 
     /// `background` is what a dimmed mesh fades into. Asserts that the handle is one of its own.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);

@@ -32,6 +32,10 @@ OverlayPainter::OverlayPainter(const Gl& gl)
     textures_.emplace(0, upload(&white, 1, 1));
 }
 
+void OverlayPainter::forget() {
+    std::erase_if(textures_, [](const auto& texture) { return texture.first != 0; });
+}
+
 GlTexture OverlayPainter::upload(const unsigned char* coverage, int width, int height) const {
     GlTexture texture(gl_);
     gl_.BindTexture(GL_TEXTURE_2D, texture.name());

@@ -15,6 +15,8 @@ class OverlayPainter {
     explicit OverlayPainter(const Gl& gl);
 
     void paint(const Overlay& overlay, int width, int height);
+    /// Releases the textures of fonts.
+    void forget();
 
   private:
     GlTexture upload(const unsigned char* coverage, int width, int height) const;

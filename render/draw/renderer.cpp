@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <exception>
 #include <string>
+#include <utility>
 
 #include "render/draw/eye_view.h"
 #include "render/draw/mesh_painter.h"
@@ -12,6 +14,7 @@
 #include "render/draw/resolve.h"
 #include "render/draw/segment_painter.h"
 #include "render/draw/volume_painter.h"
+#include "render/gl/context_platform.h"
 #include "render/gl/render_target.h"
 #include "scb/error.h"
 
@@ -85,7 +88,9 @@ bool has_meeting_lines(const Pane& pane) {
 }  // namespace
 
 struct Renderer::Parts {
+    ContextPlatform& platform;
     const Gl& gl;
+    int exceptions = 0;  // on their way when the renderer was made
     int limit;
     MeshPainter meshes;
     VolumePainter volumes;
@@ -96,13 +101,22 @@ struct Renderer::Parts {
     std::vector<std::uint32_t> samples;    // these two are kept for their memory
     std::vector<std::uint32_t> row;
 
-    explicit Parts(const Gl& functions)
-        : gl(functions),
+    explicit Parts(ContextPlatform& context)
+        : platform(context),
+          gl(platform.gl),
           limit(largest_side(gl)),
           meshes(gl),
           volumes(gl),
           segments(gl),
           overlay(gl) {}
+
+    /// All but the shaders.
+    void forget() {
+        meshes.forget();
+        overlay.forget();
+        drawn.reset();
+        overlaid.reset();
+    }
 
     void fit_target(std::optional<RenderTarget>& target, int width, int height, bool with_depth) {
         if (target && target->width() == width && target->height() == height) return;
@@ -211,9 +225,23 @@ struct Renderer::Parts {
     }
 };
 
-Renderer::Renderer(const Context& context) : parts_(std::make_unique<Parts>(context.gl())) {}
+Renderer::Renderer(const Context& context) {
+    ContextPlatform& platform = context.platform();
+    if (platform.kept_for_renderer != nullptr)
+        parts_.reset(static_cast<Parts*>(std::exchange(platform.kept_for_renderer, nullptr)));
+    else
+        parts_ = std::make_unique<Parts>(platform);
+    parts_->exceptions = std::uncaught_exceptions();
+}
 
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+    ContextPlatform& platform = parts_->platform;
+    // The exception may come from OpenGL.
+    platform.failed |= std::uncaught_exceptions() > parts_->exceptions;
+    if (platform.failed || platform.kept_for_renderer != nullptr) return;
+    parts_->forget();
+    platform.kept_for_renderer = parts_.release();
+}
 
 MeshHandle Renderer::upload(const Mesh& mesh) { return parts_->meshes.upload(mesh); }
 

@@ -1,6 +1,7 @@
 #include "render/files/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -164,6 +165,24 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
+bool ChildProcess::read(std::span<std::uint8_t> bytes, const std::function<bool()>& is_over) {
+    constexpr int milliseconds_at_a_time = 20;
+    while (!bytes.empty()) {
+        pollfd socket{input_, POLLIN, 0};
+        const int ready = ::poll(&socket, 1, milliseconds_at_a_time);
+        if (ready < 0 && errno != EINTR) return false;
+        if (ready <= 0) {
+            if (is_over()) return false;
+            continue;
+        }
+        const ssize_t got = ::recv(input_, bytes.data(), bytes.size(), 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(got));
+    }
+    return true;
+}
+
 void ChildProcess::kill() {
     if (id_ < 0) return;
     // The id is kept for a child that has ended, until it is waited for; but not where SIGCHLD is
@@ -210,6 +229,11 @@ std::optional<ProcessEnd> ChildProcess::wait_or_leave(std::chrono::milliseconds 
 }
 
 std::string ChildProcess::printed() const { return text_of(output_); }
+
+void ChildProcess::forget_printed() const {
+    output_.clear();
+    errors_.clear();
+}
 
 std::string ChildProcess::last_line() const {
     const std::string last = last_line_of(text_of(errors_));

@@ -48,6 +48,11 @@ class ChildProcess {
     /// another thread may be in while one calls kill().
     bool write(std::span<const std::uint8_t> bytes);
 
+    /// Waits for bytes that the program sends through the socket that is its standard input. False
+    /// where the program has closed the socket before, and where `is_over` says true, which is
+    /// asked all the while.
+    bool read(std::span<std::uint8_t> bytes, const std::function<bool()>& is_over);
+
     /// Ends it at once, with its own children; a write() that blocks returns. Where SIGCHLD is
     /// ignored and it has ended already, its own children are left alone: the system may have given
     /// their process group's id to others.
@@ -69,6 +74,9 @@ class ChildProcess {
 
     /// All of its standard output so far.
     std::string printed() const;
+
+    /// Empties what was printed. Throws OutputError.
+    void forget_printed() const;
 
     /// The last line that is not empty of its standard error; where there is none, of its standard
     /// output.

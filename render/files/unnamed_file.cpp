@@ -39,4 +39,9 @@ std::vector<std::uint8_t> UnnamedFile::bytes() const {
     return bytes;
 }
 
+void UnnamedFile::clear() const {
+    if (::ftruncate(descriptor(), 0) != 0 || ::lseek(descriptor(), 0, SEEK_SET) != 0)
+        fail("empty", errno);
+}
+
 }  // namespace scb::render

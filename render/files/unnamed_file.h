@@ -18,6 +18,9 @@ class UnnamedFile {
     /// All of it. Throws OutputError where it cannot be read.
     std::vector<std::uint8_t> bytes() const;
 
+    /// Empties the file; all its users write at its beginning then. Throws OutputError.
+    void clear() const;
+
   private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };

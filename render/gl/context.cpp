@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "render/gl/address_space.h"
 #include "render/gl/context_platform.h"
@@ -49,6 +52,51 @@ GlInfo describe(const Gl& gl, GlBackend backend) {
     return info;
 }
 
+/// What no context uses now. It is there until the process ends: the OpenGL library may end before
+/// static objects do.
+struct KeptPlatforms {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<ContextPlatform>> idle;
+};
+
+KeptPlatforms& kept_platforms() {
+    static auto* const kept = new KeptPlatforms;
+    return *kept;
+}
+
+/// Null where none is kept.
+std::unique_ptr<ContextPlatform> take_platform(GlBackend backend) {
+    KeptPlatforms& kept = kept_platforms();
+    const std::lock_guard lock(kept.mutex);
+    const auto found = std::find_if(kept.idle.begin(), kept.idle.end(),
+                                    [&](const auto& idle) { return idle->backend == backend; });
+    if (found == kept.idle.end()) return nullptr;
+    std::unique_ptr<ContextPlatform> platform = std::move(*found);
+    kept.idle.erase(found);
+    return platform;
+}
+
+std::unique_ptr<ContextPlatform> make_platform(GlBackend backend) {
+    pin_environment(backend);
+    // What Mesa takes for itself, its compiler and its threads (measured with 22.3.6).
+    constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
+    require_address_space(400 * mebi +
+                          72 * mebi * std::max(1u, std::thread::hardware_concurrency()));
+    std::unique_ptr<ContextPlatform> platform =
+        backend == GlBackend::osmesa ? make_osmesa_platform() : make_egl_platform();
+    platform->make_current();
+#define SCB_GL_LOAD(TYPE, NAME)                                                       \
+    platform->gl.NAME =                                                               \
+        reinterpret_cast<decltype(platform->gl.NAME)>(platform->address("gl" #NAME)); \
+    if (!platform->gl.NAME)                                                           \
+        throw GlError("The OpenGL library has no function gl" #NAME "; OpenGL 3.3 is needed.");
+    SCB_GL_FUNCTIONS(SCB_GL_LOAD)
+#undef SCB_GL_LOAD
+    platform->backend = backend;
+    platform->info = describe(platform->gl, backend);
+    return platform;
+}
+
 }  // namespace
 
 std::string_view to_string(GlBackend backend) {
@@ -72,24 +120,21 @@ bool is_compiled_in(GlBackend backend) {
     return false;
 }
 
-Context::Context(GlBackend backend) {
-    pin_environment(backend);
-    // What Mesa takes for itself, its compiler and its threads (measured with 22.3.6).
-    constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
-    require_address_space(400 * mebi +
-                          72 * mebi * std::max(1u, std::thread::hardware_concurrency()));
-    platform_ = backend == GlBackend::osmesa ? make_osmesa_platform() : make_egl_platform();
-    platform_->make_current();
-#define SCB_GL_LOAD(TYPE, NAME)                                                      \
-    gl_.NAME = reinterpret_cast<decltype(gl_.NAME)>(platform_->address("gl" #NAME)); \
-    if (!gl_.NAME)                                                                   \
-        throw GlError("The OpenGL library has no function gl" #NAME "; OpenGL 3.3 is needed.");
-    SCB_GL_FUNCTIONS(SCB_GL_LOAD)
-#undef SCB_GL_LOAD
-    info_ = describe(gl_, backend);
+Context::Context(GlBackend backend) : platform_(take_platform(backend)) {
+    if (platform_)
+        platform_->make_current();
+    else
+        platform_ = make_platform(backend);
+    gl_ = platform_->gl;
+    info_ = platform_->info;
 }
 
-Context::~Context() = default;
+Context::~Context() {
+    if (platform_->failed) return;
+    KeptPlatforms& kept = kept_platforms();
+    const std::lock_guard lock(kept.mutex);
+    kept.idle.push_back(std::move(platform_));
+}
 
 void Context::make_current() const { platform_->make_current(); }
 

@@ -47,7 +47,9 @@ struct GlInfo {
 };
 
 /// An OpenGL 3.3 core context (or later) that can draw into framebuffer objects only. It is current
-/// in the thread that made it; several may exist, each used by one thread at a time.
+/// in the thread that made it; several may exist, each used by one thread at a time. The process
+/// keeps what is behind it for the next one, with the shaders of its renderer: to make these takes
+/// longer than to draw a picture.
 ///
 /// Before the first one, the environment gets
 /// - `GALLIUM_DRIVER=llvmpipe`, whatever it was: the other software renderers draw other pixels,
@@ -68,6 +70,8 @@ class Context {
     void make_current() const;
 
     const Gl& gl() const { return gl_; }
+    /// What is behind it, and stays where it is.
+    ContextPlatform& platform() const { return *platform_; }
     const GlInfo& info() const { return info_; }
 
   private:

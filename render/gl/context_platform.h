@@ -2,11 +2,22 @@
 
 #include <memory>
 
+#include "render/gl/context.h"
+#include "render/gl/gl.h"
+
 namespace scb::render {
 
 /// What a back end has to provide. Internal to the context.
 struct ContextPlatform {
     using Function = void (*)();
+
+    GlBackend backend{};
+    Gl gl;
+    GlInfo info;
+    /// Shaders and buffers of a renderer, for the next one; owned by who has put them here.
+    void* kept_for_renderer = nullptr;
+    /// OpenGL has failed here, so nothing is kept.
+    bool failed = false;
 
     virtual ~ContextPlatform() = default;
     /// Makes the context current in the calling thread; throws GlError.

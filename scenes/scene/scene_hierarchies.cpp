@@ -4,15 +4,43 @@
 
 #include "core/hierarchy/fit_volumes.h"
 #include "scb/level_cover.h"
+#include "scenes/scene/kept_hierarchies.h"
 
 namespace scb::scenes {
 
+namespace {
+
+/// Null unless the process keeps them.
+KeptHierarchies*& kept() {
+    static KeptHierarchies* hierarchies = nullptr;
+    return hierarchies;
+}
+
+std::vector<AnyHierarchy> fitted(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                 const BuildOptions& options, int deepest) {
+    std::vector<AnyHierarchy> result;
+    for (const MeshTopology& mesh : topologies)
+        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads,
+                                 {.deepest = deepest}));
+    return result;
+}
+
+}  // namespace
+
+void keep_hierarchies() {
+    static KeptHierarchies hierarchies;
+    kept() = &hierarchies;
+}
+
 std::vector<MeshTopology> build_topologies(const Scene& scene, const TopologyOptions& options) {
     std::vector<MeshTopology> result;
+    if (kept() != nullptr) result = kept()->topologies(scene, options.split);
+    if (!result.empty()) return result;
     for (const NamedMesh& named : scene.meshes) {
         check_mesh(named.mesh, named.name);
         result.push_back(mesh_topology(named.mesh, options));
     }
+    if (kept() != nullptr) kept()->keep(scene, options.split, result);
     return result;
 }
 
@@ -51,10 +79,18 @@ std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees) {
 
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options, int deepest) {
-    std::vector<AnyHierarchy> result;
-    for (const MeshTopology& mesh : topologies)
-        result.push_back(fit_any(kind, mesh.topology, mesh.points, options.fit, options.threads,
-                                 {.deepest = deepest}));
+    if (kept() != nullptr) return *shared_hierarchies(topologies, kind, options, deepest);
+    return fitted(topologies, kind, options, deepest);
+}
+
+SharedHierarchies shared_hierarchies(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const BuildOptions& options, int deepest) {
+    SharedHierarchies result;
+    if (kept() != nullptr) result = kept()->hierarchies(topologies, kind, options.fit, deepest);
+    if (result) return result;
+    result = std::make_shared<const std::vector<AnyHierarchy>>(
+        fitted(topologies, kind, options, deepest));
+    if (kept() != nullptr) kept()->keep(topologies, kind, options.fit, deepest, result);
     return result;
 }
 

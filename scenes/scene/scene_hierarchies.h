@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/hierarchy/fitted_nodes.h"
@@ -23,6 +24,13 @@ std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees);
 
 /// One hierarchy per mesh, without the volumes of nodes that are deeper than that, see FittedNodes.
 std::vector<AnyHierarchy> fit_meshes(const std::vector<MeshTopology>& topologies, VolumeKind kind,
+                                     const BuildOptions& options,
+                                     int deepest = FittedNodes{}.deepest);
+
+/// Hierarchies that nobody changes, and so several may have.
+using SharedHierarchies = std::shared_ptr<const std::vector<AnyHierarchy>>;
+/// The same as fit_meshes, without a copy where this process keeps them.
+SharedHierarchies shared_hierarchies(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                      const BuildOptions& options,
                                      int deepest = FittedNodes{}.deepest);
 

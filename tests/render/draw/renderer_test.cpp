@@ -66,6 +66,26 @@ TEST(Renderer, TheSamePictureGivesTheSameBytes) {
     }
 }
 
+TEST(Renderer, KeepsItsShadersAndNothingElseForTheNextContext) {
+    std::optional<Rendering> first;
+    std::vector<const ContextPlatform*> used;
+    for (int i = 0; i < 3; ++i) {
+        Drawing drawing;
+        Everything scene(drawing.renderer, 4);
+        const Rendering found = drawing.renderer.draw(scene.picture, &scene.overlay, true);
+        if (!first) first = found;
+        EXPECT_EQ(found.image, first->image);
+        EXPECT_EQ(found.ids, first->ids);
+        // Contexts that are there at the same time are two.
+        const Drawing other;
+        used = {&drawing.context.platform(), &other.context.platform()};
+        EXPECT_NE(used[0], used[1]);
+        drawing.context.make_current();
+    }
+    const Drawing again;
+    EXPECT_NE(std::find(used.begin(), used.end(), &again.context.platform()), used.end());
+}
+
 TEST(Renderer, BothBackEndsDrawTheSame) {
     if (!is_compiled_in(GlBackend::osmesa) || !is_compiled_in(GlBackend::egl))
         GTEST_SKIP() << "one back end only";

@@ -49,6 +49,23 @@ TEST_F(ChildProcessTest, EndsWithAStatusOrByASignal) {
     EXPECT_TRUE(no_child_is_left());
 }
 
+TEST_F(ChildProcessTest, AnswersThroughItsInput) {
+    ChildProcess child({"sh", "-c", "while read -r word; do echo $word; echo $word >&0; done"},
+                       output, seconds(60));
+    const auto never = [] { return false; };
+    std::vector<std::uint8_t> answer(4);
+    for (const std::string word : {"one\n", "two\n"}) {
+        child.forget_printed();
+        EXPECT_TRUE(child.write({reinterpret_cast<const std::uint8_t*>(word.data()), 4}));
+        EXPECT_TRUE(child.read(answer, never));
+        EXPECT_EQ(std::string(answer.begin(), answer.end()), word);
+        EXPECT_EQ(child.printed(), word);
+    }
+    EXPECT_FALSE(child.read(answer, [] { return true; }));
+    child.kill();
+    EXPECT_FALSE(child.read(answer, never));
+}
+
 TEST_F(ChildProcessTest, IsKilledWithItsChildrenWhereItsWaitIsStopped) {
     ChildProcess child({"sh", "-c", "sleep 600 & echo $!; wait"}, output, seconds(60));
     EXPECT_EQ(child.wait(seconds(600), [&] { return !child.printed().empty(); }), std::nullopt);
