@@ -122,7 +122,7 @@ std::string changed(const std::string& word) {
 class ChangedEnvironment {
   public:
     explicit ChangedEnvironment(const std::vector<std::string>& words) {
-        for (const char* word : {"SCB_MODELS", "CI", "XDG_CONFIG_HOME=/nowhere"})
+        for (const char* word : {"SCB_MODELS", "CI", "XDG_CONFIG_HOME=/dev/null"})
             undo_.push_back(changed(word));
         for (const std::string& word : words) undo_.push_back(changed(word));
     }
@@ -166,7 +166,7 @@ struct RunFiles {
     TemporaryFolder folder;
 
     std::string command(const std::string& arguments, const std::string& prefix) const {
-        return "unset SCB_MODELS CI; export XDG_CONFIG_HOME=/nowhere; " + prefix +
+        return "unset SCB_MODELS CI; export XDG_CONFIG_HOME=/dev/null; " + prefix +
                " " SCB_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" +
                (folder / "err") + " </dev/null";
     }

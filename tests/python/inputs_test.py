@@ -184,7 +184,7 @@ class Inputs(unittest.TestCase):
         self.refuses("--compare", scb.view, "spheres-l1", compare="x,y")
         self.refuses("--queries", scb.view, "spheres-l1", queries="x")
         image = scb.draw_level("spheres-l1", 0, size=(400, 320), samples=1)
-        self.refuses("/nowhere/", image.save, "/nowhere/x.png", error=scb.OutputError)
+        self.refuses("/dev/null/", image.save, "/dev/null/x.png", error=scb.OutputError)
         self.assertTrue(issubclass(scb.OutputError, OSError))
         self.assertTrue(issubclass(scb.GlError, RuntimeError))
 

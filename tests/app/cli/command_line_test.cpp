@@ -111,7 +111,6 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         {"stats spheres-l1 --split sah", 2, "--split sah"},
         {"stats spheres-l1 --threads 0", 2, "--threads 0"},
         {"stats spheres-l1 --volume ''", 2, "--volume: the value is empty"},
-        {"read-mesh bracket.ply 3>&-", 2, "read-mesh is for scb itself"},
         {"stats spheres-l1 --growth ''", 2, "--growth '': give radius or ritter."},
         {"stats spheres-l1 --split ''", 2, "--split '': give paper or cost."},
         {"stats spheres-l1 --layout ''", 2, "--layout: the value is empty"},
@@ -170,6 +169,13 @@ TEST(CommandLine, BadInputIsNamedAndNothingIsWritten) {
         EXPECT_TRUE(!fs::exists(out) || files_in(out) == 0) << refusal.arguments;
         EXPECT_FALSE(fs::exists(folder / "level.ply"));
     }
+}
+
+TEST(CommandLine, TheReaderOfMeshesIsForTheProgramItself) {
+    const ProgramRun run = run_scb_process("read-mesh bracket.ply 3>&-");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("read-mesh is for scb itself"), std::string::npos) << run.err;
+    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
 }
 
 TEST(CommandLine, AFullDiskIsStatus3AndLeavesNoHalfFile) {

@@ -300,8 +300,8 @@ TEST(TuneCommand, EndsWhenInterrupted) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("endless.json", endless_scene);
     const ProgramRun run =
-        run_scb("tune " + scene + " --frames all --quiet -o " + (folder / "out") +
-                " & child=$!; sleep 1; kill -TERM $child; wait $child");
+        run_scb_process("tune " + scene + " --frames all --quiet -o " + (folder / "out") +
+                        " & child=$!; sleep 1; kill -TERM $child; wait $child");
     EXPECT_EQ(run.status, 143) << run.err;
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(files_in(folder / "out"), 0u);
