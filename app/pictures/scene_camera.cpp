@@ -44,10 +44,10 @@ bool guesses_up(const CameraOptions& options, const scenes::Scene& scene) {
 /// The same half space.
 FacePlane with_unit_normal(const FacePlane& plane) {
     // First by its largest coordinate, so that no square is too small or too large.
-    const double largest = plane.normal.cwiseAbs().maxCoeff();
-    const Vec3 normal = plane.normal / largest;
+    const double scale = plane.normal.cwiseAbs().maxCoeff();
+    const Vec3 normal = plane.normal / scale;
     const double length = std::sqrt(squared_norm(normal));
-    return {normal / length, plane.offset / largest / length};
+    return {normal / length, plane.offset / scale / length};
 }
 
 }  // namespace

@@ -68,15 +68,15 @@ VolumePainter::VolumePainter(const Gl& gl)
       convex_(gl) {}
 
 void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view) {
-    std::vector<const VolumeInstance*> opaque;
+    std::vector<const VolumeInstance*> drawn;
     for (const VolumeInstance& volume : volumes)
-        if (volume.color.a == 255) opaque.push_back(&volume);
+        if (volume.color.a == 255) drawn.push_back(&volume);
     // Batches by program; the depth test makes the order of no account.
-    std::stable_sort(opaque.begin(), opaque.end(),
+    std::stable_sort(drawn.begin(), drawn.end(),
                      [](const VolumeInstance* a, const VolumeInstance* b) {
                          return shape_of(a->volume) < shape_of(b->volume);
                      });
-    pack_all(opaque, view);
+    pack_all(drawn, view);
     draw(view, Sides::nearest);
 }
 

@@ -52,10 +52,10 @@ int deepest(const std::vector<MeshTopology>& topologies) {
 }
 
 std::vector<int> telling_levels(const std::vector<MeshTopology>& topologies) {
-    std::vector<TreeShape> shapes;
-    for (const MeshTopology& mesh : topologies) shapes.push_back(tree_shape(*mesh.topology));
+    std::vector<TreeShape> of_meshes;
+    for (const MeshTopology& mesh : topologies) of_meshes.push_back(tree_shape(*mesh.topology));
     std::vector<const TreeShape*> trees;
-    for (const TreeShape& shape : shapes) trees.push_back(&shape);
+    for (const TreeShape& shape : of_meshes) trees.push_back(&shape);
     return telling_levels(trees);
 }
 
