@@ -50,6 +50,18 @@ TEST(CostEquation, HasNoNegativeCost) {
     EXPECT_EQ(found.share_u, 0);
 }
 
+TEST(CostEquation, HasNoNegativeCostOfWhicheverKind) {
+    for (double CostSample::*count : {&CostSample::n_v, &CostSample::n_p}) {
+        std::vector<CostSample> all = samples(1, 1, 50, 0);
+        for (CostSample& sample : all) sample.time -= 1.5 * sample.*count;
+        std::erase_if(all, [](const CostSample& sample) { return sample.time <= 0; });
+        const CostEquation found = fit_cost_equation(all);
+        EXPECT_GE(found.c_v, 0);
+        EXPECT_GE(found.c_p, 0);
+        EXPECT_GT(found.c_u, 0);
+    }
+}
+
 TEST(CostEquation, SaysWhatCannotBeToldApart) {
     std::vector<CostSample> all = samples(12, 80, 5, 0.02);
     EXPECT_TRUE(fit_cost_equation(all).determined);

@@ -59,6 +59,25 @@ TEST(Endings, AreTheTestsThatWereNotPassedOn) {
     }
 }
 
+TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
+    TraceFrame frame;
+    frame.events.volume_tests = {{{0, 0}, 0, 0, Stage::overlapping},
+                                 {{1, 0}, 1, 0, Stage::ball_ball},
+                                 {{2, 0}, 1, 0, Stage::overlapping},
+                                 {{2, 1}, 1, 1, Stage::ball_ball},
+                                 {{2, 2}, 1, 1, Stage::slab_ball}};
+    const TraversalTree tree = traversal_tree(frame.events, {});
+    const std::vector<EndingCounts> counts = endings_by_depth(frame, tree);
+    ASSERT_EQ(counts.size(), 3u);
+    const auto at = [&](std::size_t depth, Stage stage) {
+        return counts[depth][static_cast<std::size_t>(stage)];
+    };
+    EXPECT_EQ(at(1, Stage::ball_ball), 1u);
+    EXPECT_EQ(at(2, Stage::ball_ball), 1u);
+    EXPECT_EQ(at(2, Stage::slab_ball), 1u);
+    EXPECT_EQ(ending_counts(frame, tree)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
+}
+
 TEST(Endings, HaveNames) {
     std::set<std::string_view> names;
     for (std::size_t i = 1; i < ending_count; ++i) {

@@ -65,6 +65,22 @@ TEST(HierarchyMeasures, OverlapIsThatOfBoxesMeasuredByHand) {
     EXPECT_DOUBLE_EQ(m.levels[1].volume, 16);
 }
 
+TEST(HierarchyMeasures, SiblingOverlapIsAShareOfTheSmallerOne) {
+    // Tetrahedra in boxes [0, 4]^3 and [3, 5] x [1, 3]^2.
+    Mesh mesh;
+    for (const auto& [corner, side] : {std::pair(Vec3(0, 0, 0), 4.0), {Vec3(3, 1, 1), 2.0}}) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)})
+            mesh.vertices.emplace_back(corner + side * v);
+        for (const Triangle& t : {Triangle{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}})
+            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    const HierarchyMeasures m = measured(mesh, VolumeKind::aabb);
+    EXPECT_EQ(m.levels[1].solid_siblings, 1u);
+    EXPECT_NEAR(m.levels[1].sibling_overlap, 4.0 / 8, 0.02);
+    EXPECT_NEAR(m.levels[1].overlap_volume, 4, 0.1);
+}
+
 TEST(HierarchyMeasures, OneTriangleIsMetByEveryLine) {
     Mesh mesh = two_triangles({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0);
     mesh.triangles.pop_back();

@@ -5,6 +5,7 @@
 #include "core/collide/query_placement.h"
 #include "core/overlap/test_functors.h"
 #include "tests/core/analysis/traces.h"
+#include "tests/core/overlap/volume_pairs.h"
 
 namespace scb {
 namespace {
@@ -94,6 +95,19 @@ TEST(LevelOverlaps, EndBeforeALevelOfEndlessTests) {
     EXPECT_EQ(level_overlaps(wide, wide, apart, 1000), std::vector<std::size_t>{1});
     EXPECT_EQ(level_overlaps(roots, roots, apart, 1000), std::vector<std::size_t>{});
     EXPECT_LE(tests, 2U * 64 * 1000 + 1);
+    // So many on each level, not on all together.
+    TreeShape chain;
+    chain.roots = {0};
+    for (std::uint32_t node = 0; node < 100; ++node) {
+        chain.parents.push_back(node == 0 ? no_index : node - 1);
+        chain.depths.push_back(node);
+        chain.first_child.push_back(node == 99 ? no_index : node + 1);
+        chain.next_sibling.push_back(no_index);
+        chain.order.push_back(node);
+    }
+    EXPECT_EQ(level_overlaps(
+                  chain, chain, [](auto, auto) { return true; }, 1),
+              std::vector<std::size_t>(100, 1));
     // Few are counted to the end.
     EXPECT_EQ(level_overlaps(
                   star(5), star(7), [](auto, auto) { return true; }, 1000),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
 
@@ -63,6 +64,37 @@ TEST(TraversalPart, TheLargestAreApartAndNotTooLarge) {
     EXPECT_GT(sum + 20, sizes[0]);
     EXPECT_EQ(largest_parts(tree, 2), std::vector<std::uint32_t>(parts.begin(), parts.begin() + 2));
     EXPECT_TRUE(largest_parts({}, 8).empty());
+}
+
+TEST(TraversalPart, OfSeveralRootsThePartsOfEachAreFound) {
+    MadeQuery query;
+    for (std::uint32_t root = 0; root < 6; ++root) {
+        query.test(MadeQuery::none, {root, root});
+        if (root == 4) query.test(root, {root, 10});
+    }
+    // Of seven tests one is a quarter, two are more.
+    EXPECT_EQ(largest_parts(query.tree(), 100), (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6}));
+    query.test(MadeQuery::none, {7, 7});
+    EXPECT_EQ(largest_parts(query.tree(), 100), (std::vector<std::uint32_t>{4, 0, 1, 2, 3, 6, 7}))
+        << "of eight two are a quarter";
+}
+
+TEST(TraversalPart, OfAnEnginesQueryTestsKeepTheirParentsAndTriangles) {
+    MadeQuery query;
+    query.test(MadeQuery::none, {0, 0});
+    query.test(0, {1, 0});
+    query.test(0, {2, 0});
+    query.test(2, {3, 0});
+    query.triangles({5, 5}, false);
+    query.triangles({6, 5}, true);
+    query.test(2, {4, 0}, false);
+    const TraceFrame part = traversal_part(query.header, query.frame, query.tree(), 2);
+    EXPECT_EQ(part.parents, (std::vector<std::uint32_t>{MadeQuery::none, 0, 0}));
+    EXPECT_EQ(part.events.triangle_tests,
+              (std::vector<TriangleTest>{{{5, 5}, 1, false}, {{6, 5}, 1, true}}));
+    EXPECT_EQ(part.found.pairs, (std::vector<IndexPair>{{6, 5}}));
+    EXPECT_EQ(part.found.n_v, 3u);
+    EXPECT_EQ(part.found.n_p, 2u);
 }
 
 }  // namespace

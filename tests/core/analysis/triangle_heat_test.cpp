@@ -67,5 +67,19 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
     }
 }
 
+TEST(TriangleHeat, ATestIsWastedWhereNothingBelowItsParentMeets) {
+    TraversalTree tree;
+    // 0 led to 1 and 4, 1 to 2 and 3, 4 to 5.
+    tree.parents = {TraversalTree::no_parent, 0, 1, 1, 0, 4};
+    for (const Outcome met : {Outcome::triangles_meet, Outcome::found}) {
+        tree.outcomes = {
+            Outcome::divided_a, Outcome::divided_b,      rejected_at(Stage::ball_ball), met,
+            Outcome::divided_b, Outcome::triangles_apart};
+        EXPECT_EQ(wasted_tests(tree), (std::vector{false, false, false, false, false, true}));
+    }
+    tree.outcomes[3] = Outcome::left_over;
+    EXPECT_EQ(wasted_tests(tree), (std::vector{false, true, true, true, true, true}));
+}
+
 }  // namespace
 }  // namespace scb

@@ -56,6 +56,26 @@ TEST(WasteCauses, NameWhatIsWrongWithAMeshAndNothingElse) {
     EXPECT_FALSE(causes.unequal || causes.parallel);
 }
 
+TEST(WasteCauses, AShareOfTheTrianglesIsEnough) {
+    // Twenty triangles of which one is slender, then one more.
+    for (const std::uint32_t others : {19u, 20u}) {
+        Mesh mesh = strips(others, 2);
+        for (const Vec3& v : {Vec3(0, -9, 0), Vec3(50, -9, 0), Vec3(0, -8, 0)}) {
+            mesh.vertices.push_back(v);
+        }
+        mesh.triangles.push_back({3 * others, 3 * others + 1, 3 * others + 2});
+        EXPECT_EQ(causes_of(mesh, grid(3)).bodies[0].slender, others == 19);
+    }
+    // A hundred of which one is there twice, then fewer.
+    for (const std::uint32_t count : {99u, 100u}) {
+        Mesh mesh = strips(count, 2);
+        mesh.triangles.push_back(mesh.triangles[0]);
+        EXPECT_EQ(causes_of(mesh, grid(3)).bodies[0].duplicated, count == 99);
+    }
+    EXPECT_FALSE(causes_of(strips(1, 2), grid(3)).bodies[0].soup) << "one triangle is one part";
+    EXPECT_TRUE(causes_of(strips(2, 2), grid(3)).bodies[0].soup);
+}
+
 TEST(WasteCauses, ATreeThatTakesOffATenthAtATimeIsDeep) {
     // Clusters, each with a tenth of what is left, each at a third of the place of the one before.
     Mesh mesh;

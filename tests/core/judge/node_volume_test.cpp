@@ -81,6 +81,9 @@ TEST(NodeVolume, SaysHowFarAPointIsOutside) {
     Scb2 scb2{Vec3::Zero(), 1, {}};
     scb2.slabs = {Slab{Vec3::UnitZ(), 0.25, -0.5}, Slab{Vec3::UnitX(), 1, -0.125}};
     EXPECT_NEAR(excess(scb2, Vec3(-0.5, 0, 0)), 0.375, 1e-15);
+    EXPECT_NEAR(excess(scb2, Vec3(0, 0, 0.75)), 0.5, 1e-15);
+    EXPECT_NEAR(excess(scb2, Vec3(0, 3, 0)), 2, 1e-15);
+    EXPECT_LE(excess(scb2, Vec3(-0.125, 0, 0.25)), 0);
 }
 
 TEST(NodeVolume, NothingIsClaimedOfABallWhoseCenterIsNotInBothSlabs) {
@@ -95,6 +98,21 @@ TEST(NodeVolume, NothingIsClaimedOfABallWhoseCenterIsNotInBothSlabs) {
     EXPECT_EQ(exact_verdict(scb2(-0.5), scb2(-0.5), apart, 0).contact, Contact::disjoint);
     EXPECT_EQ(exact_verdict(scb2(-0.5), scb2(-0.5), same, 0).contact, Contact::overlapping);
     EXPECT_EQ(exact_verdict(scb2(0.5), scb2(-0.5), same, 0).contact, Contact::touching);
+    EXPECT_EQ(exact_verdict(scb2(-0.5), scb2(0.5), same, 0).contact, Contact::touching);
+    Scb2 below{Vec3::Zero(), 1, {}};
+    below.slabs = {Slab{Vec3::UnitZ(), 1, -1}, Slab{Vec3::UnitX(), -0.5, -1}};
+    EXPECT_EQ(exact_verdict(below, below, apart, 0).contact, Contact::touching);
+}
+
+TEST(NodeVolume, NothingIsClaimedOfABallWithTwoSlabsAndAnotherType) {
+    const NodeVolume ball = Ball{Vec3::Zero(), 1};
+    Scb2 scb2{Vec3::Zero(), 1, {}};
+    scb2.slabs = {Slab{Vec3::UnitZ(), 1, -1}, Slab{Vec3::UnitX(), 1, -1}};
+    Pose apart;
+    apart.translation = Vec3(0, 0, 5);
+    EXPECT_EQ(exact_verdict(ball, scb2, apart, 0).contact, Contact::touching);
+    EXPECT_EQ(exact_verdict(scb2, ball, apart, 0).contact, Contact::touching);
+    EXPECT_EQ(exact_verdict(ball, ball, apart, 0).contact, Contact::disjoint);
 }
 
 TEST(NodeVolume, SlabsOfAnyDirectionsAreThePolytopeOfAKDop) {
@@ -127,6 +145,9 @@ TEST(NodeVolume, SlabsThatBoundNothingAreRefused) {
     };
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 0, 1}), "");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 1, 0, 1, 0, 1}),
+              "its directions lie in a plane");
+    // Three in a plane but for rounding.
+    EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 1, 1, 1e-12}, {0, 1, 0, 1, 0, 1}),
               "its directions lie in a plane");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 0}, {0, 1, 0, 1, 0, 1}), "its direction 2 is none");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 2, 1}),

@@ -94,5 +94,34 @@ TEST(ObjectContacts, WithoutThemResultsAreNotJudged) {
     EXPECT_TRUE(judged.pairs.empty());
 }
 
+/// One object on each side, a box of one unit, that of B moved by `b`.
+std::size_t contacts_of_two(const Vec3& b, double tolerance) {
+    NodeTree trees[2];
+    TreeShape shapes[2];
+    EngineQuery query;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::uint32_t object = 0;
+        trees[side].add({}, "", {}, std::span(&object, 1));
+        trees[side].set_volume(0, Obb{Vec3::Zero(), Mat3::Identity(), Vec3(0.5, 0.5, 0.5)}, 0, "");
+        shapes[side] = tree_shape(trees[side], 1);
+        query.sides[side] = {&trees[side], &shapes[side], nullptr, true};
+    }
+    query.b_to_a.translation = b;
+    query.tolerance = tolerance;
+    return object_contacts(query).size();
+}
+
+TEST(ObjectContacts, ObjectsThatTouchOrNearlyDoAreInContact) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            const Vec3 beside = sign * Vec3::Unit(axis);
+            EXPECT_EQ(contacts_of_two(beside, 0), 1u) << axis;
+            EXPECT_EQ(contacts_of_two(1.01 * beside, 0), 0u) << axis;
+            EXPECT_EQ(contacts_of_two(1.01 * beside, 0.001), 0u) << axis;
+            EXPECT_EQ(contacts_of_two(1.01 * beside, 0.02), 1u) << axis;
+            EXPECT_EQ(contacts_of_two(0.5 * beside, 0), 1u) << axis;
+        }
+}
+
 }  // namespace
 }  // namespace scb

@@ -3,81 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scb/triangle_overlap.h"
-#include "tests/core/judge/judged_tree.h"
+#include "tests/core/judge/judged_rows.h"
 
 namespace scb {
 namespace {
 
 using Kind = EngineEvent::Kind;
-
-/// Two rows of triangles, one of which stands across the other: each meets that of its number.
-struct Rows {
-    Mesh mesh = row_of_triangles();
-    NodeTree trees[2];
-    TreeShape shapes[2];
-    EngineQuery query;
-    std::vector<IndexPair> contacts;
-
-    explicit Rows(std::vector<ToldNode> nodes_of_a = nodes_of_row()) {
-        trees[0] = tree_of(nodes_of_a);
-        trees[1] = tree_of(nodes_of_row());
-        for (std::size_t side = 0; side < 2; ++side) {
-            shapes[side] = tree_shape(trees[side], mesh.triangles.size());
-            query.sides[side] = {&trees[side], &shapes[side], &mesh};
-        }
-        query.b_to_a.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-        query.b_to_a.translation = Vec3(0, 0.1, -0.1);
-        query.tells_items = query.tells_pairs = true;
-        query.tolerance = 1e-9;
-        for (std::uint32_t i = 0; i < 4; ++i) contacts.push_back({i, i});
-        visit(0, 0);
-        for (const IndexPair pair : contacts)
-            query.events.push_back({Kind::pair, 0, pair.a, pair.b});
-    }
-    Rows(const Rows&) = delete;
-
-    /// As a sound engine does it.
-    void visit(std::uint32_t a, std::uint32_t b) {
-        const TreeNode &node_a = trees[0][a], &node_b = trees[1][b];
-        const bool apart =
-            exact_verdict(node_a.volume, node_b.volume, query.b_to_a, 1e-9).contact ==
-            Contact::disjoint;
-        query.events.push_back({Kind::volumes, static_cast<std::uint8_t>(apart ? 5 : 0),
-                                node_a.number, node_b.number});
-        if (apart) return;
-        for (const std::uint32_t item_a : trees[0].items(a))
-            for (const std::uint32_t item_b : trees[1].items(b))
-                query.events.push_back(
-                    {triangles_overlap(corners(mesh, item_a),
-                                       transform_corners(query.b_to_a, corners(mesh, item_b)))
-                         ? Kind::items_meet
-                         : Kind::items_apart,
-                     0, item_a, item_b});
-        for (const std::uint32_t child_a : trees[0].children(a))
-            for (const std::uint32_t child_b : trees[1].children(b))
-                visit(trees[0].index_of(child_a), trees[1].index_of(child_b));
-    }
-
-    EngineEvent& event(Kind kind, std::uint32_t a, std::uint32_t b) {
-        const auto found = std::find_if(
-            query.events.begin(), query.events.end(),
-            [&](const EngineEvent& e) { return e.kind == kind && e.a == a && e.b == b; });
-        EXPECT_NE(found, query.events.end());
-        return *found;
-    }
-    void erase(Kind kind, std::uint32_t a, std::uint32_t b) {
-        query.events.erase(query.events.begin() + (&event(kind, a, b) - query.events.data()));
-    }
-    QueryJudgement judged() const { return judge_query(query, contacts); }
-    /// The one problem that there is.
-    PairProblem problem() const {
-        const QueryJudgement found = judged();
-        EXPECT_EQ(found.pairs.size(), 1u);
-        return found.pairs.empty() ? PairProblem{} : found.pairs[0];
-    }
-};
 
 TEST(QueryCheck, ASoundQueryHasNoProblems) {
     const Rows rows;
@@ -234,8 +168,8 @@ TEST(QueryCheck, AChildThatIsForgottenIsSeenWhereNothingIsMissedToo) {
     Rows rows;
     // What is apart anyway.
     rows.erase(Kind::volumes, 1, 2);
-    const DivisionCounts none = rows.judged().divisions;
-    EXPECT_EQ(none.lacking, 0u) << "both have children in other pairs";
+    const DivisionCounts two = rows.judged().divisions;
+    EXPECT_EQ(two.lacking, 0u) << "both have children in other pairs";
     rows.erase(Kind::volumes, 2, 2);
     rows.erase(Kind::volumes, 2, 1);
     const DivisionCounts found = rows.judged().divisions;
@@ -292,6 +226,188 @@ TEST(QueryCheck, TheRightPoseFitsAndOthersDoNot) {
     Pose other = rows.query.b_to_a;
     other.translation[0] += 1;
     EXPECT_GT(fit_of_pose(rows.query, other).all_wrong(), 4u);
+}
+
+// An engine may go on below a pair that it has rejected, and come back to one above it.
+TEST(QueryCheck, APairIsMissedAtTheFirstRejectionInTime) {
+    Rows rows;
+    rows.contacts = {{0, 0}};
+    rows.query.events = {{Kind::volumes, 5, 3, 3}, {Kind::volumes, 5, 1, 1}};
+    EXPECT_EQ(rows.problem().nodes, (IndexPair{3, 3}));
+    rows.query.events = {{Kind::volumes, 5, 1, 1}, {Kind::volumes, 5, 3, 3}};
+    EXPECT_EQ(rows.problem().nodes, (IndexPair{1, 1}));
+    EXPECT_EQ(rows.problem().event, 0u);
+}
+
+TEST(QueryCheck, APairThatWasNotRejectedIsLostBelowTheDeepestOverlap) {
+    Rows rows;
+    rows.contacts = {{0, 2}};
+    rows.query.events = {{Kind::volumes, 0, 1, 0}, {Kind::volumes, 0, 0, 5}};
+    EXPECT_EQ(rows.problem().cause, PairCause::never_visited);
+    EXPECT_EQ(rows.problem().nodes, (IndexPair{0, 5}));
+    EXPECT_EQ(rows.problem().next, (IndexPair{1, no_index})) << "B's node is the leaf";
+    rows.query.events = {{Kind::volumes, 0, 3, 0}, {Kind::volumes, 0, 0, 2}};
+    EXPECT_EQ(rows.problem().cause, PairCause::never_visited);
+    EXPECT_EQ(rows.problem().nodes, (IndexPair{3, 0}));
+    EXPECT_EQ(rows.problem().next, (IndexPair{no_index, 2}));
+}
+
+TEST(QueryCheck, EachTriangleIsLookedForInTheNodeOfItsOwnSide) {
+    Rows rows;
+    rows.contacts = {{0, 2}};
+    rows.query.events = {{Kind::volumes, 5, 1, 5}};
+    EXPECT_EQ(rows.problem().cause, PairCause::rejected);
+    EXPECT_EQ(rows.problem().nodes, (IndexPair{1, 5}));
+}
+
+TEST(QueryCheck, ATriangleOutsideByLessThanTheToleranceIsNoCause) {
+    auto nodes = nodes_of_row();
+    nodes[3].volume = box_of_row(0, -0.125);  // triangle 0 is outside by an eighth
+    Rows rows(nodes);
+    rows.contacts = {{0, 0}};
+    rows.query.events = {{Kind::volumes, 5, 3, 3}};
+    rows.query.tolerance = 0.25;
+    EXPECT_EQ(rows.problem().cause, PairCause::rejected);
+    rows.query.tolerance = 0.0625;
+    EXPECT_EQ(rows.problem().cause, PairCause::not_contained);
+    EXPECT_NEAR(rows.problem().amount, 0.125, 1e-12);
+}
+
+TEST(QueryCheck, OfTwoVolumesThatDoNotContainTheirTrianglesTheWorseOneIsTold) {
+    const auto moved = [](double by) {
+        auto nodes = nodes_of_row();
+        Obb box = box_of_row(0, 0);
+        box.center[1] += by;
+        nodes[3].volume = box;
+        return nodes;
+    };
+    for (const auto& [a, b] : {std::pair(1.0, 4.0), {4.0, 1.0}, {0.0, 2.0}}) {
+        Rows rows(moved(a), moved(b));
+        rows.contacts = {{0, 0}};
+        rows.query.events = {{Kind::volumes, 5, 3, 3}};
+        const PairProblem problem = rows.problem();
+        EXPECT_EQ(problem.cause, PairCause::not_contained);
+        EXPECT_EQ(problem.side, a > b ? 0u : 1u);
+        EXPECT_NEAR(problem.amount, std::max(a, b), 1e-12);
+    }
+}
+
+TEST(QueryCheck, NamesTheSideOfATriangleThatIsInNoLeaf) {
+    auto nodes = nodes_of_row();
+    nodes[4].items = {};
+    for (const std::uint32_t side : {0u, 1u}) {
+        Rows rows(side == 0 ? nodes : nodes_of_row(), side == 1 ? nodes : nodes_of_row());
+        rows.erase(Kind::pair, 1, 1);
+        EXPECT_EQ(rows.problem().cause, PairCause::in_no_leaf);
+        EXPECT_EQ(rows.problem().side, side);
+    }
+}
+
+// The tolerance of volumes is larger where an engine grows them.
+TEST(QueryCheck, TrianglesGrazeWithinTheirOwnTolerance) {
+    for (const bool grazes : {true, false}) {
+        Rows rows;
+        rows.query.tolerance = grazes ? 1e-9 : 0.6;
+        rows.query.triangle_tolerance = grazes ? 0.6 : 1e-9;
+        rows.erase(Kind::pair, 1, 1);
+        EXPECT_EQ(rows.judged().pairs.size(), grazes ? 0u : 1u);
+        EXPECT_EQ(rows.judged().grazing, grazes ? 1u : 0u);
+        // One that was reported and is half a unit apart.
+        rows.query.events.push_back({Kind::pair, 0, 0, 1});
+        EXPECT_EQ(rows.judged().pairs.size(), grazes ? 0u : 2u);
+        EXPECT_EQ(rows.judged().grazing, grazes ? 2u : 0u);
+    }
+}
+
+TEST(QueryCheck, WasteIsWhatPairsWithoutAContactBelowThemLedTo) {
+    Rows rows;
+    rows.contacts = {{0, 0}};
+    rows.query.events = {{Kind::volumes, 0, 0, 0},    {Kind::volumes, 0, 1, 1},
+                         {Kind::volumes, 0, 3, 3},    {Kind::items_meet, 0, 0, 0},
+                         {Kind::volumes, 0, 2, 2},    {Kind::volumes, 0, 5, 5},
+                         {Kind::items_apart, 0, 2, 2}};
+    // (2, 2) led to (5, 5), and that to the test of the triangles.
+    EXPECT_EQ(rows.judged().wasted_loose, 2u);
+    EXPECT_EQ(rows.judged().wasted_weak, 0u);
+    rows.query.events[3].kind = Kind::items_apart;
+    EXPECT_EQ(rows.judged().wasted_loose, 6u) << "all but the test of the roots";
+}
+
+TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
+    auto nodes = nodes_of_row();
+    Obb elsewhere = box_of_row(2, 3);
+    elsewhere.center[2] = 5;
+    nodes[2].volume = elsewhere;
+    Rows rows(nodes);
+    rows.contacts = {};
+    rows.query.events = {{Kind::volumes, 0, 0, 0},
+                         {Kind::volumes, 0, 2, 2},  // passed although they are apart
+                         {Kind::volumes, 0, 5, 5},  // overlap, though they are below these
+                         {Kind::items_apart, 0, 2, 2}};
+    const QueryJudgement judged = rows.judged();
+    EXPECT_EQ(judged.count(TestVerdict::false_positive), 1u);
+    EXPECT_EQ(judged.wasted_loose, 1u);
+    EXPECT_EQ(judged.wasted_weak, 2u);
+}
+
+TEST(QueryCheck, PairsAloneTellWhatATestLedTo) {
+    Rows rows;
+    rows.query.tells_items = false;
+    std::erase_if(rows.query.events,
+                  [](const EngineEvent& event) { return event.kind == Kind::items_meet; });
+    EXPECT_EQ(rows.judged().wasted_loose, 0u);
+    rows.erase(Kind::pair, 3, 3);
+    EXPECT_EQ(rows.judged().wasted_loose, 0u) << "(6, 6) led to nothing, (2, 2) to a pair";
+    rows.erase(Kind::pair, 2, 2);
+    EXPECT_EQ(rows.judged().wasted_loose, 4u) << "the four pairs below (2, 2)";
+}
+
+TEST(QueryCheck, TellsHowFarApartTheVolumesOfATestAre) {
+    Rows rows;
+    rows.query.events = {{Kind::volumes, 5, 1, 2}};
+    EXPECT_NEAR(rows.judged().tests[0].margin, 0.5, 1e-6);
+}
+
+TEST(QueryCheck, AWrongTestOfTrianglesWhoseLeavesWereNotTestedHasStrayed) {
+    Rows rows;
+    rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
+    rows.query.events.push_back({Kind::items_meet, 0, 0, 3});
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.wrong_item_tests.size(), 2u);
+    EXPECT_FALSE(judged.wrong_item_tests[0].strayed);
+    EXPECT_TRUE(judged.wrong_item_tests[1].strayed);
+    EXPECT_NEAR(judged.wrong_item_tests[1].margin, std::hypot(2.5, 0.1), 1e-6);
+}
+
+TEST(QueryCheck, OneThatEndedEarlyNeedNotTestAllChildren) {
+    Rows rows;
+    for (const std::uint32_t b : {1u, 2u}) rows.erase(Kind::volumes, 2, b);
+    EXPECT_GT(rows.judged().divisions.lacking, 0u);
+    rows.query.complete = false;
+    EXPECT_EQ(rows.judged().divisions.divided, 0u);
+}
+
+TEST(QueryCheck, ResultsOfABodyAgainstItselfAreNotJudged) {
+    Rows rows;
+    rows.erase(Kind::pair, 1, 1);
+    rows.query.self = true;
+    EXPECT_TRUE(rows.judged().pairs.empty());
+}
+
+TEST(QueryCheck, APoseThatIsFarOffFitsNoTestThatPassed) {
+    Rows rows;
+    Pose far = rows.query.b_to_a;
+    far.translation[2] += 100;
+    const PoseFit fit = fit_of_pose(rows.query, far);
+    EXPECT_EQ(fit.wrong, 0u) << "what was rejected is apart";
+    EXPECT_EQ(fit.wrong_items, 4u);
+    EXPECT_EQ(fit.false_positive,
+              static_cast<std::uint64_t>(std::count_if(
+                  rows.query.events.begin(), rows.query.events.end(), [](const EngineEvent& event) {
+                      return event.kind == Kind::volumes && event.stage == 0;
+                  })));
+    rows.event(Kind::volumes, 3, 3).stage = 5;
+    EXPECT_EQ(fit_of_pose(rows.query, rows.query.b_to_a).wrong, 1u);
 }
 
 }  // namespace

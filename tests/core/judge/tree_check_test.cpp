@@ -8,13 +8,15 @@
 namespace scb {
 namespace {
 
-std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool with_mesh = true) {
+std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool with_mesh = true,
+                                     double tolerance = 1e-9) {
     const Mesh mesh = row_of_triangles();
     const NodeTree tree = tree_of(nodes);
     const TreeShape shape = tree_shape(tree, with_mesh ? mesh.triangles.size() : 0);
     std::vector<std::string> words;
-    for (const auto& problems : {check_shape(tree, shape, with_mesh ? &mesh : nullptr),
-                                 check_volumes(tree, shape, with_mesh ? &mesh : nullptr, 1e-9)})
+    for (const auto& problems :
+         {check_shape(tree, shape, with_mesh ? &mesh : nullptr),
+          check_volumes(tree, shape, with_mesh ? &mesh : nullptr, tolerance)})
         for (const TreeProblem& problem : problems) words.push_back(words_of(problem, tree));
     return words;
 }
@@ -114,6 +116,61 @@ TEST(TreeCheck, NamesVolumesThatDoNotContainWhatIsBelowThem) {
     EXPECT_EQ(problems_of(nodes).size(), 1u);
 }
 
+TEST(TreeCheck, NamesEveryRootBeyondTheFirst) {
+    auto nodes = nodes_of_row();
+    nodes[2].children = {};
+    nodes[5].parent = nodes[6].parent = no_index;
+    EXPECT_EQ(problems_of(nodes),
+              (Words{"node 5 has no parent, as node 0", "node 6 has no parent, as node 0"}));
+}
+
+TEST(TreeCheck, OfWhatANodeDoesNotContainTheFarthestIsTold) {
+    auto nodes = nodes_of_row();
+    nodes[0].volume = box_of_row(0, 1.75);
+    EXPECT_EQ(problems_of(nodes), Words{"node 0 does not contain triangle 3, by 1.25"});
+    nodes[0].volume = box_of_row(1.25, 3);
+    EXPECT_EQ(problems_of(nodes), Words{"node 0 does not contain triangle 0, by 1.25"});
+    nodes[0].volume = box_of_row(0.25, 1.75);
+    EXPECT_EQ(problems_of(nodes, false),
+              Words{"node 0 does not contain the volume of node 2, by 1.25"});
+    nodes[0].volume = box_of_row(1.25, 2.75);
+    EXPECT_EQ(problems_of(nodes, false),
+              Words{"node 0 does not contain the volume of node 1, by 1.25"});
+}
+
+TEST(TreeCheck, OneCornerOfATriangleIsEnough) {
+    auto nodes = nodes_of_row();
+    // The upper half: the last corner of triangle 0 is inside.
+    nodes[3].volume = Obb{Vec3(0.25, 0.375, 0), Mat3::Identity(), Vec3(0.25, 0.125, 0)};
+    EXPECT_EQ(problems_of(nodes), Words{"node 3 does not contain triangle 0, by 0.25"});
+    // The left half: the first and the last are.
+    nodes[3].volume = Obb{Vec3(0.125, 0.25, 0), Mat3::Identity(), Vec3(0.125, 0.25, 0)};
+    EXPECT_EQ(problems_of(nodes), Words{"node 3 does not contain triangle 0, by 0.25"});
+}
+
+TEST(TreeCheck, WhatIsOutsideByLittleMoreThanTheToleranceIsTold) {
+    auto nodes = nodes_of_row();
+    nodes[1].volume = box_of_row(0, 0.75);
+    for (const bool with_mesh : {true, false}) {
+        EXPECT_EQ(problems_of(nodes, with_mesh, 0.249).size(), 1u);
+        EXPECT_EQ(problems_of(nodes, with_mesh, 0.01).size(), 1u);
+        EXPECT_EQ(problems_of(nodes, with_mesh, 0.251), Words{});
+    }
+}
+
+// A ball has no faces along which one could look.
+TEST(TreeCheck, TellsHowFarAChildReachesBeyondABall) {
+    const auto words = [](const NodeVolume& parent, const NodeVolume& child) {
+        return problems_of({{0, no_index, {1}, {}, parent}, {1, 0, {}, {}, child}}, false);
+    };
+    const Vec3 odd = Vec3(1, 2, 3) / std::sqrt(14.0);
+    EXPECT_EQ(words(Ball{Vec3(1, 1, 1), 1}, Ball{Vec3(1, 1, 1) + odd, 0.5}),
+              Words{"node 0 does not contain the volume of node 1, by 0.5"});
+    EXPECT_EQ(words(Ball{Vec3(1, 1, 1), 1}, Ball{Vec3(1, 1, 1) + 0.5 * odd, 0.5}), Words{});
+    EXPECT_EQ(words(Ball{Vec3::Zero(), 1}, Obb{Vec3(2, 0, 0), Mat3::Identity(), Vec3(1, 4, 0)}),
+              Words{"node 0 does not contain the volume of node 1, by 4"});
+}
+
 TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
     NodeTree tree = tree_of(nodes_of_row());
     Mesh mesh = row_of_triangles();
@@ -142,6 +199,84 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
         EXPECT_EQ(problems[i].told_at, 0);
         EXPECT_EQ(problems[i].frames, 2u);
     }
+}
+
+/// A row that is looked at frame by frame. Node 1, of triangles 0 and 1, can be told a box that
+/// ends before them.
+struct WatchedRow {
+    NodeTree tree = tree_of(nodes_of_row());
+    Mesh mesh = row_of_triangles();
+    TreeShape shape = tree_shape(tree, 4);
+    TreeWatch watch;
+    int version = 0, volume_version = 0;
+
+    void look(int frame) { watch.look(frame, tree, shape, &mesh, 1e-9, version, volume_version); }
+    void tell(int frame, double last) {
+        tree.set_volume(1, box_of_row(0, last), frame, "");
+        ++volume_version;
+    }
+};
+
+TEST(TreeWatch, TellsTheFrameAtWhichAVolumeIsWorst) {
+    WatchedRow row;
+    int frame = 0;
+    for (const double last : {0.75, 0.25, 0.5}) {
+        row.tell(frame, last);
+        row.look(frame++);
+    }
+    ASSERT_EQ(row.watch.problems().size(), 1u);
+    const WatchedProblem problem = row.watch.problems()[0];
+    EXPECT_EQ(problem.problem.amount, 0.75);
+    EXPECT_EQ(problem.words, "node 1 does not contain triangle 1, by 0.75");
+    EXPECT_EQ(problem.since, 0);
+    EXPECT_EQ(problem.frames, 3u);
+}
+
+TEST(TreeWatch, AFrameCountsOnceHoweverManyQueriesItHas) {
+    WatchedRow row;
+    row.tell(0, 0.75);
+    for (const int frame : {0, 0, 1, 1, 2}) row.look(frame);
+    row.tell(2, 0.5);
+    row.look(2);
+    ++row.version;
+    row.look(2);
+    EXPECT_EQ(row.watch.problems()[0].frames, 3u);
+    row.tell(3, 1);
+    for (const int frame : {3, 4}) row.look(frame);
+    EXPECT_EQ(row.watch.problems()[0].frames, 3u) << "it is mended";
+}
+
+TEST(TreeWatch, AVolumeIsStaleWhereItWasRightWhenItWasTold) {
+    for (const bool looked_when_told : {true, false}) {
+        WatchedRow row;
+        row.look(0);
+        row.tell(1, 1);
+        if (looked_when_told) row.look(1);
+        // Triangle 1 moves, and no volume with it.
+        for (std::uint32_t i = 3; i < 6; ++i) row.mesh.vertices[i] += Vec3(0, 0.5, 0);
+        ++row.volume_version;
+        row.look(2);
+        for (const WatchedProblem& problem : row.watch.problems())
+            if (problem.problem.node == 1) {
+                EXPECT_EQ(problem.stale, looked_when_told);
+                EXPECT_EQ(problem.told_at, 1);
+                EXPECT_EQ(problem.since, 2);
+            }
+        EXPECT_EQ(row.watch.problems().size(), 3u) << "nodes 4, 1 and 0";
+    }
+}
+
+TEST(TreeWatch, AProblemOfTheShapeIsToldWhereItIsNew) {
+    auto nodes = nodes_of_row();
+    nodes[4].items = {};
+    const NodeTree tree = tree_of(nodes);
+    const Mesh mesh = row_of_triangles();
+    const TreeShape shape = tree_shape(tree, 4);
+    TreeWatch watch;
+    for (int frame = 0; frame < 4; ++frame) watch.look(frame, tree, shape, &mesh, 1e-9, frame, 0);
+    ASSERT_EQ(watch.problems().size(), 1u) << "told again, it is the same";
+    EXPECT_EQ(watch.problems()[0].words, "triangle 1 is in no leaf");
+    EXPECT_EQ(watch.problems()[0].since, 0);
 }
 
 }  // namespace

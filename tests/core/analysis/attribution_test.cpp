@@ -1,0 +1,173 @@
+#include "core/analysis/attribution.h"
+
+#include <gtest/gtest.h>
+
+#include "core/analysis/inspection.h"
+#include "tests/core/analysis/made_query.h"
+
+namespace scb {
+namespace {
+
+constexpr std::uint32_t none = MadeQuery::none;
+
+TestedPair pair_of(Contact exact, std::uint64_t contacts = 0, double gap = 0) {
+    TestedPair pair;
+    pair.exact = exact;
+    pair.contacts = contacts;
+    pair.gap = gap;
+    return pair;
+}
+const TestedPair meeting = pair_of(Contact::overlapping, 1), loose = pair_of(Contact::overlapping),
+                 weak = pair_of(Contact::disjoint, 0, 0.5);
+
+/// 0 led to 1 and 2, 1 to 3 and 4, 3 to 5, and that to a test of triangles.
+MadeQuery some_query() {
+    MadeQuery query;
+    query.test(none, {0, 0});
+    query.test(0, {1, 0});
+    query.test(0, {2, 0}, false);
+    query.test(1, {3, 0});
+    query.test(1, {4, 0}, false);
+    query.test(3, {5, 0});
+    query.triangles({0, 0}, false);
+    return query;
+}
+
+Attribution attributed(const MadeQuery& query, const std::vector<TestedPair>& pairs) {
+    return attribute(query.header, query.frame, query.tree(), pairs);
+}
+
+TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
+    TestedPair touching = pair_of(Contact::touching);
+    touching.leaves = true;
+    const Attribution found =
+        attributed(some_query(), {meeting, weak, loose, loose, weak, touching});
+    ASSERT_EQ(found.passed.size(), 4u);
+    const PassedPair &roots = found.passed[0], &first = found.passed[1], &second = found.passed[2],
+                     &leaves = found.passed[3];
+    EXPECT_EQ(roots.reason, PassReason::triangles_meet);
+    EXPECT_EQ(roots.below, (Work{5, 1, 0}));
+    EXPECT_EQ(first.reason, PassReason::weak_test);
+    EXPECT_EQ(first.gap, 0.5);
+    EXPECT_EQ(first.below, (Work{3, 1, 0}));
+    EXPECT_FALSE(first.within_false_pair || first.within_weak_test);
+    EXPECT_EQ(second.reason, PassReason::loose_fit);
+    EXPECT_EQ(second.gap, 0);
+    EXPECT_TRUE(second.within_false_pair && second.within_weak_test);
+    EXPECT_TRUE(leaves.within_weak_test) << "at whatever distance";
+    EXPECT_EQ(leaves.below, (Work{0, 1, 0}));
+    ASSERT_EQ(found.wrongly_rejected.size(), 1u);
+    EXPECT_EQ(found.wrongly_rejected[0], (WrongRejection{2, 0, Contact::overlapping}));
+    const PassCounts& counts = found.counts;
+    EXPECT_EQ(counts.all, (Work{6, 1, 0}));
+    EXPECT_EQ(counts.wasted, (Work{3, 1, 0}));
+    EXPECT_EQ(counts.wasted_by_tests, (Work{3, 1, 0}));
+    EXPECT_EQ(counts.wasted_by_fit(), Work{});
+    EXPECT_EQ(counts.touching, 1u);
+    EXPECT_EQ(counts.wrongly_rejected, 1u);
+    EXPECT_EQ(counts.missed, 0u);
+    EXPECT_EQ(counts.inner, (std::array<std::uint64_t, 3>{1, 1, 1}));
+    EXPECT_EQ(counts.leaves, (std::array<std::uint64_t, 3>{0, 1, 0}));
+    EXPECT_EQ(counts.passed(PassReason::loose_fit), 2u);
+    EXPECT_EQ(counts.passed(), 4u);
+}
+
+TEST(Attribution, WorkBelowAFalsePairIsWastedOnce) {
+    // Weak within loose: an exact test would save what is below the weak one alone.
+    const PassCounts counts =
+        attributed(some_query(), {loose, loose, weak, weak, weak, weak}).counts;
+    EXPECT_EQ(counts.wasted, (Work{5, 1, 0}));
+    EXPECT_EQ(counts.wasted_by_tests, (Work{1, 1, 0}));
+    EXPECT_EQ(counts.wasted_by_fit(), (Work{4, 0, 0}));
+}
+
+TEST(Attribution, ARejectionIsWrongWhereVolumesOverlapOrTrianglesMeet) {
+    const TestedPair touching = pair_of(Contact::touching), lost = pair_of(Contact::disjoint, 3);
+    const auto wrong = [](const TestedPair& second, const TestedPair& fourth) {
+        const Attribution found =
+            attributed(some_query(), {meeting, meeting, second, meeting, fourth, meeting});
+        EXPECT_EQ(found.counts.wrongly_rejected, found.wrongly_rejected.size());
+        return found;
+    };
+    EXPECT_EQ(wrong(weak, touching).wrongly_rejected, std::vector<WrongRejection>{});
+    EXPECT_EQ(wrong(lost, touching).wrongly_rejected,
+              (std::vector<WrongRejection>{{2, 3, Contact::disjoint}}));
+    EXPECT_EQ(wrong(lost, meeting).counts.missed, 4u);
+    EXPECT_EQ(wrong(loose, loose).wrongly_rejected.size(), 2u);
+}
+
+TEST(Attribution, NothingIsClaimedOfAPairThatIsNotKnown) {
+    TestedPair unknown = loose;
+    unknown.known = false;
+    const Attribution found =
+        attributed(some_query(), {meeting, unknown, unknown, loose, unknown, loose});
+    ASSERT_EQ(found.passed.size(), 3u);
+    EXPECT_EQ(found.passed[1].test, 3u);
+    EXPECT_FALSE(found.passed[1].within_false_pair) << "it is the outermost that is known";
+    EXPECT_EQ(found.counts.wasted, (Work{1, 1, 0}));
+    EXPECT_TRUE(found.wrongly_rejected.empty());
+}
+
+TEST(PassCounts, AddUpMemberByMember) {
+    const PassCounts one =
+        attributed(some_query(), {meeting, weak, meeting, loose, weak, pair_of(Contact::touching)})
+            .counts;
+    PassCounts two = one;
+    two += one;
+    EXPECT_EQ(two.missed, 2 * one.missed);
+    EXPECT_EQ(two.touching, 2 * one.touching);
+    EXPECT_EQ(two.wrongly_rejected, 2 * one.wrongly_rejected);
+    EXPECT_EQ(two.passed(), 2 * one.passed());
+    for (const auto work : {&PassCounts::all, &PassCounts::wasted, &PassCounts::wasted_by_tests}) {
+        EXPECT_GT((one.*work).volume_tests, 0u);
+        EXPECT_EQ((two.*work).volume_tests, 2 * (one.*work).volume_tests);
+        EXPECT_EQ((two.*work).triangle_tests, 2 * (one.*work).triangle_tests);
+    }
+}
+
+TEST(Inspection, CountsTestsByDepth) {
+    const MadeQuery query = some_query();
+    const auto inspected = [&](const std::vector<TestedPair>& pairs) {
+        return inspection(query.frame, query.tree(), attributed(query, pairs));
+    };
+    using Counts = std::vector<std::uint64_t>;
+    const auto counts = [](const Inspection& of, std::uint64_t DepthInspection::*count) {
+        Counts values;
+        for (const DepthInspection& depth : of.depths) values.push_back(depth.*count);
+        return values;
+    };
+    const Inspection found = inspected({meeting, loose, loose, weak, loose, loose}),
+                     below_weak = inspected({meeting, weak, loose, loose, loose, loose});
+    EXPECT_EQ(counts(found, &DepthInspection::tests), (Counts{1, 2, 2, 1}));
+    EXPECT_EQ(counts(found, &DepthInspection::wasted), (Counts{0, 0, 2, 1}));
+    EXPECT_EQ(counts(found, &DepthInspection::wasted_by_tests), (Counts{0, 0, 0, 1}));
+    EXPECT_EQ(counts(below_weak, &DepthInspection::wasted_by_tests), (Counts{0, 0, 2, 1}));
+    EXPECT_EQ(found.depths[2].passed, (std::array<std::uint64_t, 3>{1, 0, 0}));
+    Inspection sum = found;
+    Inspection shallow;
+    shallow.depths.resize(2);
+    shallow.depths[1].tests = 7;
+    sum += shallow;
+    shallow += found;
+    for (const Inspection* both : {&sum, &shallow}) {
+        ASSERT_EQ(both->depths.size(), 4u);
+        EXPECT_EQ(both->depths[1].tests, 9u);
+        EXPECT_EQ(both->depths[3].wasted_by_tests, 1u);
+    }
+}
+
+TEST(Inspection, TheFrameWithTheMostWasteIsFirst) {
+    const auto wasting = [](int frame, std::uint64_t tests) {
+        InspectedFrame inspected{frame, {}};
+        inspected.found.counts.wasted.volume_tests = tests;
+        return inspected;
+    };
+    std::vector<InspectedFrame> frames = {wasting(1, 5), wasting(9, 7), wasting(3, 7)};
+    sort_by_waste(frames);
+    EXPECT_EQ(frames[0].frame, 3);
+    EXPECT_EQ(frames[1].frame, 9);
+    EXPECT_EQ(frames[2].frame, 1);
+}
+
+}  // namespace
+}  // namespace scb
