@@ -91,8 +91,9 @@ TEST_F(GoldenWorkers, AreOneForAllCasesOfAJob) {
     check_cases(check, [&] {
         const std::vector<pid_t> running = children();
         EXPECT_EQ(running.size(), 1u);
-        if (worker != 0) EXPECT_EQ(running.front(), worker);
-        worker = running.front();
+        if (running.size() != 1) return false;
+        if (worker != 0) EXPECT_EQ(running[0], worker);
+        worker = running[0];
         return true;
     });
     check.settings.workers.reset();
