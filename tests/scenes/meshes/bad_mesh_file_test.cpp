@@ -161,6 +161,9 @@ TEST(BadMeshFile, WithIndicesWrittenInOtherWaysIsRefused) {
               refused_file("a.off", "3 1 0\n" + std::string(three) + "3 0 1 9\n"));
     expect_in("is missing or broken",
               refused_file("a.off", "3 2 0\n" + std::string(three) + "3 0 1 2\n"));
+    // An OFF file by another name, which assimp goes by the content of.
+    expect_in("face 0 names vertex 9",
+              refused_file("a.mesh", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 9\n"));
     std::string shouted = ply("30", "1", three + std::string("3 0 1 2\n"));
     shouted.replace(0, 3, "PLY");
     expect_in("vertex", refused_file("a.foo", shouted));
@@ -271,6 +274,16 @@ TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
         }
     }
     EXPECT_GT(loaded, 0);
+}
+
+TEST(BadMeshFile, ThatOnlyStartsLikeAPlyFileIsNone) {
+    expect_in("the format is not known", refused_file("a.foo", "plywood\n1 2 3\n"));
+}
+
+// assimp would look for the files that it names in another folder.
+TEST(BadMeshFile, WithABackslashInItsPathIsRefused) {
+    expect_in("a backslash in the path of a mesh is not understood; rename it.",
+              refused_file("a\\b.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 2\n"));
 }
 
 // They would be read by every reader of assimp, whatever is refused elsewhere.

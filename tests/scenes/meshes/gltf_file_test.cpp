@@ -93,6 +93,82 @@ TEST(MeshFile, RefusesAGltfIndexOutOfRangeByName) {
     expect_in(sentence, refusal([&] { load_mesh(folder.write("d.glb", glb)); }));
 }
 
+/// The four corners, and a triangle of them whose indices are these bytes; `view` goes into the
+/// view of the bytes.
+std::string gltf_of_indices(const std::string& component_type, const std::string& indices,
+                            const std::string& view = "") {
+    const std::string buffer = corner_floats() + indices, bytes = std::to_string(buffer.size());
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"buffers": [{"byteLength": )" +
+           bytes + R"(, "uri": "data:application/octet-stream;base64,)" + base64(buffer) +
+           R"("}], "bufferViews": [{"buffer": 0, "byteLength": 48},
+{"buffer": 0, "byteOffset": 48, "byteLength": )" +
+           std::to_string(indices.size()) + view + R"(}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+{"bufferView": 1, "componentType": )" +
+           component_type + R"(, "count": 3, "type": "SCALAR"}]})";
+}
+
+// 256 has no bit in its lowest byte, and 65536 none in its lowest two.
+TEST(MeshFile, ChecksEveryByteOfAGltfIndex) {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& text) { return folder.write("a.gltf", text); };
+    const auto shorts = [](std::uint16_t last) {
+        return raw(std::uint16_t{1}) + raw(std::uint16_t{3}) + raw(last);
+    };
+    const auto longs = [](std::uint32_t last) {
+        return raw(std::uint32_t{1}) + raw(std::uint32_t{3}) + raw(last);
+    };
+    for (const std::string& text :
+         {gltf_of_indices("5121", std::string("\1\3\2", 3)), gltf_of_indices("5123", shorts(2)),
+          gltf_of_indices("5125", longs(2))}) {
+        const Mesh mesh = load_mesh(write(text));
+        ASSERT_EQ(mesh.triangles, (std::vector<Triangle>{{1, 3, 2}}));
+    }
+    const auto expect_refusal = [&](const std::string& index, const std::string& text) {
+        expect_in("index 2 names vertex " + index + ", but there are 4 vertices",
+                  refusal([&] { load_mesh(write(text)); }));
+    };
+    expect_refusal("4", gltf_of_indices("5121", std::string("\1\3\4", 3)));
+    expect_refusal("256", gltf_of_indices("5123", shorts(256)));
+    expect_refusal("65536", gltf_of_indices("5125", longs(65536)));
+}
+
+TEST(MeshFile, TakesGltfIndicesAsFarApartAsTheirViewSays) {
+    const TemporaryFolder folder;
+    const std::string stride = ", \"byteStride\": 4";
+    const auto load = [&](const std::string& indices) {
+        return load_mesh(folder.write("a.gltf", gltf_of_indices("5121", indices, stride)));
+    };
+    EXPECT_EQ(load("\1\xff\xff\xff\3\xff\xff\xff\2\xff\xff\xff").triangles,
+              (std::vector<Triangle>{{1, 3, 2}}));
+    expect_in("index 2 names vertex 4", refusal([&] { load("\1\1\1\1\3\1\1\1\4\1\1\1"); }));
+}
+
+TEST(MeshFile, ChecksTheIndicesOfGltfBase64ThatIsPadded) {
+    const TemporaryFolder folder;
+    // One and two bytes behind the indices, for which the code ends with == and =.
+    for (const std::string& behind : {std::string(1, '\0'), std::string(2, '\0')}) {
+        const auto load = [&](const std::string& indices) {
+            return load_mesh(folder.write("a.gltf", gltf_of_indices("5121", indices + behind)));
+        };
+        EXPECT_EQ(load("\1\3\2").triangles, (std::vector<Triangle>{{1, 3, 2}}));
+        expect_in("index 2 names vertex 4", refusal([&] { load("\1\3\4"); }));
+    }
+}
+
+TEST(MeshFile, TurnsAGltfNodeBeforeItStretchesTheOneAboveIt) {
+    const TemporaryFolder folder;
+    // A quarter turn about z, from x to y; then x is doubled.
+    const std::string nodes = R"([{"children": [1], "scale": [2, 1, 1]},
+{"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]}])";
+    const Mesh mesh = load_mesh(folder.write("a.gltf", gltf(nodes)));
+    EXPECT_LT((mesh.vertices[1] - Vec3(0, 1, 0)).norm(), 1e-6);
+    EXPECT_LT((mesh.vertices[2] - Vec3(-4, 0, 0)).norm(), 1e-6);
+    EXPECT_LT((mesh.vertices[3] - Vec3(0, 0, 3)).norm(), 1e-6);
+}
+
 TEST(MeshFile, LimitsTheCornersOfAllInstances) {
     const TemporaryFolder folder;
     // 1,000 instances of 100,000 triangles: fewer faces than the limit of 2^28, but more corners.

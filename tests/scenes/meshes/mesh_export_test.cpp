@@ -26,8 +26,10 @@ TEST(MeshExport, IsReadBackInEveryFormat) {
         const Mesh mesh =
             load_mesh(folder.write(name, encoded({part("A", 0), part("B", 5)}, name)));
         ASSERT_EQ(mesh.triangles.size(), 2u);
-        EXPECT_EQ(mesh.vertices[mesh.triangles[0][0]], Vec3(0, 0, 0));
-        EXPECT_EQ(mesh.vertices[mesh.triangles[1][0]], Vec3(5, 0, 0));
+        for (std::size_t i = 0; i < 2; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(mesh.vertices[mesh.triangles[i][k]],
+                          part("", i == 0 ? 0 : 5).mesh.vertices[k]);
     }
     expect_in("x.xyz: cannot write '.xyz' files", refusal([] { encode_mesh({}, "x.xyz"); }));
     expect_in("format ascii 1.0", encoded({part("A", 0)}, "a.ply"));
@@ -68,6 +70,10 @@ TEST(MeshExport, RefusesCoordinatesThatFloatCannotHold) {
                       encode_mesh({tiny}, name);
                   }).find("mesh files hold none below 1.2e-38; scale the mesh up."),
                   std::string::npos);
+        for (Vec3& v : tiny.mesh.vertices) v *= -1;
+        EXPECT_NE(refusal([&] { encode_mesh({tiny}, name); }), "");
+        for (Vec3& v : tiny.mesh.vertices) v *= 0;
+        EXPECT_FALSE(encode_mesh({tiny}, name).empty());
     }
 }
 

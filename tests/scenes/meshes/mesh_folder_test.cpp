@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "scenes/meshes/mesh_file.h"
+#include "scenes/text/input_files.h"
 #include "tests/scenes/support.h"
 
 namespace scb::scenes {
@@ -74,12 +75,15 @@ TEST(MeshFolder, IsWhereBuffersAreReadFrom) {
     for (const char* uri : {"a.bin", "./a.bin", "below/../a.bin", "below/c.bin", "a b.bin",
                             "a%20b.bin", R"(below\\c.bin)"})
         EXPECT_EQ(load(uri).triangles.size(), 1u) << uri;
+    // Nothing that is written may replace them.
+    expect_in("near/below/c.bin",
+              refusal([&] { refuse_input(folder / "near/below/c.bin", "--out"); }));
     ASSERT_EQ(::mkfifo((folder / "near/pipe").c_str(), 0600), 0);
     // The last ones are not there; assimp would take near/a.bin instead.
     for (const std::string& uri :
          {std::string("../b.bin"), std::string("pipe"), outside, std::string("/dev/zero"),
           std::string("gone.bin"), std::string("../a.bin"), std::string("gone/a.bin"),
-          folder / "gone/a.bin", std::string("http://host/a.bin")})
+          folder / "gone/a.bin", folder / "near/a.bin", std::string("http://host/a.bin")})
         expect_in("which is not a regular file in the folder of the mesh; put a copy there",
                   refusal([&] { load(uri); }));
     // A part of this path is another one, of the length of the name.

@@ -114,6 +114,22 @@ TEST(ObjMesh, OfABrokenLineNamesIt) {
     expect_in("coordinate", refused_obj("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 }
 
+TEST(ObjMesh, NamesLinesByTheirNumbersWhateverEndsThem) {
+    for (const std::string end : {"\n", "\r\n", "\r"})
+        expect_in("line 3: expected a coordinate, found \"x\"",
+                  refused_obj("v 0 0 0" + end + end + "v 1 0 x" + end + "f 1 1 1" + end));
+}
+
+TEST(ObjMesh, WithAWeightIsRefusedBeforeAColorToo) {
+    expect_in("line 5: a vertex with a weight other than 1",
+              refused_obj(corners_of_four + "v 1 2 3 0.5 1 1 1\nf 1 2 3\n"));
+}
+
+TEST(ObjMesh, KeepsALastLineThatEndsWithABackslash) {
+    EXPECT_EQ(obj_of(corners_of_four + "f 1 2 3\nf 1 2 4 \\").triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
+}
+
 // What a mesh looks like is not read from anywhere.
 TEST(ObjMesh, OpensNoOtherFile) {
     const TemporaryFolder folder;

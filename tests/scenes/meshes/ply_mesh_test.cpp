@@ -187,6 +187,7 @@ TEST(PlyMesh, HasTheTrianglesOfStrips) {
     EXPECT_EQ(triangles("8 -1 0 1 -1 -1 1 3 2\n"), (Triangles{{1, 3, 2}}));
     // Strips may be joined by triangles that name a vertex twice.
     EXPECT_EQ(triangles("8 0 1 2 2 3 3 2 1\n"), (Triangles{{0, 1, 2}, {2, 3, 1}}));
+    EXPECT_EQ(triangles("5 0 1 2 1 3\n"), (Triangles{{0, 1, 2}, {2, 1, 3}}));
     const std::string refusal_of_five = refused(
         square("5 0 1 2 -2 3\n", "element tristrips 1\nproperty list int int vertex_indices\n"));
     expect_in("tristrips 0 names vertex -2", refusal_of_five);
@@ -194,6 +195,43 @@ TEST(PlyMesh, HasTheTrianglesOfStrips) {
         read(square("3 0 1 2\n3 1 2 3\n",
                     faces + "element tristrips 1\nproperty list int int vertex_indices\n"));
     EXPECT_EQ(both.triangles, (Triangles{{0, 1, 2}, {1, 2, 3}}));
+}
+
+/// Three vertices whose x is the number, of this type, in this encoding.
+double read_back(const std::string& format, const std::string& type, const std::string& alias,
+                 double number) {
+    PlyWriter writer{format, ""};
+    for (int i = 0; i < 3; ++i) {
+        writer.number(type, number);
+        writer.number("float", 0);
+        writer.number("float", 0);
+    }
+    writer.number("uchar", 3);
+    for (int i = 0; i < 3; ++i) writer.number("int", i);
+    const Mesh mesh =
+        read("ply\nformat " + format + " 1.0\nelement vertex 3\nproperty " + alias +
+             " x\nproperty float y\nproperty float z\n" + faces + "end_header\n" + writer.bytes);
+    return mesh.vertices[0][0];
+}
+
+TEST(PlyMesh, HasTheLeastAndTheGreatestNumberOfEachType) {
+    struct Row {
+        const char *type, *alias;
+        double least, greatest;
+    };
+    for (const Row& row : {Row{"char", "int8", -128, 127},
+                           {"uchar", "uint8", 0, 255},
+                           {"short", "int16", -32768, 32767},
+                           {"ushort", "uint16", 0, 65535},
+                           {"int", "int32", -2147483648, 2147483647},
+                           {"uint", "uint32", 0, 4294967295},
+                           {"float", "float32", -1.5, 0.25},
+                           {"double", "float64", -1e300, 0.1}})
+        for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"})
+            for (const double number : {row.least, row.greatest})
+                for (const char* name : {row.type, row.alias})
+                    EXPECT_EQ(read_back(format, row.type, name, number), number)
+                        << format << ", " << name;
 }
 
 TEST(PlyMesh, CutsFacesOfMoreThanThreeCorners) {
@@ -224,6 +262,12 @@ TEST(PlyMesh, IsRefusedWithoutWhatItNeeds) {
               refused(square("0\n", "element face 1\nproperty int vertex_indices\n")));
     expect_in("needs a whole-number type",
               refused(square("", "element face 1\nproperty list float int vertex_indices\n")));
+    expect_in("header line 7: element face needs a count, a whole number from 0",
+              refused(square("3 0 1 2\n", "element face 1.5\n")));
+    expect_in("face 0 has a list with a length that is not a whole number",
+              refused(square("2.5 0 1\n", faces)));
+    expect_in("face 0 names vertex 4, but there are 4 vertices",
+              refused(square("3 0 1 4\n", faces)));
     expect_in("face 0 names vertex 0.5", refused(square("3 0 1 0.5\n", faces)));
     expect_in("face 0 names vertex nan", refused(square("3 0 1 nan\n", faces)));
     expect_in("face 0 of the 1 that the header declares is missing or is not made of numbers",
@@ -255,6 +299,11 @@ TEST(PlyMesh, OfMoreThanCanBeIsRefusedFromItsHeader) {
     expect_in("its faces have more than 268435456 corners",
               refused(square("4000000000 0 1 2\n",
                              "element face 1\nproperty list uint int "
+                             "vertex_indices\n")));
+    // The limit is that of all faces together.
+    expect_in("its faces have more than 268435456 corners",
+              refused(square("3 0 1 2\n268435456 0 1 2\n",
+                             "element face 2\nproperty list uint int "
                              "vertex_indices\n")));
     expect_in("face 0 of the 1", refused(square("200000000 0 1 2\n",
                                                 "element face 1\nproperty list uint int "

@@ -147,6 +147,57 @@ TEST(VolumeMesh, OfABoxIsExact) {
     EXPECT_DOUBLE_EQ(volume_of(mesh), volume(box));
 }
 
+/// A rotation about an axis of which no column is an axis.
+Mat3 turned_axes() {
+    Mat3 axes;
+    axes << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+    return axes;
+}
+
+TEST(VolumeMesh, OfATurnedBoxHasItsCorners) {
+    const Obb box{{1, 2, 3}, turned_axes(), {1, 2, 3}};
+    const Obb flat{{1, 2, 3}, turned_axes(), {1, 0, 3}};
+    for (const Obb& of : {box, flat}) {
+        const Mesh mesh = volume_mesh(of, 8);
+        EXPECT_EQ(mesh.vertices.size(), of.half[1] > 0 ? 8u : 4u);
+        for (const Vec3& vertex : mesh.vertices)
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(std::abs(dot(Vec3(of.axes.col(axis)), Vec3(vertex - of.center))),
+                            of.half[axis], 1e-12);
+        EXPECT_TRUE(closed(mesh));
+    }
+    EXPECT_NEAR(volume_of(volume_mesh(box, 8)), volume(box), 1e-12);
+}
+
+TEST(VolumeMesh, OfAPolytopeIsThatOfItsFaces) {
+    // A box of 2, 4 and 6 about (1, 2, 3) that knows its faces.
+    ConvexShape box{{1, 2, 3}, 0, Mat3::Identity(), {}, {}};
+    box.support_point = [](const Vec3& d) {
+        return Vec3(std::copysign(1, d[0]), std::copysign(2, d[1]), std::copysign(3, d[2]));
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            box.faces.push_back({Vec3(sign * Vec3::Unit(axis)), axis + 1.0});
+    const Mesh mesh = volume_mesh(box, 8);
+    EXPECT_EQ(mesh.vertices.size(), 8u);
+    EXPECT_TRUE(closed(mesh));
+    EXPECT_NEAR(volume_of(mesh), 2 * 4 * 6, 1e-12);
+    for (const Vec3& vertex : mesh.vertices)
+        EXPECT_NEAR((vertex - box.center).cwiseAbs()[2], 3, 1e-12);
+}
+
+TEST(VolumeMesh, OfARoundShapeIsAboutIt) {
+    const ConvexShape ball{
+        {1, 2, 3}, 0.5, Mat3::Identity(), [](const Vec3&) { return Vec3(Vec3::Zero()); }, {}};
+    const Mesh mesh = volume_mesh(ball, 64);
+    EXPECT_TRUE(closed(mesh));
+    for (const Vec3& vertex : mesh.vertices)
+        EXPECT_GE(squared_norm(vertex - ball.center), 0.25 * (1 - 1e-9));
+    const double exact = volume(Ball{ball.center, ball.rounding});
+    EXPECT_GT(volume_of(mesh), exact);
+    EXPECT_NEAR(volume_of(mesh), exact, 0.05 * exact);
+}
+
 TEST(VolumeMesh, OfAFlatScbIsADiscAndOfAPointNothing) {
     const Mesh disc = volume_mesh(Scb{{0, 0, 0}, 2, Vec3::UnitX(), 0, 0}, 64);
     EXPECT_NEAR(area_of(disc), 2 * M_PI * 4, 0.1);

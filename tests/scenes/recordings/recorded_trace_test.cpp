@@ -7,13 +7,17 @@
 #include "core/analysis/ending.h"
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_words.h"
+#include "core/judge/engine_tree.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
 #include "scenes/text/number_list.h"
+#include "scenes/traces/trace_file.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
+#include "tests/scenes/recordings/sample_records.h"
+#include "tests/scenes/recordings/small_records.h"
 #include "tests/temporary_folder.h"
 #include "tests/unless_sanitized.h"
 
@@ -353,12 +357,81 @@ TEST(RecordedTrace, RefusesPosesThatAreNotRigid) {
     EXPECT_THROW(bodies_at(read_recording(folder / "scaled.scbrec"), ""), InputError);
 }
 
+/// Queries of two pairs of three bodies: in frame 4 both, twice of the second, in frame 9 the
+/// second, of the first tree refitted and the second one built anew.
+Recording queries_of_two_pairs() {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedBody{0, 0, "left"}, RecordedBody{1, 1, "right"},
+                     RecordedBody{2, 1, "C"}, RecordedSetting{"engine", "e"},
+                     RecordedSetting{"scene", "s"}, RecordedSetting{"results", "pairs"},
+                     RecordedSetting{"margin", "0.5"}, RecordedFrame{4}, pose_at(2, 1)});
+    append(records, query_with({{0, 0, 0}}));
+    const std::vector<Record> of_c = {RecordedQuery{0, 2}, RecordedEvent{1, 0, 0},
+                                      RecordedEvent{1, 0, 0}, RecordedQueryEnd{}};
+    append(records, of_c);
+    append(records, {pose_at(2, 2), RecordedQuery{0, 2}, RecordedQueryEnd{}, RecordedFrame{9},
+                     RecordedRefit{0, 0, ball_volume(3)}});
+    append(records, {RecordedTree{1, record_none, "", {}},
+                     RecordedNode{1, 0, record_none, 0, "", {1}, {}, ball_volume(1)},
+                     RecordedNode{1, 1, 0, 0, "", {}, {0}, ball_volume(1)}});
+    append(records, of_c);
+    return read_recording(recording_of(records), "x.scbrec");
+}
+
+TEST(RecordedTrace, IsOfThePairThatIsNamed) {
+    for (const char* bodies : {"", "A,B", "C,left", "right,C"})
+        EXPECT_THROW(RecordedTrace(queries_of_two_pairs(), bodies, "all"), InputError) << bodies;
+    RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
+    EXPECT_EQ(recorded.sides(), (std::array<std::size_t, 2>{0, 2}));
+    EXPECT_EQ(recorded.header().bodies[1].name, "C");
+    EXPECT_EQ(recorded.frames(), (std::vector{4, 9}));
+    EXPECT_EQ(RecordedTrace(queries_of_two_pairs(), "left,right", "all").frames(), std::vector{4});
+}
+
+TEST(RecordedTrace, ShowsTheFirstQueryOfAFrame) {
+    RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
+    EXPECT_EQ(recorded.body(1, 4).pose.translation, Vec3(1, 0, 0));
+    EXPECT_EQ(recorded.test_count(4), 2u);
+    EXPECT_EQ(recorded.frame(4).events.volume_tests.size(), 2u);
+    EXPECT_EQ(recorded.body(1, 9).pose.translation, Vec3(2, 0, 0));
+}
+
+TEST(RecordedTrace, KnowsTheTreesOfEachFrame) {
+    RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
+    const TraceEngine& engine = *recorded.header().engine;
+    for (const int frame : {4, 9})
+        for (std::size_t side = 0; side < 2; ++side)
+            EXPECT_EQ(engine.trees.at(frame)[side], tree_hash(*recorded.body(side, frame).tree));
+    EXPECT_EQ(engine.trees.at(4)[0], engine.trees.at(9)[0]);
+    EXPECT_NE(engine.trees.at(4)[1], engine.trees.at(9)[1]);
+    EXPECT_EQ(recorded.body(0, 4).tree->volume_size(0).diameter, 2);
+    EXPECT_EQ(recorded.body(0, 9).tree->volume_size(0).diameter, 6);
+}
+
+TEST(RecordedTrace, HasTheSettingsOfTheQueriesAlone) {
+    const RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
+    const TraceEngine& engine = *recorded.header().engine;
+    EXPECT_EQ(engine.name, "e");
+    EXPECT_EQ(recorded.header().scene, "s");
+    ASSERT_EQ(engine.settings.size(), 1u);
+    EXPECT_EQ(engine.settings[0].name, "margin");
+    EXPECT_EQ(engine.settings[0].value, "0.5");
+}
+
 TEST(TestInput, GivesTheFramesOfEither) {
     const RecordedAndOwn both(VolumeKind::obb);
-    TestInput input(both.path, "0,6");
-    ASSERT_EQ(input.next()->frame, 0);
-    ASSERT_EQ(input.next()->frame, 6);
-    EXPECT_EQ(input.next(), nullptr);
+    const std::vector<std::uint8_t> bytes = encode_trace(both.trace);
+    for (const std::string& path :
+         {both.path, both.folder.write("own.scbtrace", {bytes.begin(), bytes.end()})}) {
+        TestInput input(path, "3,6");
+        for (const std::size_t i : {1u, 2u}) {
+            const TraceFrame* frame = input.next();
+            ASSERT_NE(frame, nullptr);
+            EXPECT_EQ(frame->frame, both.trace.frames[i].frame);
+            EXPECT_EQ(frame->events, both.trace.frames[i].events);
+        }
+        EXPECT_EQ(input.next(), nullptr);
+    }
 }
 
 }  // namespace

@@ -76,6 +76,19 @@ TEST(RecordingFile, ThatIsDamagedAnywhereIsReadUpToThere) {
     }
 }
 
+TEST(RecordingFile, SaysAtWhichByteItIsDamaged) {
+    const std::string start = recording_of({}),
+                      block = recording_of({RecordedFrame{3}}).substr(start.size()),
+                      second = std::to_string(start.size() + block.size()),
+                      all = std::to_string(start.size() + 2 * block.size());
+    std::string bytes = start + block + block;
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    std::string damage;
+    EXPECT_EQ(records_of(bytes, &damage).size(), 1u);
+    EXPECT_EQ(damage, "x.scbrec is damaged or cut off at byte " + second + " of " + all +
+                          "; what stands before was read.");
+}
+
 TEST(RecordingFile, RefusesWhatIsNone) {
     EXPECT_EQ(refusal_of_bytes(""),
               "x.scbrec is no recording, which scb_record.h writes; name one (.scbrec).");
@@ -83,14 +96,21 @@ TEST(RecordingFile, RefusesWhatIsNone) {
     newer[8] = 2;
     EXPECT_EQ(refusal_of_bytes(newer),
               "x.scbrec is a recording of version 2; this scb reads versions up to 1: update it.");
+    newer[8] = 0;
+    EXPECT_TRUE(refusal_of_bytes(newer).starts_with("x.scbrec is a recording of version 0;"));
 }
 
 TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
     using std::string_literals::operator""s;
     for (const std::string& payload :
-         {"\x01"s,                                                 // a test without nodes
-          "\xc0\x08\x00\x00\x00\x04"s,                             // longer than its block
-          "\xc0\x04\x00\x00\x00\xff\xff\xff\xff"s,                 // a text as long
+         {"\x01"s,                                  // a test without nodes
+          "\xc0\x08\x00\x00\x00\x04"s,              // longer than its block
+          "\xc0\x04\x00\x00\x00\xff\xff\xff\xff"s,  // a text as long
+          // A mesh of coordinates of five bytes, and one of so many that three times that is 2 in
+          // 32 bits.
+          "\xc2\x11\x00\x00\x00\0\0\0\0\0\0\0\0\x05\0\0\0\0\0\0\0\0"s,
+          "\xc2\x21\x00\x00\x00\0\0\0\0\0\0\0\0\x08\x56\x55\x55\x55\0\0\0\0"s +
+              std::string(16, '\0'),
           "\xc5\x0d\x00\x00\x00\0\0\0\0\0\0\0\0\x0a\0\0\0\0"s}) {  // kind 10
         const std::string sentence = refusal_of_bytes(recording_with_block(payload));
         EXPECT_TRUE(sentence.starts_with("x.scbrec: ")) << sentence;
@@ -100,6 +120,11 @@ TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
         << "4 GiB of nothing";
     EXPECT_EQ(refusal_of_bytes(recording_with_block("anything", "none")), "")
         << "blocks of other kinds can be left out";
+    const std::string start = recording_of({}),
+                      behind = recording_of({RecordedFrame{3}}).substr(start.size());
+    for (const std::string& left_out :
+         {recording_with_block("anything", "none"), recording_with_block("")})
+        EXPECT_EQ(records_of(left_out + behind), std::vector<Record>{RecordedFrame{3}});
     EXPECT_EQ(records_of(recording_with_block("\xcb\x02\x00\x00\x00\x01\x02"s)),
               std::vector<Record>{RecordedEnd{}})
         << "what a newer version adds to a record";

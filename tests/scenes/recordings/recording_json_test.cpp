@@ -49,12 +49,26 @@ TEST(RecordingJson, LeavesOutWhatIsNothing) {
 TEST(RecordingJson, NamesTheLineThatItRefuses) {
     EXPECT_EQ(refusal_of_text("{\"frame\": 0}\n{\"frame\": -1}\n").find("x.jsonl: line 2: "), 0u);
     for (const char* text :
-         {"{", "[]", "{}", "{\"frame\": 0, \"name\": \"\"}", "{\"frame\": 4294967296}",
-          "{\"tests\": [[0, 1]]}", "{\"tests\": [[\"hit\", 1, 2]]}", "{\"tests\": [[192, 1, 2]]}",
-          "{\"mesh\": 0, \"coordinates\": [1, 2]}", "{\"mesh\": 0, \"coordinate_bytes\": 2}",
+         {"{",
+          "[]",
+          "{}",
+          "{\"frame\": 0, \"name\": \"\"}",
+          "{\"frame\": 4294967296}",
+          "{\"tests\": [[0, 1]]}",
+          "{\"tests\": [[\"hit\", 1, 2]]}",
+          "{\"tests\": [[192, 1, 2]]}",
+          "{\"mesh\": 0, \"coordinates\": [1, 2]}",
+          "{\"mesh\": 0, \"coordinate_bytes\": 2}",
+          "{\"mesh\": 0, \"coordinate_bytes\": 4, \"coordinates\": [0, 0, 1e39]}",
+          "{\"mesh\": 0, \"indices\": [1, 2]}",
+          "{\"tree\": 0, \"directions\": [1, 0, 0, 1]}",
+          "{\"refit\": 0, \"in_tree\": 0, \"volume\": [\"ball\", \"nan:3ff0000000000000\"]}",
           "{\"refit\": 0, \"in_tree\": 0, \"volume\": [\"cube\", 1]}",
           "{\"refit\": 0, \"in_tree\": 0, \"volume\": [\"ball\", \"one\"]}",
-          "{\"pose\": 0, \"rows\": [1]}", "{\"query\": [0]}", "{\"unknown\": 200, \"hex\": \"\"}",
+          "{\"pose\": 0, \"rows\": [1]}",
+          "{\"query\": [0]}",
+          "{\"unknown\": 200, \"hex\": \"\"}",
+          "{\"unknown\": 203, \"hex\": \"\"}",
           "{\"unknown\": 250, \"hex\": \"0\"}",
           "{\"setting\": {\"hex\": \"zz\"}, \"value\": \"\"}"}) {
         const std::string sentence = refusal_of_text(text);

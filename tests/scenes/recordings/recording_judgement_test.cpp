@@ -11,6 +11,7 @@
 #include "scenes/scene/pose_rows.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
+#include "tests/scenes/recordings/small_records.h"
 #include "tests/unless_sanitized.h"
 
 namespace scb::scenes {
@@ -126,6 +127,20 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
         EXPECT_GT(pairs, 0u);
         EXPECT_EQ(tests, pairs);
         EXPECT_EQ(judged.exact_pairs, pairs);
+    }
+}
+
+// They end above the triangles on purpose.
+TEST(RecordingJudgement, FindsNothingMissedByOwnQueriesToALevel) {
+    TraceHeader header = asking(VolumeKind::obb, OverlapTest::corrected);
+    header.options.stop_level = 4;
+    const RecordingJudgement judged =
+        judge(recording_of(record_trace(mesh_a(), mesh_b(), header, {0, 3})));
+    EXPECT_FALSE(judged.wrong());
+    EXPECT_EQ(judged.ended_early, 2u);
+    for (const FrameJudgement& frame : judged.frames) {
+        EXPECT_GT(frame.volume_tests, 0u);
+        EXPECT_EQ(frame.pairs, 0u);
     }
 }
 
@@ -356,6 +371,267 @@ TEST(RecordingJudgement, WhatOneCannotGoOnWithoutIsASentence) {
                         RecordedQuery{0, 0}, RecordedFrame{1}}),
               "test.scbrec: frame 1 begins within a query; call scb_record_query_end where a query "
               "ends (frame 0).");
+}
+
+/// B's ball at this distance from A's, which a test rejects at stage 1.
+std::vector<Record> rejection_at(double distance) {
+    std::vector<Record> records = {pose_at(1, distance)};
+    append(records, query_with({{1, 0, 0}}));
+    return records;
+}
+
+TEST(RecordingJudgement, AStageHasTheLeastAndTheGreatestDepthOfItsWrongTests) {
+    std::vector<Record> records = two_balls();
+    for (const double depth : {0.25, 0.5, -1.0, 0.125, 0.375})
+        append(records, rejection_at(2 - depth));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.stages.size(), 1u);
+    EXPECT_EQ(judged.stages[0].tests, 5u);
+    EXPECT_EQ(judged.stages[0].wrong, 4u);
+    EXPECT_NEAR(judged.stages[0].least_depth, 0.125, 1e-9);
+    EXPECT_NEAR(judged.stages[0].most_depth, 0.5, 1e-9);
+}
+
+TEST(RecordingJudgement, JudgesTheFramesThatAreWantedUntilItIsStopped) {
+    std::vector<Record> records = two_balls();
+    for (const std::uint32_t frame : {0u, 1u, 2u, 3u}) {
+        append(records, {RecordedFrame{frame}});
+        append(records, rejection_at(3));
+        append(records, rejection_at(4));
+    }
+    RecordingWriter writer;
+    for (const Record& record : records) writer.add(record);
+    const std::string bytes = writer.finish();
+    const RecordingJudgement odd = judge_recording(
+        bytes, "x", [](int frame) { return frame % 2 == 1; }, [] { return true; });
+    ASSERT_EQ(odd.frames.size(), 2u);
+    EXPECT_EQ(odd.frames[0].frame, 1);
+    EXPECT_EQ(odd.frames[1].frame, 3);
+    EXPECT_EQ(odd.frames[0].queries, 2u);
+    EXPECT_EQ(odd.stages.at(0).tests, 4u);
+    const RecordingJudgement stopped = judge_recording(
+        bytes, "x", [](int) { return true; }, [] { return false; });
+    EXPECT_EQ(stopped.frames.size(), 1u);
+}
+
+TEST(RecordingJudgement, CountsAllCasesOfAProblemAndKeepsTheFirstHundred) {
+    std::vector<Record> records = two_balls();
+    append(records, query_with({{0, 0, 8}}));
+    append(records, query_with(std::vector<RecordedEvent>(151, {0, 0, 0})));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.test_problems.size(), 2u);
+    // The most frequent one stands first.
+    EXPECT_EQ(judged.test_problems[0].count, 150u);
+    EXPECT_EQ(judged.test_problems[0].cases.size(), ProblemGroup::most_cases);
+    EXPECT_EQ(judged.test_problems[0].cases[0].test, 1u);
+    EXPECT_EQ(judged.test_problems[1].count, 1u);
+    EXPECT_EQ(judged.test_problems[1].cases[0].nodes, (IndexPair{0, 8}));
+}
+
+TEST(RecordingJudgement, ATreeIsAsDeepAsItsDeepestNode) {
+    const auto node = [](std::uint32_t number, std::uint32_t parent,
+                         const std::vector<std::uint32_t>& children) {
+        return RecordedNode{0, number, parent, 0, "", children, {}, ball_volume(1)};
+    };
+    const RecordingJudgement judged =
+        judge({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}), node(1, 0, {3}),
+               node(2, 0, {}), node(3, 1, {})});
+    ASSERT_EQ(judged.trees.size(), 1u);
+    EXPECT_EQ(judged.trees[0].depth, 2u);
+    EXPECT_EQ(judged.trees[0].nodes, 4u);
+    EXPECT_FALSE(judged.wrong());
+}
+
+TEST(RecordingJudgement, ATreeThatTheFileBreaksOffInIsNotBroken) {
+    // Its second child was not told yet.
+    const RecordedVolume volume = ball_volume(1);
+    std::vector<Record> records = {RecordedTree{0, record_none, "", {}},
+                                   RecordedNode{0, 0, record_none, 0, "", {1, 2}, {}, volume},
+                                   RecordedNode{0, 1, 0, 0, "", {}, {0}, volume}};
+    const RecordingJudgement broken_off = judge(records);
+    ASSERT_EQ(broken_off.trees.size(), 1u);
+    EXPECT_TRUE(broken_off.trees[0].unfinished);
+    EXPECT_FALSE(broken_off.wrong());
+    EXPECT_NE(broken_off.damage, "");
+    records.emplace_back(RecordedEnd{});
+    const RecordingJudgement whole = judge(records);
+    EXPECT_FALSE(whole.trees[0].unfinished);
+    EXPECT_TRUE(whole.wrong());
+}
+
+TEST(RecordingJudgement, OfAQueryThatEndsEarlyNothingIsMissed) {
+    for (const bool complete : {true, false}) {
+        std::vector<Record> records = {RecordedSetting{"results", "pairs"}};
+        append(records, two_balls());
+        append(records, query_with({{0, 0, 0}}, complete));
+        const RecordingJudgement judged = judge(records);
+        EXPECT_EQ(judged.ended_early, complete ? 0u : 1u);
+        EXPECT_EQ(judged.missed.size(), complete ? 1u : 0u);
+        EXPECT_EQ(judged.frames.at(0).missed, complete ? 1u : 0u);
+    }
+}
+
+TEST(RecordingJudgement, AQueryWhosePoseIsNotRigidIsNotJudged) {
+    std::vector<Record> records = two_balls();
+    RecordedPose scaled = pose_at(1, 0);
+    scaled.rows[0] = 2;
+    records.emplace_back(scaled);
+    append(records, query_with({{1, 0, 0}}));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.test_problems.size(), 1u);
+    EXPECT_EQ(judged.test_problems[0].what, "a query's pose is not rigid");
+    EXPECT_EQ(judged.frames.at(0).queries, 1u);
+    EXPECT_EQ(judged.frames.at(0).volume_tests, 0u);
+    EXPECT_TRUE(judged.wrong());
+}
+
+/// A root and two children, and queries of it and of one node: of so many only the first child was
+/// tested, of the others both were.
+RecordingJudgement judged_divisions(std::uint32_t lacking, std::uint32_t whole,
+                                    bool alternate = false) {
+    std::vector<Record> records = {
+        RecordedTree{0, record_none, "", {}},
+        RecordedNode{0, 0, record_none, 0, "", {1, 2}, {}, ball_volume(1)},
+        RecordedNode{0, 1, 0, 0, "", {}, {0}, ball_volume(1)},
+        RecordedNode{0, 2, 0, 0, "", {}, {1}, ball_volume(1)}, RecordedBody{0, 0, "A"}};
+    append(records, body_of_one_node(1, ball_volume(1)));
+    for (std::uint32_t i = 0; i < whole; ++i)
+        append(records, query_with({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}));
+    for (std::uint32_t i = 0; i < lacking; ++i)
+        append(records, query_with({{0, 0, 0}, {0, alternate && i % 2 == 1 ? 2u : 1u, 0}}));
+    return judge(records);
+}
+
+TEST(RecordingJudgement, ANoteSaysThatFewDivisionsLackAChild) {
+    EXPECT_TRUE(judged_divisions(0, 4).notes.empty());
+    const RecordingJudgement judged = judged_divisions(2, 2);
+    EXPECT_FALSE(judged.wrong());
+    ASSERT_EQ(judged.notes.size(), 1u);
+    EXPECT_NE(judged.notes[0].find("2 of 4 divisions"), std::string::npos) << judged.notes[0];
+    EXPECT_NE(judged.notes[0].find("node 2 of A was not tested"), std::string::npos);
+    EXPECT_NE(judged.notes[0].find("in all of them it is child 2 of the node of A"),
+              std::string::npos);
+    const RecordingJudgement unlike = judged_divisions(2, 2, true);
+    ASSERT_EQ(unlike.notes.size(), 1u);
+    EXPECT_EQ(unlike.notes[0].find("in all of them"), std::string::npos);
+    // Most of them: that is meant.
+    EXPECT_TRUE(judged_divisions(3, 2).notes.empty());
+}
+
+TEST(RecordingJudgement, QueriesOfABodyWithoutKnownItemsAreCounted) {
+    std::vector<Record> records = {RecordedMesh{0, "", 8, {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}}};
+    append(records, two_balls());
+    append(records, {RecordedTree{2, 0, "", {}}, RecordedBody{2, 2, "C"}});
+    for (const auto& [a, b] : {std::pair(0u, 2u), {2u, 0u}, {0u, 1u}, {2u, 2u}, {0u, 0u}})
+        append(records, {RecordedQuery{a, b}, RecordedQueryEnd{}});
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.unknown_items, 2u);
+    EXPECT_EQ(judged.self_queries, 2u);
+}
+
+/// Four triangles that lie in a row along x, of A, each of which is crossed by one that stands, of
+/// B; a leaf for each below one root.
+std::vector<Record> crossing_rows() {
+    std::vector<Record> records;
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        RecordedMesh mesh{side, "", 8, {}, {}};
+        std::vector<Record> leaves;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const double x = i;
+            const std::vector<double> corners =
+                side == 0 ? std::vector<double>{x, 0, 0, x + 0.5, 0, 0, x, 0.5, 0}
+                          : std::vector<double>{x + 0.1, 0.1,     -0.5, x + 0.3, 0.1,
+                                                -0.5,    x + 0.1, 0.1,  0.5};
+            mesh.coordinates.insert(mesh.coordinates.end(), corners.begin(), corners.end());
+            mesh.indices.insert(mesh.indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+            leaves.emplace_back(RecordedNode{
+                side, i + 1, 0, 0, "", {}, {i}, {RecordedKind::aabb, {x, 0, -1, x + 0.5, 0.5, 1}}});
+        }
+        records.emplace_back(mesh);
+        records.emplace_back(RecordedTree{side, side, "", {}});
+        records.emplace_back(RecordedNode{side,
+                                          0,
+                                          record_none,
+                                          0,
+                                          "",
+                                          {1, 2, 3, 4},
+                                          {},
+                                          {RecordedKind::aabb, {0, 0, -1, 4, 1, 1}}});
+        append(records, leaves);
+        records.emplace_back(RecordedBody{side, side, side == 0 ? "A" : "B"});
+    }
+    return records;
+}
+
+TEST(RecordingJudgement, CountsMissedAndFalsePairsOfAFrame) {
+    std::vector<Record> records = crossing_rows();
+    append(records, query_with({{0, 0, 0},
+                                {0, 1, 1},
+                                {items_meet, 0, 0},
+                                {a_pair, 0, 0},
+                                {0, 2, 2},
+                                {items_apart, 1, 1},
+                                {0, 3, 3},
+                                {a_pair, 2, 3}}));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.frames.size(), 1u);
+    const FrameJudgement& frame = judged.frames[0];
+    EXPECT_EQ(frame.missed, 3u);
+    EXPECT_EQ(frame.false_pairs, 1u);
+    EXPECT_EQ(frame.pairs, 2u);
+    EXPECT_EQ(frame.wrong, 1u);
+    EXPECT_EQ(judged.exact_pairs, 4u);
+    std::uint64_t missed = 0, reported_falsely = 0;
+    for (const ProblemGroup& group : judged.missed) missed += group.count;
+    for (const ProblemGroup& group : judged.false_pairs) reported_falsely += group.count;
+    EXPECT_EQ(missed, 3u);
+    EXPECT_EQ(reported_falsely, 1u);
+    // Its test of volumes is the one before it.
+    EXPECT_EQ(judged.false_pairs[0].cases[0].items, (IndexPair{2, 3}));
+    EXPECT_EQ(judged.false_pairs[0].cases[0].test, 3u);
+}
+
+TEST(RecordingJudgement, ABrokenTreeIsWrongThoughNoQueryErrs) {
+    std::vector<Record> records = crossing_rows();
+    EXPECT_FALSE(judge(records).wrong());
+    for (Record& record : records)
+        if (auto* node = std::get_if<RecordedNode>(&record);
+            node && node->tree == 1 && node->node == 2)
+            node->volume.values[3] = 1.2;
+    const RecordingJudgement judged = judge(records);
+    EXPECT_TRUE(judged.wrong());
+    EXPECT_TRUE(judged.trees.at(0).problems.empty());
+    ASSERT_EQ(judged.trees.at(1).problems.size(), 1u);
+    EXPECT_EQ(judged.trees[1].problems[0].problem.node, 2u);
+}
+
+TEST(RecordingJudgement, NamesTheBodyWhoseNodeDoesNotContainItsTriangle) {
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        std::vector<Record> records = crossing_rows();
+        // Node 2 is above its triangle, number 1, so that its test is right to reject it.
+        for (Record& record : records)
+            if (auto* node = std::get_if<RecordedNode>(&record);
+                node && node->tree == side && node->node == 2)
+                node->volume.values = {1, 0, 5, 1.5, 0.5, 6};
+        append(records, query_with({{0, 0, 0},
+                                    {0, 1, 1},
+                                    {items_meet, 0, 0},
+                                    {3, 2, 2},
+                                    {0, 3, 3},
+                                    {items_meet, 2, 2},
+                                    {0, 4, 4},
+                                    {items_meet, 3, 3}}));
+        const RecordingJudgement judged = judge(records);
+        ASSERT_EQ(judged.missed.size(), 1u);
+        ASSERT_EQ(judged.missed[0].cases.size(), 1u);
+        const ProblemCase& missed = judged.missed[0].cases[0];
+        EXPECT_EQ(missed.items, (IndexPair{1, 1}));
+        EXPECT_EQ(missed.nodes, (IndexPair{2, 2}));
+        EXPECT_NE(missed.words.find(side == 0 ? "node 2 of A does not contain triangle 1"
+                                              : "node 2 of B does not contain triangle 1"),
+                  std::string::npos)
+            << missed.words;
+    }
 }
 
 TEST(RecordingJudgement, WhatIsOddIsSaid) {

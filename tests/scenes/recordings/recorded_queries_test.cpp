@@ -1,0 +1,271 @@
+#include "scenes/recordings/recorded_queries.h"
+
+#include <gtest/gtest.h>
+
+#include "scb/error.h"
+#include "tests/scenes/recordings/sample_records.h"
+#include "tests/scenes/recordings/small_records.h"
+
+namespace scb::scenes {
+namespace {
+
+using Step = RecordedQueries::Step;
+
+/// A recording that is read step by step.
+struct ReadSteps {
+    std::string bytes;
+    RecordingSummary summary;
+    RecordedQueries queries;
+
+    explicit ReadSteps(const std::vector<Record>& records)
+        : bytes(recording_of(records)),
+          summary(summary_of(bytes, "x.scbrec")),
+          queries(bytes, "x.scbrec", summary) {}
+    ReadSteps(const ReadSteps&) = delete;
+
+    /// Up to the end of this query, from 0.
+    const EngineQuery& query(int number) {
+        for (int ended = -1; ended < number;) {
+            const Step step = queries.next();
+            if (step == Step::end) throw InputError("there is no such query");
+            ended += step == Step::query;
+        }
+        return queries.query();
+    }
+    void read_all() {
+        while (queries.next() != Step::end) {
+        }
+    }
+};
+
+TEST(RecordedQueries, SumsUpAllThatThereIs) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedFrame{2}});
+    append(records, query_with({{0, 0, 0},
+                                {1, 0, 0},
+                                {127, 0, 0},
+                                {128, 0, 0},
+                                {129, 0, 0},
+                                {130, 0, 0},
+                                {131, 0, 0},
+                                {191, 0, 0}}));
+    append(records, {RecordedFrame{5}});
+    append(records, query_with({{127, 0, 0}}));
+    const RecordingSummary summary = summary_of(recording_of(records), "x.scbrec");
+    EXPECT_EQ(summary.frames, (std::vector{2, 5}));
+    EXPECT_EQ(summary.stages, (std::set<std::uint8_t>{1, 127}));
+    EXPECT_EQ(summary.queries, 2u);
+    EXPECT_EQ(summary.volume_tests, 4u);
+    EXPECT_EQ(summary.item_tests, 2u);
+    EXPECT_EQ(summary.pairs, 1u);
+    EXPECT_FALSE(summary.tells_pairs);
+    EXPECT_EQ(summary_of(recording_of({}), "x.scbrec").frames, std::vector{0});
+}
+
+TEST(RecordedQueries, TellsPairsWhereTheSettingOrAPairSaysSo) {
+    const auto tells = [](const std::vector<Record>& before, std::uint8_t tag) {
+        std::vector<Record> records = before;
+        append(records, two_balls());
+        append(records, query_with({{tag, 0, 0}}));
+        return ReadSteps(records).query(0).tells_pairs;
+    };
+    constexpr auto a_test = static_cast<std::uint8_t>(RecordTag::volumes_overlap),
+                   one_pair = static_cast<std::uint8_t>(RecordTag::pair);
+    EXPECT_FALSE(tells({}, a_test));
+    EXPECT_TRUE(tells({}, one_pair));
+    EXPECT_TRUE(tells({RecordedSetting{"results", "pairs"}}, a_test));
+    EXPECT_FALSE(tells({RecordedSetting{"results", "none"}}, a_test));
+}
+
+TEST(RecordedQueries, AQueryThatTheFileBreaksOffInIsNotComplete) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedQuery{0, 1}, RecordedEvent{0, 0, 0}});
+    ReadSteps read(records);
+    EXPECT_FALSE(read.query(0).complete);
+    EXPECT_EQ(read.queries.query().events.size(), 1u);
+    EXPECT_EQ(read.queries.next(), Step::frame);
+    EXPECT_EQ(read.queries.next(), Step::end);
+}
+
+TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
+    const auto pose_told = [](const std::array<double, 12>& rows) {
+        std::vector<Record> records = two_balls();
+        records.emplace_back(RecordedPose{1, rows});
+        ReadSteps read(records);
+        read.read_all();
+        return read.queries.bodies().at(1);
+    };
+    // A turn about all axes whose numbers are rounded to float.
+    const std::array<double, 12> exact = {0.36, 0.48, -0.8, 7, -0.8, 0.6, 0, 8, 0.48, 0.64, 0.6, 9};
+    std::array<double, 12> rounded = exact;
+    for (double& number : rounded) number = static_cast<double>(static_cast<float>(number));
+    const BodyState body = pose_told(rounded);
+    EXPECT_TRUE(body.is_rigid());
+    EXPECT_GT(body.defect, 1e-9);
+    EXPECT_LT(rigidity_defect(body.pose), 1e-15);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(body.pose.rotation(i, j), exact[static_cast<std::size_t>(4 * i + j)], 1e-7);
+    EXPECT_EQ(body.pose.translation, Vec3(7, 8, 9));
+    // One of 64 bits stays as it is, and one that is scaled too.
+    std::array<double, 12> nearly = exact;
+    nearly[0] += 1e-13;
+    EXPECT_EQ(pose_told(nearly).pose.rotation(0, 0), nearly[0]);
+    nearly[0] += 1e-3;
+    EXPECT_FALSE(pose_told(nearly).is_rigid());
+    nearly = exact;
+    nearly[3] = 1e71;
+    EXPECT_FALSE(pose_told(nearly).is_rigid());
+}
+
+TEST(RecordedQueries, IsRigidWhereBothPosesAre) {
+    for (const std::uint32_t scaled : {0u, 1u}) {
+        std::vector<Record> records = two_balls();
+        RecordedPose pose = pose_at(scaled, 1);
+        pose.rows[0] = 2;
+        records.emplace_back(pose);
+        append(records, query_with({}));
+        EXPECT_FALSE(ReadSteps(records).query(0).rigid);
+    }
+}
+
+TEST(RecordedQueries, ABodyThatIsToldAgainStandsWhereItsTreeDoes) {
+    std::vector<Record> records = two_balls();
+    append(records, {pose_at(1, 5), RecordedBody{1, 1, "B"}});
+    append(records, query_with({}));
+    ReadSteps read(records);
+    EXPECT_EQ(read.query(0).b_to_a.translation, Vec3(0, 0, 0));
+    EXPECT_FALSE(read.queries.bodies().at(1).placed);
+}
+
+/// A triangle that reaches 10 from the origin, in coordinates of so many bytes.
+RecordedMesh mesh_of_ten(std::uint8_t coordinate_bytes) {
+    return {0, "", coordinate_bytes, {-10, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}};
+}
+
+/// The tolerance of a tree of that mesh, or of none, whose only node has this volume.
+double tolerance_of(const std::vector<Record>& before, const RecordedVolume& volume) {
+    std::vector<Record> records = before;
+    append(records, body_of_one_node(0, volume));
+    for (Record& record : records)
+        if (auto* tree = std::get_if<RecordedTree>(&record); tree && !before.empty())
+            if (std::holds_alternative<RecordedMesh>(before.back())) tree->mesh = 0;
+    ReadSteps read(records);
+    read.read_all();
+    return read.queries.tolerance_of(read.queries.trees().at(0));
+}
+
+TEST(RecordedQueries, TakesTheToleranceFromTheExactnessOfTheNumbers) {
+    constexpr double single = 1e-6, exact = 1e-12;
+    EXPECT_DOUBLE_EQ(tolerance_of({}, ball_volume(4)), 4 * single);
+    EXPECT_DOUBLE_EQ(tolerance_of({}, ball_volume(4, 0.1)), 4 * exact);
+    EXPECT_DOUBLE_EQ(tolerance_of({}, ball_volume(4, -8)), 8 * single);
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(4)}, ball_volume(4, 0.1)), 10 * single);
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4, 0.1)), 10 * exact);
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4)), 10 * single);
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, {}), 10 * exact) << "no volume";
+}
+
+TEST(RecordedQueries, TakesTheToleranceThatIsTold) {
+    const auto told = [](const std::string& value) {
+        return tolerance_of({RecordedSetting{"tolerance", value}}, ball_volume(4));
+    };
+    EXPECT_EQ(told("0.25"), 0.25);
+    EXPECT_EQ(told("0"), 4e-12) << "this program's own rounding";
+}
+
+TEST(RecordedQueries, TheToleranceOfAQueryIsThatOfAllItsLengths) {
+    for (const std::uint32_t first : {0u, 1u}) {
+        std::vector<Record> records = body_of_one_node(0, ball_volume(4, 0.1));
+        append(records, body_of_one_node(1, ball_volume(2)));
+        RecordedPose skew = pose_at(0, 3);
+        skew.rows[1] = 1e-5;
+        append(records, {skew, RecordedQuery{first, 1 - first}, RecordedQueryEnd{}});
+        // B's numbers are of 32 bits, and A's pose is a little off.
+        EXPECT_NEAR(ReadSteps(records).query(0).tolerance, (4 + 2 + 3) * (1e-6 + 1e-5), 1e-12);
+    }
+}
+
+TEST(RecordedQueries, AToleranceThatIsNoLengthIsOdd) {
+    for (const char* value : {"", "x", "1e-6 m", " 1", "-1e-6", "1e200", "nan", "inf"}) {
+        ReadSteps read(std::vector<Record>{RecordedSetting{"tolerance", value}});
+        read.read_all();
+        EXPECT_EQ(read.queries.oddities().size(), 1u) << value;
+    }
+}
+
+TEST(RecordedQueries, NamesStagesOneTo127InTheOrderInWhichTheyAreTold) {
+    ReadSteps read(std::vector<Record>{RecordedStage{127, "last"}, RecordedStage{1, "x"},
+                                       RecordedStage{0, "none"}, RecordedStage{128, "none"},
+                                       RecordedStage{1, "first"}});
+    read.read_all();
+    EXPECT_EQ(read.queries.stages(),
+              (std::map<std::uint8_t, std::string>{{1, "first"}, {127, "last"}}));
+    EXPECT_EQ(read.queries.stage_order(), (std::vector<std::uint8_t>{127, 1}));
+    EXPECT_EQ(read.queries.oddities().size(), 2u);
+}
+
+TEST(RecordedQueries, CountsOdditiesBeyondTheFirstTwenty) {
+    ReadSteps read(std::vector<Record>(23, RecordedStage{0, ""}));
+    read.read_all();
+    EXPECT_EQ(read.queries.oddities().size(), 20u);
+    EXPECT_EQ(read.queries.more_oddities(), 3u);
+}
+
+TEST(RecordedQueries, AMeshThatIsToldAgainAlikeDidNotChange) {
+    std::vector<Record> records = {mesh_of_ten(8), RecordedTree{0, 0, "", {}}};
+    const auto versions = [&] {
+        ReadSteps read(records);
+        read.read_all();
+        return std::pair(read.queries.meshes().at(0).version,
+                         read.queries.trees().at(0).volume_version);
+    };
+    const auto before = versions();
+    records.emplace_back(mesh_of_ten(8));
+    EXPECT_EQ(versions(), before);
+    RecordedMesh moved = mesh_of_ten(8);
+    moved.coordinates[8] = 1;
+    records.emplace_back(moved);
+    EXPECT_GT(versions().first, before.first);
+    EXPECT_GT(versions().second, before.second);
+}
+
+TEST(RecordedQueries, ANodeThatIsToldTwiceIsAsItWasFirst) {
+    ReadSteps read(
+        std::vector<Record>{RecordedTree{0, record_none, "", {}},
+                            RecordedNode{0, 5, record_none, 0, "", {}, {0}, ball_volume(1)},
+                            RecordedNode{0, 5, record_none, 0, "", {}, {1}, ball_volume(2)},
+                            RecordedNode{0, 6, 5, 0, "", {}, {2}, ball_volume(2)}});
+    read.read_all();
+    const NodeTree& tree = read.queries.trees().at(0).tree;
+    ASSERT_EQ(tree.size(), 2u);
+    EXPECT_EQ(std::get<Ball>(tree[0].volume).radius, 1);
+    EXPECT_EQ(std::get<Ball>(tree[1].volume).radius, 2);
+    EXPECT_EQ(tree.told_twice(), std::vector<std::uint32_t>{5});
+}
+
+TEST(RecordedQueries, JudgesObjectsByTheirVolumesWhereEachIsAloneInALeaf) {
+    const auto side = [](const std::vector<std::uint32_t>& of_root,
+                         const std::vector<std::uint32_t>& of_leaf) {
+        ReadSteps read(std::vector<Record>{RecordedTree{0, record_none, "", {}},
+                                           RecordedNode{0, 0, record_none, 0, "", {1}, of_root, {}},
+                                           RecordedNode{0, 1, 0, 0, "", {}, of_leaf, {}}});
+        read.read_all();
+        const EngineSide told = read.queries.side_of(0);
+        return std::pair(told.objects_by_volume, told.shape->holder.size());
+    };
+    EXPECT_EQ(side({}, {7}), std::pair(true, std::size_t{8}));
+    EXPECT_EQ(side({}, {7, 3}), std::pair(false, std::size_t{8}));
+    EXPECT_EQ(side({2}, {7}), std::pair(false, std::size_t{8}));
+    EXPECT_EQ(side({}, {}), std::pair(false, std::size_t{0}));
+    EXPECT_EQ(side({}, {UINT32_MAX}), std::pair(false, std::size_t{0})) << "no number of objects";
+}
+
+TEST(RecordedQueries, RefusesFramesBeyondWholeNumbers) {
+    constexpr std::uint32_t most = INT32_MAX;
+    ReadSteps(std::vector<Record>{RecordedFrame{most - 1}}).read_all();
+    EXPECT_THROW(ReadSteps(std::vector<Record>{RecordedFrame{most}}).read_all(), InputError);
+}
+
+}  // namespace
+}  // namespace scb::scenes
