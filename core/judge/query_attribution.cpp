@@ -1,7 +1,5 @@
 #include "core/judge/query_attribution.h"
 
-#include <algorithm>
-
 namespace scb {
 namespace {
 
@@ -10,13 +8,8 @@ std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
     std::vector<std::uint64_t> contacts;
     for (const JudgedTest& test : judged.tests) contacts.push_back(test.meets ? 1 : 0);
     for (const PairProblem& problem : judged.pairs) {
-        if (!is_missed(problem.cause) || problem.event == no_index) continue;
-        const auto test = std::lower_bound(
-            judged.tests.begin(), judged.tests.end(), problem.event,
-            [](const JudgedTest& t, std::uint32_t event) { return t.event < event; });
-        if (test == judged.tests.end() || test->event != problem.event) continue;
-        for (auto i = static_cast<std::uint32_t>(test - judged.tests.begin()); i != no_index;
-             i = judged.tests[i].parent)
+        if (!is_missed(problem.cause)) continue;
+        for (std::uint32_t i = problem.test; i != no_index; i = judged.tests[i].parent)
             ++contacts[i];
     }
     return contacts;

@@ -79,6 +79,18 @@ TEST(QueryAttribution, AMissedPairIsBelowTheTestThatLostItAndAllAboveThat) {
     EXPECT_EQ(missed, (std::vector<std::uint64_t>{1, 1, 2}));
 }
 
+TEST(QueryAttribution, APairThatATriangleTestLostIsBelowTheTestOfItsLeaves) {
+    Rows rows;
+    rows.contacts = {{0, 0}};
+    rows.query.events = {{Kind::volumes, 0, 0, 0},
+                         {Kind::volumes, 0, 1, 1},
+                         {Kind::volumes, 0, 3, 3},
+                         {Kind::items_apart, 0, 0, 0}};
+    const Attribution found = attributed(rows);
+    ASSERT_EQ(found.passed.size(), 3u);
+    for (const PassedPair& pair : found.passed) EXPECT_EQ(pair.reason, PassReason::triangles_meet);
+}
+
 TEST(QueryAttribution, WithoutAVolumeNothingIsClaimed) {
     auto nodes = nodes_of_row();
     nodes[2].volume = NodeVolume{};
