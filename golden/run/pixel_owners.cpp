@@ -55,9 +55,12 @@ void Owners::add_ranges(const Json& index) {
         for (const Json& range : index["ids"])
             ranges_.push_back(
                 {range.at("what"), range.at("body"), range.at("first"), range.at("count")});
+    // Pairs have the last ids. The baseline may have more of them than the new run, which this file
+    // describes.
     if (drawn.contains("pair_ids"))
         ranges_.push_back(
-            {"pair", "", drawn["pair_ids"].at("first"), drawn["pair_ids"].at("count")});
+            {"pair", "", drawn["pair_ids"].at("first"),
+             levels_ ? UINT32_MAX : drawn["pair_ids"].at("count").get<std::uint32_t>()});
     if (!drawn.contains("bodies")) return;
     for (const Json& body : drawn["bodies"]) {
         const std::string name = body.at("body");
