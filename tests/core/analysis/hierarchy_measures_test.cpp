@@ -66,9 +66,9 @@ TEST(HierarchyMeasures, OverlapIsThatOfBoxesMeasuredByHand) {
 }
 
 TEST(HierarchyMeasures, SiblingOverlapIsAShareOfTheSmallerOne) {
-    // Tetrahedra in boxes [0, 4]^3 and [3, 5] x [1, 3]^2.
+    // Tetrahedra in boxes [0, 4]^3 and [3, 6] x [1, 4]^2.
     Mesh mesh;
-    for (const auto& [corner, side] : {std::pair(Vec3(0, 0, 0), 4.0), {Vec3(3, 1, 1), 2.0}}) {
+    for (const auto& [corner, side] : {std::pair(Vec3(0, 0, 0), 4.0), {Vec3(3, 1, 1), 3.0}}) {
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)})
             mesh.vertices.emplace_back(corner + side * v);
@@ -77,8 +77,8 @@ TEST(HierarchyMeasures, SiblingOverlapIsAShareOfTheSmallerOne) {
     }
     const HierarchyMeasures m = measured(mesh, VolumeKind::aabb);
     EXPECT_EQ(m.levels[1].solid_siblings, 1u);
-    EXPECT_NEAR(m.levels[1].sibling_overlap, 4.0 / 8, 0.02);
-    EXPECT_NEAR(m.levels[1].overlap_volume, 4, 0.1);
+    EXPECT_NEAR(m.levels[1].sibling_overlap, 9.0 / 27, 0.02);
+    EXPECT_NEAR(m.levels[1].overlap_volume, 9, 0.3);
 }
 
 TEST(HierarchyMeasures, OneTriangleIsMetByEveryLine) {
