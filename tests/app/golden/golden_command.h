@@ -21,12 +21,34 @@ inline constexpr const char* golden_suite_text = R"({
   ]
 })";
 
-/// A suite with its baselines, made by the program itself.
+/// The contents of all files of a folder, by name.
+inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const std::filesystem::directory_entry& entry :
+         std::filesystem::directory_iterator(folder))
+        files[entry.path().filename().string()] = file_text(entry.path());
+    return files;
+}
+
+/// The baselines of the suite, made by the program itself: once for all tests, since they are the
+/// same in each folder.
+inline const std::map<std::string, std::string>& made_baselines() {
+    static const std::map<std::string, std::string> made = [] {
+        const TemporaryFolder folder;
+        write_text(folder / "cases.json", golden_suite_text);
+        EXPECT_EQ(run_scb("golden update --all --suite " + (folder / "cases.json")).status, 0);
+        return files_of(folder.path / "baselines");
+    }();
+    return made;
+}
+
+/// A suite with its baselines.
 class GoldenCommand : public testing::Test {
   protected:
     GoldenCommand() {
         write_text(suite, golden_suite_text);
-        EXPECT_EQ(golden("update --all").status, 0);
+        std::filesystem::create_directory(folder.path / "baselines");
+        for (const auto& [name, text] : made_baselines()) write_text(baseline(name), text);
     }
 
     ProgramRun golden(const std::string& arguments, const Surroundings& surroundings = {}) {
@@ -50,13 +72,8 @@ class GoldenCommand : public testing::Test {
     std::filesystem::path baseline(const std::string& file) const {
         return folder.path / "baselines" / file;
     }
-    /// All files of the baselines, by name.
     std::map<std::string, std::string> baselines() const {
-        std::map<std::string, std::string> files;
-        for (const std::filesystem::directory_entry& entry :
-             std::filesystem::directory_iterator(folder.path / "baselines"))
-            files[entry.path().filename().string()] = file_text(entry.path());
-        return files;
+        return files_of(folder.path / "baselines");
     }
 
     const TemporaryFolder folder;
