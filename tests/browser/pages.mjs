@@ -122,5 +122,5 @@ export async function assert_ids_of_picture(onPage, scene, level, ...options) {
   mkdirSync(out);
   scb('render', 'levels', scene, ...options, ...camera, '--levels', String(level), '--size', size.join('x'), '--no-panel', '--samples', '1', '--ids', '-o', out);
   const picture = read_png(join(out, readdirSync(out).find((name) => /ids.*\.png$/.test(name))));
-  await onPage(page_of(scene, ...options, ...camera, '--level', String(level)), {}, async (page) => assert_same_ids(await ids_of(page, size), picture.ids, 0.001));
+  await onPage(page_of(scene, ...options, ...camera, '--level', String(level)), { width: 480, height: 360 }, async (page) => assert_same_ids(await ids_of(page, size), picture.ids, 0.001));
 }

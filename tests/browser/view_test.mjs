@@ -21,8 +21,8 @@ before(async () => {
 after(() => browser?.close());
 
 // Runs `body` with a page on which nothing may go wrong.
-async function onPage(file, { hash = '', ...options }, body) {
-  const context = await browser.newContext({ viewport: { width: 960, height: 600 }, offline: true, ...options });
+async function onPage(file, { hash = '', width = 960, height = 600, ...options }, body) {
+  const context = await browser.newContext({ viewport: { width, height }, offline: true, ...options });
   const page = await context.newPage(), main = pathToFileURL(file).href, wrong = watched(page, main);
   await page.goto(main + hash);
   if (options.javaScriptEnabled !== false) await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
