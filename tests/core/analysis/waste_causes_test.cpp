@@ -57,7 +57,7 @@ TEST(WasteCauses, NameWhatIsWrongWithAMeshAndNothingElse) {
 }
 
 TEST(WasteCauses, AShareOfTheTrianglesIsEnough) {
-    // Twenty triangles of which one is slender, then one more.
+    // One of 20 triangles is slender, then one of 21.
     for (const std::uint32_t others : {19u, 20u}) {
         Mesh mesh = strips(others, 2);
         for (const Vec3& v : {Vec3(0, -9, 0), Vec3(50, -9, 0), Vec3(0, -8, 0)}) {
@@ -66,7 +66,7 @@ TEST(WasteCauses, AShareOfTheTrianglesIsEnough) {
         mesh.triangles.push_back({3 * others, 3 * others + 1, 3 * others + 2});
         EXPECT_EQ(causes_of(mesh, grid(3)).bodies[0].slender, others == 19);
     }
-    // A hundred of which one is there twice, then fewer.
+    // One of 100 triangles is there twice, then one of 101.
     for (const std::uint32_t count : {99u, 100u}) {
         Mesh mesh = strips(count, 2);
         mesh.triangles.push_back(mesh.triangles[0]);

@@ -18,7 +18,7 @@ struct Passed {
     bool within = false;  ///< a pair of the same reason
 };
 
-/// Of pairs each of which led to the next.
+/// Adds the pairs of a chain, in which each pair led to the next.
 void add(WorstPairs& worst, int frame, const std::vector<Passed>& chain) {
     MadeQuery query;
     query.frame.frame = frame;

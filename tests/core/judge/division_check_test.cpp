@@ -9,7 +9,7 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-/// Of a query of these tests, all of which pass.
+/// The divisions of a query whose tests are these and all pass.
 DivisionCounts divisions(const std::vector<IndexPair>& tests) {
     Rows rows;
     rows.query.events.clear();

@@ -10,7 +10,7 @@
 
 namespace scb {
 
-/// Two rows of triangles, one of which stands across the other: each meets that of its number.
+/// Two rows of triangles that cross: each triangle meets the one with its number.
 struct Rows {
     using Kind = EngineEvent::Kind;
 

@@ -94,7 +94,7 @@ TEST(ObjectContacts, WithoutThemResultsAreNotJudged) {
     EXPECT_TRUE(judged.pairs.empty());
 }
 
-/// One object on each side, a box of one unit, that of B moved by `b`.
+/// A box of one unit on each side; the box of B is moved by `b`.
 std::size_t contacts_of_two(const Vec3& b, double tolerance) {
     NodeTree trees[2];
     TreeShape shapes[2];

@@ -399,7 +399,7 @@ TEST(QueryCheck, APoseThatIsFarOffFitsNoTestThatPassed) {
     Pose far = rows.query.b_to_a;
     far.translation[2] += 100;
     const PoseFit fit = fit_of_pose(rows.query, far);
-    EXPECT_EQ(fit.wrong, 0u) << "what was rejected is apart";
+    EXPECT_EQ(fit.wrong, 0u) << "the rejected volumes are apart";
     EXPECT_EQ(fit.wrong_items, 4u);
     EXPECT_EQ(fit.false_positive,
               static_cast<std::uint64_t>(std::count_if(

@@ -51,7 +51,7 @@ TEST(TestLinks, ATestOfItemsIsLedToByThatOfTheirNodesOrElseByTheLatestThatPassed
     links.take_volumes({4, 4}, true);
     links.take_volumes({5, 5}, false);
     EXPECT_EQ(links.led_to_items({0, 0}), 0u);
-    EXPECT_EQ(links.led_to_items({2, 2}), 2u) << "rejected, and yet those of their nodes";
+    EXPECT_EQ(links.led_to_items({2, 2}), 2u) << "the test of their own nodes, though it rejected";
     EXPECT_EQ(links.led_to_items({0, 3}), 1u);
     EXPECT_TRUE(links.tested_nodes_of({2, 2}));
     EXPECT_FALSE(links.tested_nodes_of({0, 3}));

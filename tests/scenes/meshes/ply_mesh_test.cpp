@@ -300,7 +300,7 @@ TEST(PlyMesh, OfMoreThanCanBeIsRefusedFromItsHeader) {
               refused(square("4000000000 0 1 2\n",
                              "element face 1\nproperty list uint int "
                              "vertex_indices\n")));
-    // The limit is that of all faces together.
+    // The limit holds for all faces together.
     expect_in("its faces have more than 268435456 corners",
               refused(square("3 0 1 2\n268435456 0 1 2\n",
                              "element face 2\nproperty list uint int "

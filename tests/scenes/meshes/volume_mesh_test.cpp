@@ -147,7 +147,7 @@ TEST(VolumeMesh, OfABoxIsExact) {
     EXPECT_DOUBLE_EQ(volume_of(mesh), volume(box));
 }
 
-/// A rotation about an axis of which no column is an axis.
+/// A rotation that maps no axis to an axis.
 Mat3 turned_axes() {
     Mat3 axes;
     axes << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;

@@ -39,7 +39,7 @@ void expect_reach(RecordedKind kind, const Numbers& numbers, const Vec3& least, 
 
 TEST(RecordedVolume, ReachesAsFarAsItsNumbersSay) {
     expect_reach(RecordedKind::aabb, {1, 2, 3, 5, 8, 3}, {1, 2, 3}, {5, 8, 3});
-    // Its first axis is that of y, its second that of z, its third that of x.
+    // Its axes are y, z and x, in this order.
     expect_reach(RecordedKind::obb, {1, 2, 3, 0, 1, 0, 0, 0, 1, 1, 0, 0, 4, 5, 6}, {-5, -2, -2},
                  {7, 6, 8});
     expect_reach(RecordedKind::ball, {1, 2, 3, 4}, {-3, -2, -1}, {5, 6, 7});
