@@ -137,10 +137,12 @@ int run(const GoldenOptions& options, const Console& console) {
     Progress progress(console, check.cases.size() * (1 + std::size(expectations)));
     const auto results = [&](const golden::RunMutation& mutation) {
         const golden::GoldenWork work;
-        check.settings.work = &work;
-        check.folders = {options.baselines_folder(), work.candidates(), ""};
-        check.settings.mutation = mutation;
-        return golden::check_cases(check,
+        golden::GoldenCheck mutated = check;
+        mutated.settings.work = &work;
+        mutated.settings.workers = std::make_shared<golden::CommandWorkers>();  // end before `work`
+        mutated.settings.mutation = mutation;
+        mutated.folders = {options.baselines_folder(), work.candidates(), ""};
+        return golden::check_cases(mutated,
                                    [&] {
                                        progress.step("cases");
                                        return watch.signal() == 0;
