@@ -16,8 +16,10 @@ bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
                                                              x.size() * sizeof(T)) == 0);
 }
 
+/// Whether both give the same volumes. A caller that counts the work of fitting gets a new fit.
 bool same_fit(const FitOptions& x, const FitOptions& y) {
-    return x.growth == y.growth && x.ball_method == y.ball_method && x.margin == y.margin;
+    return !x.counts && !y.counts && x.growth == y.growth && x.ball_method == y.ball_method &&
+           x.margin == y.margin;
 }
 
 }  // namespace
