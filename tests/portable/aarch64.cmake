@@ -1,16 +1,7 @@
-# A CMake toolchain: 64-bit ARM by Debian's cross compiler; SCB_COUNTS_CLANG=ON takes clang with its libraries.
+# A CMake toolchain: 64-bit ARM by Debian's cross compiler.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
-set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SCB_COUNTS_CLANG)
-if(SCB_COUNTS_CLANG)
-    set(CMAKE_C_COMPILER clang)
-    set(CMAKE_CXX_COMPILER clang++)
-    foreach(language C CXX ASM)
-        set(CMAKE_${language}_COMPILER_TARGET aarch64-linux-gnu)
-    endforeach()
-else()
-    set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
-    set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
-endif()
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 # Static, so that the emulator needs no libraries of the other CPU.
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
