@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
     if (argc == 2 && std::strcmp(argv[1], scb::golden::worker_command) == 0) {
-        // Of one scene a suite has many cases.
+        // A suite has many cases of one scene.
         scb::scenes::keep_hierarchies();
         return scb::golden::run_commands(scb::app::run_command);
     }

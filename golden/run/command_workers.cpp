@@ -10,8 +10,8 @@
 namespace scb::golden {
 namespace {
 
-/// Whether a limit of memory or of processor time may have ended the command, of which a worker has
-/// less with each command.
+/// Whether a limit of memory or of processor time may have ended the command. A worker has less of
+/// both left after each command, so a new worker repeats this one.
 bool may_lack_resources(const CommandEnd& command) {
     return command.end && (command.end->by_signal || command.end->code == exit_environment);
 }

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
                const std::filesystem::path& index, bool same_meshes)
-    : levels_(same_meshes) {
+    : same_meshes_(same_meshes) {
     const Json document =
         scenes::parse_json(scenes::read_text_file(index.string()), index.string());
     try {
@@ -41,7 +41,7 @@ std::string Owners::name(std::uint32_t id) const {
         std::string text = range.what + " " + std::to_string(number);
         if (!range.body.empty()) text += " of " + range.body;
         const auto depths = depths_.find(range.body);
-        if (levels_ && range.what == "node" && depths != depths_.end() &&
+        if (same_meshes_ && range.what == "node" && depths != depths_.end() &&
             number < depths->second.size())
             text += ", level " + std::to_string(depths->second[number]);
         return text;
@@ -55,12 +55,12 @@ void Owners::add_ranges(const Json& index) {
         for (const Json& range : index["ids"])
             ranges_.push_back(
                 {range.at("what"), range.at("body"), range.at("first"), range.at("count")});
-    // Pairs have the last ids. The baseline may have more of them than the new run, which this file
-    // describes.
+    // This file describes the new run. Pairs have the last ids: with the same meshes, all ids
+    // behind them are pairs of the baseline, which may have more.
     if (drawn.contains("pair_ids"))
         ranges_.push_back(
             {"pair", "", drawn["pair_ids"].at("first"),
-             levels_ ? UINT32_MAX : drawn["pair_ids"].at("count").get<std::uint32_t>()});
+             same_meshes_ ? UINT32_MAX : drawn["pair_ids"].at("count").get<std::uint32_t>()});
     if (!drawn.contains("bodies")) return;
     for (const Json& body : drawn["bodies"]) {
         const std::string name = body.at("body");

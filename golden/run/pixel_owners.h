@@ -34,7 +34,7 @@ class Owners {
 
     std::vector<IdRange> ranges_;
     std::map<std::string, std::vector<std::uint16_t>> depths_;  // per body, per node
-    bool levels_;
+    bool same_meshes_;
 };
 
 }  // namespace scb::golden

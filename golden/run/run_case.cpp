@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-/// Runs a command of this program: in a process that is there for many, unless users see each.
+/// A worker runs the command. Where there is a runner, a process of its own does.
 CommandEnd run_command(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = {"--quiet", "--no-config", "--tell-inputs"};
     words.insert(words.end(), command.begin(), command.end());
