@@ -125,9 +125,9 @@ std::string minor_version(const std::string& version) {
 
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
+    scenes::note_input(path);
     std::vector<int> wanted =
         scenes::frames_in_trace(path, frames == scenes::auto_frames ? "all" : frames);
-    scenes::note_input(path);
     trace_ = std::make_unique<scenes::TraceInput>(path);
     trace_path_ = path;
     header_ = trace_->reader.header();

@@ -154,9 +154,9 @@ Scene parse_scene(std::string_view json_text, const SceneContext& context) {
 Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
+    note_input(path);
     Scene scene = parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
     scene.file = path;
-    note_input(path);
     return scene;
 }
 

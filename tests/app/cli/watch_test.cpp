@@ -42,6 +42,27 @@ TEST(Watch, RunsAgainWhenAFileHasChangedUntilItIsInterrupted) {
     EXPECT_NE(run.err.find("m.obj"), std::string::npos) << "the fault: " << run.err;
 }
 
+TEST(Watch, WaitsForASceneWithAnErrorToBeMended) {
+    TemporaryFolder folder;
+    const std::string scene = folder / "s.json", pairs = folder / "pairs.csv";
+    write_text(folder / "m.obj", one);
+    write_text(scene, "{ nonsense");
+    bool is_mended = false;
+    const auto mend_later = [&](pid_t) {
+        if (is_mended) return std::filesystem::exists(pairs);
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+        write_text(scene,
+                   R"({"scb_scene": 1, "frames": 1, "models": [{"name": "m", "file": "m.obj"}],
+            "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})");
+        is_mended = true;
+        return false;
+    };
+    const ProgramRun run =
+        run_scb_interrupted("--watch collide " + scene + " --pairs-out " + pairs, mend_later);
+    EXPECT_TRUE(std::filesystem::exists(pairs)) << run.err;
+    EXPECT_NE(run.err.find("waiting for a change of 1 file"), std::string::npos) << run.err;
+}
+
 TEST(Watch, EndsWhereNoFileIsRead) {
     const ProgramRun run = run_scb_process("--watch scenes");
     EXPECT_EQ(run.status, 0);
