@@ -7,7 +7,10 @@
 
 #include "app/reference/words.h"
 #include "scb/error.h"
+#include "scb/overlap_options.h"
+#include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
+#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -38,6 +41,13 @@ std::string value_text(const JsonPlace& place, const ReferenceOption& option) {
         parts.push_back(value_text(scenes::element(place, i), option));
     if (parts.empty()) scenes::refuse(place, "the list is empty; give a value, or leave it out.");
     return joined(parts, ",");
+}
+
+/// Whether a list of overlap tests has one that misses collisions: a file may be a stranger's.
+bool names_test_that_misses(const std::string& tests) {
+    const std::vector<std::string> names = scenes::split_list(tests);
+    return std::find(names.begin(), names.end(), overlap_test_name(OverlapTest::printed)) !=
+           names.end();
 }
 
 /// Of one of the commands, which agree on what an option takes as far as is asked here.
@@ -81,6 +91,10 @@ void read_section(const JsonPlace& place, const std::string& section,
                 break;
             }
         setting.value = value_text(at, option);
+        if (setting.name == "--test" && names_test_that_misses(setting.value))
+            scenes::refuse(at,
+                           "no file may give the test 'printed', for it misses collisions; give "
+                           "it on the command line.");
         settings.push_back(setting);
     }
 }
@@ -122,7 +136,10 @@ std::vector<ConfigFile> read_config_files(const ReferenceCommand& program) {
         ConfigFile file{path, false, {}};
         std::error_code ignored;
         file.is_there = std::filesystem::exists(path, ignored);
-        if (file.is_there) file.settings = read_settings(path.string(), program);
+        if (file.is_there) {
+            scenes::note_input(path);
+            file.settings = read_settings(path.string(), program);
+        }
         files.push_back(std::move(file));
     }
     return files;

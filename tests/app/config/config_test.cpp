@@ -122,6 +122,20 @@ TEST(Config, AFileOfAStrangerNeitherWritesNorRunsAnything) {
     }
 }
 
+TEST(Config, AFileOfAStrangerLosesNoCollision) {
+    const Configured configured;
+    for (const char* text : {R"({"collide": {"test": "printed"}})", R"({"*": {"test": "printed"}})",
+                             R"({"bench": {"test": "corrected,printed"}})"}) {
+        configured.here.write("scb.json", text);
+        const ProgramRun run = configured.run("--quiet collide cone --frames 80");
+        EXPECT_EQ(run.status, 2) << text;
+        EXPECT_TRUE(has(run.err, "no file may give the test 'printed'")) << text << run.err;
+        EXPECT_EQ(configured.run("collide cone --frames 80 --no-config --test printed").status, 0);
+    }
+    configured.here.write("scb.json", R"({"collide": {"test": "line8"}})");
+    EXPECT_EQ(configured.run("collide cone --frames 80").status, 0);
+}
+
 TEST(Config, ARecordedQueryStaysAsItWas) {
     const Configured configured;
     ASSERT_EQ(configured.run("trace cone --frames 80 -o cone.scbtrace").status, 0);
