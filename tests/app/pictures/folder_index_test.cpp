@@ -78,7 +78,7 @@ TEST_F(FolderIndex, KeepsWhatIsLeftOfAnEarlierRun) {
     const json second = run("render traversal cone --frames 80,90");
     EXPECT_EQ(second["files"].size(), 2u);
     ASSERT_EQ(second["earlier"].size(), 1u);
-    EXPECT_EQ(second["earlier"][0]["files"], json{first["files"][0]});
+    EXPECT_EQ(second["earlier"][0]["files"], json::array({first["files"][0]}));
 }
 
 TEST_F(FolderIndex, LeavesOutPicturesThatAreGone) {
