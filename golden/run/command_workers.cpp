@@ -1,6 +1,7 @@
 #include "golden/run/command_workers.h"
 
 #include <algorithm>
+#include <csignal>
 #include <thread>
 #include <utility>
 
@@ -11,9 +12,11 @@ namespace scb::golden {
 namespace {
 
 /// Whether a limit of memory or of processor time may have ended the command. A worker has less of
-/// both left after each command, so a new worker repeats this one.
+/// both left after each command, so a new worker repeats this one. A crash is reported.
 bool may_lack_resources(const CommandEnd& command) {
-    return command.end && (command.end->by_signal || command.end->code == exit_environment);
+    if (!command.end) return false;
+    const int code = command.end->code;
+    return command.end->by_signal ? code == SIGKILL || code == SIGXCPU : code == exit_environment;
 }
 
 }  // namespace

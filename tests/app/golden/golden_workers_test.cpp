@@ -129,7 +129,15 @@ TEST_F(GoldenWorkers, GiveACommandNothingOfTheOneBefore) {
     EXPECT_EQ(next.last_line, lines(next.printed).back());  // no error
 }
 
-TEST_F(GoldenWorkers, EndWithACaseThatCrashes) {
+TEST_F(GoldenWorkers, DoNotRepeatACaseThatCrashes) {
+    expect_that_others_are_the_same();
+    add_case_that_hangs();
+    check.settings.patience = std::chrono::seconds(5);  // a repeated case would hang
+    for (const pid_t child : children()) ::kill(child, SIGABRT);
+    EXPECT_EQ(expect_that_others_are_the_same(), "It was ended by signal 6.");
+}
+
+TEST_F(GoldenWorkers, EndWithACaseThatIsKilled) {
     expect_that_others_are_the_same();
     add_case_that_hangs();
     std::mutex stepping;
