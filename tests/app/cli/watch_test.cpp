@@ -51,8 +51,9 @@ TEST(Watch, WaitsForASceneWithAnErrorToBeMended) {
     const auto mend_later = [&](pid_t) {
         if (is_mended) return std::filesystem::exists(pairs);
         std::this_thread::sleep_for(std::chrono::seconds(2));
-        write_text(scene,
-                   R"({"scb_scene": 1, "frames": 1, "models": [{"name": "m", "file": "m.obj"}],
+        write_text(
+            scene,
+            R"({"scb_scene": 1, "name": "s", "frames": 1, "models": [{"name": "m", "file": "m.obj"}],
             "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})");
         is_mended = true;
         return false;
