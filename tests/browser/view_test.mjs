@@ -679,9 +679,8 @@ test('keys do all of it', async () => {
     assert.ok(await page.locator('#help').isVisible());
     await page.keyboard.press('Escape');
     await press(page, ' ');
-    await page.waitForTimeout(400);
+    await page.waitForFunction(() => document.getElementById('canvas').app.state.at > 1);  // frames are played
     await press(page, ' ');
-    assert.ok((await state(page)).at > 1, 'frames are played');
   });
 });
 
@@ -782,12 +781,15 @@ test('it turns by dragging, moves, zooms, and follows its size', async () => {
     assert.equal(turned.target, before.target);
     assert.notEqual(moved.target, turned.target);
     await page.mouse.wheel(0, 300);
-    await page.waitForTimeout(400);
-    assert.ok(Number((await address(page)).distance) > Number(moved.distance));
+    await page.waitForFunction((distance) => {
+      document.getElementById('canvas').app.address.writeNow();
+      return new URLSearchParams(location.hash.slice(1)).get('distance') > distance;
+    }, Number(moved.distance));
     await page.setViewportSize({ width: 700, height: 500 });
-    await page.waitForTimeout(300);
-    const [width, shown] = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').clientWidth]);
-    assert.equal(width, shown);
+    await page.waitForFunction((before) => {
+      const { width, clientWidth } = document.getElementById('canvas');
+      return width === clientWidth && width !== before;
+    }, box.width);
     // It is drawn in the new size, too: a corner has the color of the background.
     const corner = await page.evaluate(() => {
       const { app } = document.getElementById('canvas'), { gl } = app.painter, pixel = new Uint8Array(4);
