@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -179,6 +180,10 @@ struct RunFiles {
 }  // namespace
 
 ProgramRun run_scb(const std::string& arguments, const Surroundings& surroundings) {
+    // Two threads would leave each other's streams behind.
+    static std::mutex running;
+    const std::unique_lock alone(running, std::try_to_lock);
+    if (!alone) throw std::logic_error("run_scb is for one thread; others start processes");
     const std::vector<std::string> words = words_of(arguments);
     const ChangedEnvironment environment(surroundings.environment);
     const ChangedFolder folder(surroundings.folder);

@@ -98,8 +98,8 @@ TEST_F(FolderIndex, HasTheRunsOfProgramsAtTheSameTime) {
     std::vector<std::thread> programs;
     for (int i = 0; i < 6; ++i)
         programs.emplace_back([this, i] {
-            EXPECT_EQ(run_scb("render pairs cone --samples 1 --size 320x240 --frames " +
-                              std::to_string(60 + i) + " -o " + out)
+            EXPECT_EQ(run_scb_process("render pairs cone --samples 1 --size 320x240 --frames " +
+                                      std::to_string(60 + i) + " -o " + out)
                           .status,
                       0);
         });
