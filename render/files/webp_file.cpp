@@ -14,11 +14,13 @@ WebpFile::WebpFile(std::filesystem::path path, int width, int height, int frames
     : path_(std::move(path)), width_(width), height_(height), rate_(frames_per_second) {
     WebPAnimEncoderOptions options;
     WebPAnimEncoderOptionsInit(&options);
-    encoder_ = WebPAnimEncoderNew(width, height, &options);
-    if (encoder_ == nullptr) fail("libwebp takes no pictures of this size");
+    encoder_.reset(WebPAnimEncoderNew(width, height, &options));
+    if (!encoder_) fail("libwebp takes no pictures of this size");
 }
 
-WebpFile::~WebpFile() { WebPAnimEncoderDelete(encoder_); }
+void WebpFile::Deleter::operator()(WebPAnimEncoder* encoder) const {
+    WebPAnimEncoderDelete(encoder);
+}
 
 void WebpFile::fail(const std::string& why) const {
     throw OutputError("Cannot write \"" + path_.string() + "\": " + why +
@@ -48,19 +50,20 @@ void WebpFile::encode(std::size_t frame, const Image& image) {
     picture.height = height_;
     picture.use_argb = 1;
     const bool done = WebPPictureImportRGBA(&picture, image.rgba.data(), 4 * width_) != 0 &&
-                      WebPAnimEncoderAdd(encoder_, &picture, time_of(frame), &config) != 0;
+                      WebPAnimEncoderAdd(encoder_.get(), &picture, time_of(frame), &config) != 0;
     WebPPictureFree(&picture);
-    if (!done) fail(std::string("libwebp says \"") + WebPAnimEncoderGetError(encoder_) + "\"");
+    if (!done)
+        fail(std::string("libwebp says \"") + WebPAnimEncoderGetError(encoder_.get()) + "\"");
 }
 
 void WebpFile::finish() {
     queue_.finish();
     WebPData data;
     WebPDataInit(&data);
-    if (!WebPAnimEncoderAdd(encoder_, nullptr, time_of(frames_), nullptr) ||
-        !WebPAnimEncoderAssemble(encoder_, &data)) {
+    if (!WebPAnimEncoderAdd(encoder_.get(), nullptr, time_of(frames_), nullptr) ||
+        !WebPAnimEncoderAssemble(encoder_.get(), &data)) {
         WebPDataClear(&data);
-        fail(std::string("libwebp says \"") + WebPAnimEncoderGetError(encoder_) + "\"");
+        fail(std::string("libwebp says \"") + WebPAnimEncoderGetError(encoder_.get()) + "\"");
     }
     const std::vector<std::uint8_t> bytes(data.bytes, data.bytes + data.size);
     WebPDataClear(&data);

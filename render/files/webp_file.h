@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "render/files/animation.h"
 #include "render/files/work_queue.h"
 
@@ -12,7 +14,6 @@ namespace scb::render {
 class WebpFile : public Animation {
   public:
     WebpFile(std::filesystem::path path, int width, int height, int frames_per_second);
-    ~WebpFile() override;
 
     void push(Image image) override;
     std::size_t frames() const override { return frames_; }
@@ -26,9 +27,12 @@ class WebpFile : public Animation {
 
     std::filesystem::path path_;
     int width_, height_, rate_;
-    WebPAnimEncoder* encoder_;
+    struct Deleter {
+        void operator()(WebPAnimEncoder* encoder) const;
+    };
+    std::unique_ptr<WebPAnimEncoder, Deleter> encoder_;
     std::size_t frames_ = 0;
-    WorkQueue queue_{2};  ///< ends first: it uses the encoder
+    WorkQueue queue_{2};  ///< declared last, so its thread ends before the encoder does
 };
 
 }  // namespace scb::render
