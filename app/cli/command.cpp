@@ -80,6 +80,11 @@ Option Option::only_typed() const {
     table_->only_typed.insert(option_);
     return *this;
 }
+
+Option Option::only_typed(const std::string& word, const std::string& reason) const {
+    table_->values[option_].only_typed.emplace(word, reason);
+    return *this;
+}
 Option Option::hide() const {
     option_->group("");
     return *this;

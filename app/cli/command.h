@@ -46,6 +46,8 @@ class Option {
     /// No configuration file may give it: it says what is written, or what is run, and the file may
     /// be a stranger's.
     Option only_typed() const;
+    /// No configuration file may give this word: `reason` is what a sentence says behind "for".
+    Option only_typed(const std::string& word, const std::string& reason) const;
     /// Leaves it out of the help.
     Option hide() const;
 

@@ -17,6 +17,7 @@ struct OptionValues {
     bool is_list = false;                ///< several of the words, with commas
     std::vector<std::string> endings{};  ///< of files: ".json"
     bool is_folder = false;
+    std::map<std::string, std::string> only_typed{};  ///< by word: why, see Option::only_typed
 };
 
 /// What is known of options beside what the parser knows.

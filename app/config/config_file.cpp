@@ -7,7 +7,6 @@
 
 #include "app/reference/words.h"
 #include "scb/error.h"
-#include "scb/overlap_options.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
 #include "scenes/text/number_list.h"
@@ -41,13 +40,6 @@ std::string value_text(const JsonPlace& place, const ReferenceOption& option) {
         parts.push_back(value_text(scenes::element(place, i), option));
     if (parts.empty()) scenes::refuse(place, "the list is empty; give a value, or leave it out.");
     return joined(parts, ",");
-}
-
-/// Whether a list of overlap tests has one that misses collisions: a file may be a stranger's.
-bool names_test_that_misses(const std::string& tests) {
-    const std::vector<std::string> names = scenes::split_list(tests);
-    return std::find(names.begin(), names.end(), overlap_test_name(OverlapTest::printed)) !=
-           names.end();
 }
 
 /// Of one of the commands, which agree on what an option takes as far as is asked here.
@@ -91,10 +83,11 @@ void read_section(const JsonPlace& place, const std::string& section,
                 break;
             }
         setting.value = value_text(at, option);
-        if (setting.name == "--test" && names_test_that_misses(setting.value))
-            scenes::refuse(at,
-                           "no file may give the test 'printed', for it misses collisions; give "
-                           "it on the command line.");
+        for (const std::string& word : scenes::split_list(setting.value))
+            if (const auto kept = option.values.only_typed.find(word);
+                kept != option.values.only_typed.end())
+                scenes::refuse(at, "no file may give " + setting.name + " " + word + ", for " +
+                                       kept->second + "; give it on the command line.");
         settings.push_back(setting);
     }
 }

@@ -96,6 +96,7 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
         test.offer_list(test_words());
     else
         test.offer(test_words());
+    test.only_typed(std::string(overlap_test_name(OverlapTest::printed)), "it misses collisions");
     command
         .add_option("--threshold", options.threshold,
                     "Threshold a of the paper, for corrected, line8 and printed: a slab is tested "

@@ -129,7 +129,8 @@ TEST(Config, AFileOfAStrangerLosesNoCollision) {
         configured.here.write("scb.json", text);
         const ProgramRun run = configured.run("--quiet collide cone --frames 80");
         EXPECT_EQ(run.status, 2) << text;
-        EXPECT_TRUE(has(run.err, "no file may give the test 'printed'")) << text << run.err;
+        EXPECT_TRUE(has(run.err, "no file may give --test printed, for it misses collisions"))
+            << text << run.err;
         EXPECT_EQ(configured.run("collide cone --frames 80 --no-config --test printed").status, 0);
     }
     configured.here.write("scb.json", R"({"collide": {"test": "line8"}})");
