@@ -78,7 +78,7 @@ TEST(HierarchyMeasures, SiblingOverlapIsAShareOfTheSmallerOne) {
     const HierarchyMeasures m = measured(mesh, VolumeKind::aabb);
     EXPECT_EQ(m.levels[1].solid_siblings, 1u);
     EXPECT_NEAR(m.levels[1].sibling_overlap, 9.0 / 27, 0.02);
-    EXPECT_NEAR(m.levels[1].overlap_volume, 9, 0.3);
+    EXPECT_NEAR(m.levels[1].overlap_volume, 9, 0.1);
 }
 
 TEST(HierarchyMeasures, OneTriangleIsMetByEveryLine) {
